@@ -1,0 +1,56 @@
+// The main function of a chapter that is an executable of its own.
+#include <charconv>
+#include <iostream>
+
+#include <CLI/CLI.hpp>
+
+#include "chapters/chapter_command.h"
+#include "rasterizer/error.h"
+
+namespace {
+
+// "WxH", two positive whole numbers and nothing else. Throws UsageError.
+crevice::Size parse_size(const std::string& text) {
+    crevice::Size size;
+    const char* const end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, size.width);
+    if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
+        const auto height = std::from_chars(width.ptr + 1, end, size.height);
+        if (height.ec == std::errc() && height.ptr == end && size.width > 0 && size.height > 0) return size;
+    }
+    throw crevice::UsageError("--size: not a size in pixels (" + text + "); write it as 640x360");
+}
+
+int run(int argc, char** argv) {
+    const std::vector<const crevice::Chapter*> chapters = crevice::all_chapters();
+    crevice::NotebookOptions options;
+    std::string out = options.out.string(), size;
+    CLI::App app(chapters.empty() ? "No chapter is linked into this program." : chapters.front()->title);
+    app.add_option("--out", out, "the directory for pictures and pages")->capture_default_str();
+    app.add_option("--size", size, "size of the pictures in pixels, WxH");
+    app.add_option("--seed", options.seed, "seed of the samples")->capture_default_str();
+    app.add_flag("--step", options.step, "wait for Enter after each cell");
+    app.add_flag("--quiet", options.quiet, "say only which checks fail");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : static_cast<int>(crevice::ExitCode::usage);
+    }
+    options.out = out;
+    if (!size.empty()) options.size = parse_size(size);
+    return crevice::run_chapters(chapters, options);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const crevice::Error& error) {
+        std::cerr << error.what() << "\n";
+        return static_cast<int>(error.code);
+    } catch (const std::exception& error) {
+        std::cerr << "the chapter ended early (" << error.what() << "); please report this\n";
+        return static_cast<int>(crevice::ExitCode::check_failed);
+    }
+}

@@ -1,0 +1,39 @@
+// One frame of the tutorials' pipeline: the passes in their order, each timed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "chapters/methods.h"
+#include "ssao/needs.h"
+
+namespace crevice {
+
+struct FrameRequest {
+    Size size;
+    const Method* method = nullptr;
+    MethodSettings settings;
+    WantedBuffers wanted = all_buffers();
+    int repeats = 1;  // >= 1; times are medians over them
+    Run run;
+};
+
+struct PassTime {
+    std::string name;
+    double wall_ms = 0, cpu_ms = 0;  // medians; cpu over all threads of the process
+    double wall_ms_mad = 0;          // median absolute deviation of the wall time
+    int runs = 0;
+};
+
+struct Frame {
+    Camera camera;  // as drawn: with the depth direction that the settings asked for
+    GBuffer gbuffer;
+    Image<float> ao_raw, ao_blurred;  // empty when left out
+    Image3 lit;                       // empty when left out
+    std::vector<PassTime> passes;     // those that ran, and last the frame
+    std::vector<LeftOut> left_out;
+};
+
+Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest& request);
+
+}  // namespace crevice

@@ -1,0 +1,117 @@
+#include "chapters/render.h"
+
+#include <cstdio>
+#include <iostream>
+
+#include <nlohmann/json.hpp>
+
+#include "chapters/picture.h"
+#include "rasterizer/error.h"
+#include "rasterizer/image_io.h"
+#include "rasterizer/write_file.h"
+
+namespace crevice {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Writes one buffer both ways and describes it.
+class BufferWriter {
+   public:
+    explicit BufferWriter(std::filesystem::path out) : out_(std::move(out)) {}
+
+    template <class Buffer>
+    void write(const std::string& name, const Buffer& buffer, const Picture& picture) {
+        write_npy(out_ / (name + ".npy"), buffer);
+        write_picture(out_ / (name + ".png"), picture);
+        const BufferStatistics& s = picture.statistics;
+        const Size size = picture.size;
+        Json shape = {size.height, size.width};
+        if constexpr (std::is_same_v<Buffer, Image3>) shape.push_back(3);
+        described_[name] = {{"shape", shape},     {"min", s.min}, {"max", s.max}, {"mean", s.mean},
+                            {"nan", s.nan},       {"inf", s.inf}, {"hash", content_hash(buffer)}};
+        std::cout << (out_ / (name + ".png")).string() << ": " << picture.mapping << "\n";
+    }
+
+    Json described_ = Json::object();
+
+   private:
+    std::filesystem::path out_;
+};
+
+Json described_buffers(const Frame& frame, const FrameRequest& request, const std::filesystem::path& out) {
+    BufferWriter writer(out);
+    const auto wanted = [&](const char* name) { return request.wanted.contains(name); };
+    const GBuffer& g = frame.gbuffer;
+    if (wanted("normal")) writer.write("normal", g.normal, normal_picture(g.normal));
+    if (wanted("view_depth")) writer.write("view_depth", g.view_depth, view_depth_picture(g.view_depth));
+    if (wanted("ndc_depth")) {
+        const Image<float> depth = ndc_depth(g.depth, request.run);
+        writer.write("ndc_depth", depth, ndc_depth_picture(depth, frame.camera.reversed_z));
+    }
+    if (wanted("ao_raw")) writer.write("ao_raw", frame.ao_raw, ao_picture(frame.ao_raw));
+    if (wanted("ao_blurred")) writer.write("ao_blurred", frame.ao_blurred, ao_picture(frame.ao_blurred));
+    if (wanted("lit")) writer.write("lit", frame.lit, lit_picture(frame.lit));
+    return writer.described_;
+}
+
+Json passes_json(const RenderOptions& options, const Frame& frame, Json buffers) {
+    const FrameRequest& request = options.request;
+    Json passes = Json::array(), left_out = Json::array();
+    for (const PassTime& pass : frame.passes) {
+        passes.push_back({{"name", pass.name},
+                          {"wall_ms", pass.wall_ms},
+                          {"cpu_ms", pass.cpu_ms},
+                          {"wall_ms_mad", pass.wall_ms_mad},
+                          {"runs", pass.runs}});
+    }
+    for (const LeftOut& item : frame.left_out) left_out.push_back({{"what", item.what}, {"why", item.why}});
+    return {{"scene", options.scene},
+            {"size", {request.size.width, request.size.height}},
+            {"method", request.method->name},
+            {"threads", thread_count(request.run)},
+            {"lanes", request.run.lanes},
+            {"isa", isa_name(request.run.isa)},
+            {"passes", passes},
+            {"left_out", left_out},
+            {"buffers", std::move(buffers)}};
+}
+
+// Before anything is drawn: a directory that cannot be made or written to is known now, not after a long run.
+void try_output_directory(const std::filesystem::path& out) {
+    std::error_code error;
+    std::filesystem::create_directories(out, error);
+    if (error) throw OutputError(out.string() + ": cannot make this directory (" + error.message() + "); choose another --out");
+    const std::filesystem::path trial = out / ".crevice";
+    write_file_atomically(trial, "");
+    std::filesystem::remove(trial, error);
+}
+
+void print_times(const Frame& frame) {
+    for (const PassTime& pass : frame.passes) {
+        std::printf("%-13s %8.2f ms wall  %8.2f ms cpu  (median of %d)\n", pass.name.c_str(), pass.wall_ms, pass.cpu_ms,
+                    pass.runs);
+    }
+    for (const LeftOut& item : frame.left_out) std::printf("left out: %s, because %s\n", item.what.c_str(), item.why.c_str());
+}
+
+}  // namespace
+
+void render_command(const RenderOptions& options) {
+    validate(options.request.run);
+    // Loads no texture when no picture shows one.
+    const SceneArgument argument = load_scene(options.scene, options.request.wanted.contains("lit"));
+    const Camera camera = chosen_camera(argument, options.camera);
+    try_output_directory(options.out);
+    if (triangle_count(argument.scene) == 0) std::cerr << options.scene << ": 0 triangles; only the sky will be seen\n";
+    const Frame frame = render_frame(argument.scene, camera, options.request);
+    Json buffers = described_buffers(frame, options.request, options.out);
+    const std::filesystem::path report = options.out / "passes.json";
+    write_file_atomically(report, passes_json(options, frame, std::move(buffers)).dump(1) + "\n");
+    print_times(frame);
+    std::cout.flush();
+    std::printf("%s\n", report.string().c_str());
+}
+
+}  // namespace crevice

@@ -1,0 +1,23 @@
+// `crevice render`: a scene's buffers as files, and passes.json beside them.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "chapters/frame.h"
+#include "chapters/scene_argument.h"
+
+namespace crevice {
+
+struct RenderOptions {
+    std::string scene;
+    CameraFlags camera;
+    FrameRequest request;
+    std::filesystem::path out = "out";
+};
+
+// Writes OUT/NAME.npy and OUT/NAME.png for each wanted buffer and OUT/passes.json, and prints one line for each. Throws InputError,
+// UsageError, OutputError; the output directory is tried before anything is drawn.
+void render_command(const RenderOptions& options);
+
+}  // namespace crevice

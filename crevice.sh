@@ -1,0 +1,57 @@
+#!/bin/sh
+# Crevice in one command: sets up what is missing, builds, runs.
+#   ./crevice.sh demo              run every chapter; ends with the path of one index page
+#   ./crevice.sh test              build and run every test
+#   ./crevice.sh ANYTHING ELSE     passed on to the program, such as: ./crevice.sh render columns --out out
+# --no-install as the first argument leaves the packages alone.
+set -eu
+here=$(CDPATH= cd -- "$(dirname -- "$0")" && pwd)
+start=$PWD
+program="$here/build/release/crevice"
+
+say() { printf '%s\n' "crevice.sh: $*" >&2; }
+
+missing_packages() {
+    sed '/^# continuous integration/,$d; /^#/d; /^$/d' "$here/packages.apt" | while read -r package; do
+        dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || printf '%s ' "$package"
+    done
+}
+
+install_packages() {
+    command -v dpkg-query >/dev/null 2>&1 || { say "this is no Debian: install the packages of packages.apt by hand"; return; }
+    missing=$(missing_packages)
+    [ -n "$missing" ] || return 0
+    say "packages to install: $missing"
+    if [ "$(id -u)" -eq 0 ]; then as_root=; else as_root=${SUDO-sudo}; fi
+    $as_root apt-get update -qq
+    # shellcheck disable=SC2086  # one word a package
+    $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >&2
+}
+
+build() {
+    cd "$here"
+    cmake --preset "$1" >/dev/null
+    cmake --build --preset "$1" >&2
+    cd "$start"
+}
+
+if [ "${1-}" = --no-install ]; then
+    shift
+else
+    install_packages
+fi
+case "${1-}" in
+    demo)
+        shift
+        build demo
+        exec "$program" chapter all "$@"
+        ;;
+    test)
+        build test
+        cd "$here" && exec ctest --preset test
+        ;;
+    *)
+        [ -x "$program" ] || build demo
+        exec "$program" "$@"
+        ;;
+esac

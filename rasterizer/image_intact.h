@@ -1,0 +1,15 @@
+// Damage that an image decoder would pass over: a picture cut short or altered decodes to garbage or to stale
+// memory.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace crevice {
+
+// What is wrong with the bytes of a PNG (chunk lengths and check sums), JPEG (end marker) or TGA (length)
+// file, or nothing ("") when it is whole. Anything that is neither PNG nor JPEG is taken for TGA, which has
+// no signature.
+std::string damage_in_image(std::string_view bytes);
+
+}  // namespace crevice

@@ -1,0 +1,61 @@
+#include "rasterizer/normal_depth.h"
+
+#include <limits>
+
+namespace crevice {
+
+DepthFunction nearest_wins(bool reversed_z) { return reversed_z ? DepthFunction::greater : DepthFunction::less; }
+
+GeometrySettings geometry_settings(const NormalDepthSettings& settings) {
+    return {settings.position_order, true, settings.depth_format, settings.depth_bias};
+}
+
+namespace {
+
+struct NormalDepthShader {
+    const ScreenGeometry& geometry;
+    GBuffer& g;
+    std::int32_t clear_code;
+
+    void begin_tile(PixelRect tile) const {
+        for (Image<float>* plane : {&g.normal.x, &g.normal.y, &g.normal.z}) fill_tile(*plane, tile, 0.0f);
+        fill_tile(g.view_depth, tile, std::numeric_limits<float>::infinity());
+        fill_tile(g.depth.codes, tile, clear_code);
+    }
+
+    template <class F>
+    CREVICE_INLINE void fragment(const ScreenTriangle& t, const Fragment<F>& f) const {
+        store_where_passed(g.view_depth.row(f.y), f, stored_as(f.view_depth, g.format));
+        if (geometry.vertices.n_view.empty()) return;
+        const Vec3<F> n = n_view_at(geometry, t, f);
+        store_where_passed(g.normal.x.row(f.y), f, stored_as(n.x, g.format));
+        store_where_passed(g.normal.y.row(f.y), f, stored_as(n.y, g.format));
+        store_where_passed(g.normal.z.row(f.y), f, stored_as(n.z, g.format));
+    }
+
+    template <class F>
+    CREVICE_INLINE void finish_tile(PixelRect) const {}
+};
+
+}  // namespace
+
+GBuffer normal_depth(const ScreenGeometry& geometry, bool reversed_z, const NormalDepthSettings& settings,
+                     const Run& run) {
+    GBuffer g{Image3(geometry.size), Image<float>(geometry.size), {settings.depth_format, Image<std::int32_t>(geometry.size)},
+              settings.buffer_format};
+    const std::int32_t clear_code = depth_code(settings.depth_format, reversed_z ? 0.0f : 1.0f, 0.0);
+    rasterize(geometry, nearest_wins(reversed_z), g.depth, NormalDepthShader{geometry, g, clear_code}, run);
+    return g;
+}
+
+GBuffer normal_depth(const Scene& scene, const Camera& camera, Size size, const NormalDepthSettings& settings,
+                     const Run& run) {
+    return normal_depth(screen_geometry(scene, camera, size, geometry_settings(settings), run), camera.reversed_z, settings,
+                        run);
+}
+
+GBuffer normal_depth(const Scene& scene, const Camera& camera, Size size, const Run& run) {
+    return normal_depth(scene, camera, size, NormalDepthSettings{}, run);
+}
+
+}  // namespace crevice

@@ -1,0 +1,36 @@
+// The lines and words of an OBJ's text.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace crevice {
+
+// One logical line after another: lines end in LF, CRLF or CR, and a backslash at the end joins a line to the
+// next one (not in a comment). After advance() returned true, `text` is the line and `line` the number of its
+// first physical line, from 1.
+struct LogicalLines {
+    explicit LogicalLines(std::string_view whole_text) : rest(whole_text) {}
+
+    bool advance();  // false: there are no more
+
+    std::string_view text;
+    std::size_t line = 0;
+
+   private:
+    std::string_view take_physical();
+
+    std::string_view rest;
+    std::size_t next_line = 1;
+    std::string joined;  // backs `text` where lines were joined
+};
+
+// Takes the next word off the front of `rest`; empty at the end and at a comment. Blanks are space, tab, NUL,
+// VT and FF.
+std::string_view take_word(std::string_view& rest);
+
+// `text` without blanks at both ends.
+std::string_view trimmed(std::string_view text);
+
+}  // namespace crevice

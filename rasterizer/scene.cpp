@@ -1,0 +1,31 @@
+#include "rasterizer/scene.h"
+
+#include <algorithm>
+
+namespace crevice {
+
+std::size_t triangle_count(const Scene& scene) {
+    std::size_t count = 0;
+    for (const Instance& instance : scene.instances) {
+        count += scene.meshes[static_cast<std::size_t>(instance.mesh)].triangles.size();
+    }
+    return count;
+}
+
+Bounds world_bounds(const Scene& scene) {
+    Bounds bounds;
+    for (const Instance& instance : scene.instances) {
+        const glm::dmat4 world_from_object(instance.world_from_object);
+        for (const glm::vec3& position : scene.meshes[static_cast<std::size_t>(instance.mesh)].positions) {
+            const glm::dvec3 p_world(world_from_object * glm::dvec4(position, 1.0));
+            for (int axis = 0; axis < 3; ++axis) {
+                bounds.low[axis] = bounds.empty ? p_world[axis] : std::min(bounds.low[axis], p_world[axis]);
+                bounds.high[axis] = bounds.empty ? p_world[axis] : std::max(bounds.high[axis], p_world[axis]);
+            }
+            bounds.empty = false;
+        }
+    }
+    return bounds;
+}
+
+}  // namespace crevice

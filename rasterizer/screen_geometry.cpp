@@ -1,0 +1,222 @@
+#include "rasterizer/screen_geometry.h"
+
+#include <algorithm>
+
+#include <glm/matrix.hpp>
+
+#include "rasterizer/clip.h"
+#include "rasterizer/parallel.h"
+
+namespace crevice {
+
+namespace {
+
+// Blocks hold at least this many triangles; a large draw has at most kMostBlocks of them for each instance.
+constexpr std::uint32_t kBlockTriangles = 4096;
+constexpr std::uint32_t kMostBlocks = 64;
+
+struct BlockSource {
+    std::span<const std::array<std::uint32_t, 3>> triangles;  // of the mesh, from this block on
+    std::uint32_t first_vertex, instance;
+    std::int32_t material;
+    bool mirrored;  // the instance's matrix turns clockwise into counter-clockwise: undone here
+};
+
+// Appends triangles to a block, then sorts their indices by tile.
+class BlockBuilder {
+   public:
+    BlockBuilder(const ScreenGeometry& geometry, const SetupSettings& setup, TriangleBlock& block)
+        : geometry_(geometry), setup_(setup), block_(block) {}
+
+    void add(const BlockSource& source, const std::array<std::uint32_t, 3>& mesh_indices) {
+        std::array<std::uint32_t, 3> index;
+        std::array<const ProjectedVertex*, 3> corners;
+        for (std::size_t i = 0; i < 3; ++i) {
+            index[i] = source.first_vertex + mesh_indices[source.mirrored ? 2 - i : i];
+            corners[i] = &geometry_.vertices.projected[index[i]];
+        }
+        const std::uint32_t any = corners[0]->outside | corners[1]->outside | corners[2]->outside;
+        const std::uint32_t all = corners[0]->outside & corners[1]->outside & corners[2]->outside;
+        if ((any & kNotANumber) != 0 || (all & kOutsideOneSide) != 0) return;
+        if ((any & kNeedsClipping) == 0) {
+            append(source, index, corners, nullptr);
+        } else {
+            add_clipped(source, index, corners);
+        }
+    }
+
+    void finish() {
+        const auto tile_count = static_cast<std::size_t>(geometry_.tiles.width * geometry_.tiles.height);
+        block_.first_of_tile.assign(tile_count + 1, 0);
+        for (const Entry& entry : entries_) ++block_.first_of_tile[entry.tile + 1];
+        for (std::size_t t = 0; t < tile_count; ++t) block_.first_of_tile[t + 1] += block_.first_of_tile[t];
+        block_.triangle_of_tile.resize(entries_.size());
+        std::vector<std::uint32_t> next(block_.first_of_tile.begin(), block_.first_of_tile.end() - 1);
+        for (const Entry& entry : entries_) block_.triangle_of_tile[next[entry.tile]++] = entry.triangle;
+    }
+
+   private:
+    struct Entry {
+        std::uint32_t tile, triangle;
+    };
+
+    void add_clipped(const BlockSource& source, const std::array<std::uint32_t, 3>& index,
+                     const std::array<const ProjectedVertex*, 3>& corners) {
+        std::array<glm::vec4, 3> p_clip;
+        for (std::size_t i = 0; i < 3; ++i) p_clip[i] = geometry_.vertices.p_clip[index[i]];
+        const ClippedPolygon polygon = clip_triangle(p_clip, geometry_.size);
+        std::array<ProjectedVertex, kMaxClippedVertices> projected;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.count); ++i) {
+            // A vertex that was not moved keeps the position its unclipped neighbours use.
+            const ClippedVertex& v = polygon.vertices[i];
+            projected[i] = v.original >= 0 ? *corners[static_cast<std::size_t>(v.original)]
+                                           : project_clipped(v, geometry_.size);
+        }
+        for (std::size_t i = 2; i < static_cast<std::size_t>(polygon.count); ++i) {
+            const std::array<std::size_t, 3> piece = {0, i - 1, i};
+            ClippedCorners lambdas;
+            for (std::size_t k = 0; k < 3; ++k) {
+                lambdas.lambda1[k] = static_cast<float>(polygon.vertices[piece[k]].lambda1);
+                lambdas.lambda2[k] = static_cast<float>(polygon.vertices[piece[k]].lambda2);
+            }
+            append(source, index, {&projected[piece[0]], &projected[piece[1]], &projected[piece[2]]}, &lambdas);
+        }
+    }
+
+    void append(const BlockSource& source, const std::array<std::uint32_t, 3>& index,
+                const std::array<const ProjectedVertex*, 3>& corners, const ClippedCorners* lambdas) {
+        std::optional<SetUpTriangle> set_up = set_up_triangle(corners, setup_);
+        if (!set_up) return;
+        ScreenTriangle& t = set_up->triangle;
+        t.instance = source.instance;
+        t.material = source.material;
+        if (lambdas != nullptr) {
+            // The corners of the piece were reordered; the submitted triangle keeps its order.
+            ClippedCorners reordered;
+            for (std::size_t i = 0; i < 3; ++i) {
+                reordered.lambda1[i] = lambdas->lambda1[set_up->order[i]];
+                reordered.lambda2[i] = lambdas->lambda2[set_up->order[i]];
+            }
+            t.vertex = index;
+            t.clipped = static_cast<std::int32_t>(block_.clipped.size());
+            block_.clipped.push_back(reordered);
+        } else {
+            for (std::size_t i = 0; i < 3; ++i) t.vertex[i] = index[set_up->order[i]];
+        }
+        enter_into_tiles(t);
+        block_.triangles.push_back(t);
+    }
+
+    void enter_into_tiles(const ScreenTriangle& t) {
+        const PixelSpan columns = covered_centres(std::min({t.x[0], t.x[1], t.x[2]}), std::max({t.x[0], t.x[1], t.x[2]}));
+        const PixelSpan rows = covered_centres(t.y[0], std::max(t.y[1], t.y[2]));
+        const int size = geometry_.tile_size;
+        const int left = std::max(columns.first, 0) / size, top = std::max(rows.first, 0) / size;
+        const int right = std::min(columns.last, geometry_.size.width - 1), bottom = std::min(rows.last, geometry_.size.height - 1);
+        if (columns.last < 0 || rows.last < 0 || columns.first >= geometry_.size.width ||
+            rows.first >= geometry_.size.height) {
+            return;
+        }
+        const auto triangle = static_cast<std::uint32_t>(block_.triangles.size());
+        const bool one_tile = left == right / size && top == bottom / size;
+        for (int y = top; y <= bottom / size; ++y) {
+            for (int x = left; x <= right / size; ++x) {
+                if (!one_tile && misses_tile(t, x * size, y * size)) continue;
+                entries_.push_back({static_cast<std::uint32_t>(y * geometry_.tiles.width + x), triangle});
+            }
+        }
+    }
+
+    // True when one edge has every pixel centre of the tile on its outer side: its most inner corner decides.
+    bool misses_tile(const ScreenTriangle& t, int x, int y) const {
+        const int last = geometry_.tile_size - 1;
+        for (int i = 0; i < 3; ++i) {
+            const Edge e = triangle_edge(t, i);
+            const int inner_x = x + (e.per_column > 0 ? last : 0), inner_y = y + (e.per_row > 0 ? last : 0);
+            if (e.at_origin + e.per_column * inner_x + e.per_row * inner_y < e.threshold) return true;
+        }
+        return false;
+    }
+
+    const ScreenGeometry& geometry_;
+    const SetupSettings& setup_;
+    TriangleBlock& block_;
+    std::vector<Entry> entries_;
+};
+
+ScreenGeometry empty_geometry(Size size, const Run& run) {
+    validate(run);
+    ScreenGeometry geometry;
+    geometry.size = size;
+    geometry.tile_size = run.tile_size;
+    geometry.tiles = {(size.width + run.tile_size - 1) / run.tile_size, (size.height + run.tile_size - 1) / run.tile_size};
+    return geometry;
+}
+
+void build_blocks(ScreenGeometry& geometry, const std::vector<BlockSource>& sources, const SetupSettings& setup,
+                  const Run& run) {
+    geometry.blocks.resize(sources.size());
+    parallel_for(static_cast<int>(sources.size()), run, [&](int i) {
+        const BlockSource& source = sources[static_cast<std::size_t>(i)];
+        BlockBuilder builder(geometry, setup, geometry.blocks[static_cast<std::size_t>(i)]);
+        for (const auto& triangle : source.triangles) builder.add(source, triangle);
+        builder.finish();
+    });
+    for (const BlockSource& source : sources) geometry.submitted_triangles += source.triangles.size();
+}
+
+void append_sources(std::vector<BlockSource>& sources, BlockSource whole) {
+    const auto count = static_cast<std::uint32_t>(whole.triangles.size());
+    const std::uint32_t step = std::max(kBlockTriangles, (count + kMostBlocks - 1) / kMostBlocks);
+    for (std::uint32_t first = 0; first < count; first += step) {
+        BlockSource part = whole;
+        part.triangles = whole.triangles.subspan(first, std::min(step, count - first));
+        sources.push_back(part);
+    }
+}
+
+}  // namespace
+
+ScreenGeometry screen_geometry(const Scene& scene, const Camera& camera, Size size, const GeometrySettings& settings,
+                               const Run& run) {
+    ScreenGeometry geometry = empty_geometry(size, run);
+    const CameraMatrices matrices = camera_matrices(camera, size);
+    geometry.rays = {matrices.ray_scale, size, camera.projection == Projection::perspective};
+    geometry.depth_a = matrices.depth_a;
+    geometry.depth_b = matrices.depth_b;
+    geometry.vertices =
+        transform_vertices(scene, camera, size, settings.position_order, settings.with_normals, run);
+
+    std::vector<BlockSource> sources;
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        const Mesh& mesh = scene.meshes[static_cast<std::size_t>(scene.instances[i].mesh)];
+        const bool mirrored = glm::determinant(glm::mat3(scene.instances[i].world_from_object)) < 0;
+        for (const MeshPart& part : mesh.parts) {
+            append_sources(sources,
+                           {std::span(mesh.triangles).subspan(part.first_triangle, part.triangle_count),
+                            geometry.vertices.first_vertex[i], static_cast<std::uint32_t>(i), part.material, mirrored});
+        }
+    }
+    const SetupSettings setup{!scene.two_sided, settings.depth_format, settings.depth_bias};
+    build_blocks(geometry, sources, setup, run);
+    return geometry;
+}
+
+ScreenGeometry screen_geometry_from_clip(std::span<const glm::vec4> p_clip,
+                                         std::span<const std::array<std::uint32_t, 3>> triangles, Size size,
+                                         const SetupSettings& setup, const Run& run) {
+    ScreenGeometry geometry = empty_geometry(size, run);
+    TransformedVertices& vertices = geometry.vertices;
+    vertices.first_vertex = {0};
+    vertices.n_view.assign(p_clip.size(), glm::vec3(0));
+    for (const glm::vec4& p : p_clip) {
+        vertices.p_clip.push_back(p);
+        vertices.projected.push_back(project_vertex(p, size));
+    }
+    std::vector<BlockSource> sources;
+    append_sources(sources, {triangles, 0, 0, 0, false});
+    build_blocks(geometry, sources, setup, run);
+    return geometry;
+}
+
+}  // namespace crevice

@@ -1,0 +1,52 @@
+// Everything of a draw that is known before the first pixel: transformed vertices, set-up triangles, and for every tile of the
+// picture the list of triangles that may touch it, in submission order. Passes over the same view can share one.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rasterizer/run.h"
+#include "rasterizer/scene.h"
+#include "rasterizer/spaces.h"
+#include "rasterizer/triangle_setup.h"
+#include "rasterizer/vertex_transform.h"
+
+namespace crevice {
+
+// A run of consecutive triangles. Blocks are built side by side; tiles read them one after the other.
+struct TriangleBlock {
+    std::vector<ScreenTriangle> triangles;
+    std::vector<ClippedCorners> clipped;
+    std::vector<std::uint32_t> first_of_tile;     // one a tile and one more: where its list starts in triangle_of_tile
+    std::vector<std::uint32_t> triangle_of_tile;  // indices into `triangles`
+};
+
+struct ScreenGeometry {
+    Size size;
+    int tile_size = 64;  // pixels
+    Size tiles;          // how many, across and down
+    ViewRays rays{glm::vec2(1), {}, true};
+    float depth_a = 0, depth_b = 0;  // CameraMatrices
+    TransformedVertices vertices;
+    std::vector<TriangleBlock> blocks;
+    std::size_t submitted_triangles = 0;
+};
+
+struct GeometrySettings {
+    PositionOrder position_order = PositionOrder::relative;
+    bool with_normals = true;
+    DepthFormat depth_format = DepthFormat::d32f;  // matters to the unit of the bias only
+    DepthBias depth_bias = {};
+};
+
+ScreenGeometry screen_geometry(const Scene& scene, const Camera& camera, Size size,
+                               const GeometrySettings& settings = {}, const Run& run = {});
+
+// The same from positions already in clip space (any w): one instance, vertex normals zero, back faces kept.
+ScreenGeometry screen_geometry_from_clip(std::span<const glm::vec4> p_clip,
+                                         std::span<const std::array<std::uint32_t, 3>> triangles, Size size,
+                                         const SetupSettings& setup = {.cull_back_faces = false}, const Run& run = {});
+
+}  // namespace crevice

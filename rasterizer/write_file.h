@@ -1,0 +1,15 @@
+// Whole files or none: what could not be written completely does not exist.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace crevice {
+
+// Writes NAME.partial beside the target and renames it when every byte has been accepted, so that a reader
+// sees the old file or the new one, never a part. A symbolic link is followed. What exists but is not a
+// regular file (a pipe, /dev/stdout) is written to directly; a directory is refused. Throws OutputError
+// naming the path and the system's reason; nothing of the new file is left behind then.
+void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace crevice

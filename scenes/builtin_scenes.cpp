@@ -1,0 +1,33 @@
+#include "scenes/builtin_scenes.h"
+
+#include <array>
+
+namespace crevice {
+namespace {
+
+constexpr std::array<BuiltinScene, 7> kScenes = {{
+    {"columns", "the scene of seed 000: columns, spheres and a house with niches and eaves", "the tutorial's",
+     columns_scene},
+    {"columns_luna",
+     "the scene of seed 002: tapered columns, a carved head of 60,492 triangles on a pedestal",
+     "the tutorial's", columns_luna_scene},
+    {"sphere_on_plane", "closed form: the shade under a resting sphere", "the sphere's radius",
+     sphere_on_plane_scene},
+    {"wall_corner", "closed form: the shade along a wall", "none, 1", wall_corner_scene},
+    {"trench", "closed form: the shade in a trench as wide as deep", "none, 1", trench_scene},
+    {"cornell", "a closed room: the measured Cornell box", "10 cm", cornell_scene},
+    {"empty", "no triangles: every buffer is its background", "none, 1", empty_scene},
+}};
+
+}  // namespace
+
+std::span<const BuiltinScene> builtin_scenes() { return kScenes; }
+
+const BuiltinScene* find_builtin_scene(std::string_view name) {
+    for (const BuiltinScene& scene : kScenes) {
+        if (name == scene.name) return &scene;
+    }
+    return nullptr;
+}
+
+}  // namespace crevice

@@ -1,0 +1,51 @@
+// The scenes that need no file, each with camera, lights and materials of its own. All are in the tutorials'
+// left-handed world, y up, one-sided (back faces culled). scenes/README.md lists them.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "rasterizer/scene.h"
+
+namespace crevice {
+
+struct BuiltinScene {
+    const char* name;     // also Scene::name
+    const char* purpose;  // half a sentence
+    const char* unit;     // what one scene unit is
+    Scene (*make)();
+};
+
+// All of them, always in the same order.
+std::span<const BuiltinScene> builtin_scenes();
+
+// Null when there is none of this name.
+const BuiltinScene* find_builtin_scene(std::string_view name);
+
+// Seed 000: a plane, ten columns with spheres on top, a house. Lights and materials of its 2020 chapter.
+Scene columns_scene();
+
+// Seed 002: a grid, ten tapered columns with spheres, a carved head on a pedestal.
+Scene columns_luna_scene();
+
+// A sphere of radius 1 that rests on a plane at the origin. At distance x from the contact the plane's
+// cosine-weighted accessibility is 1 - (r^2 / (x^2 + r^2))^(3/2), the uniform one x / sqrt(x^2 + r^2), for
+// rays of any length.
+Scene sphere_on_plane_scene();
+
+// The floor y = 0 (z < 0) and the wall z = 0 (y > 0). At distance c R from the wall, rays of length R up to
+// 1000: 1 - (arccos c - c sqrt(1 - c^2)) / pi.
+Scene wall_corner_scene();
+
+// A trench along z, width and depth kTrenchWidth and kTrenchDepth, its middle at x = 0, its rim at y = 0. On
+// its floor at x from one wall: (x / sqrt(x^2 + d^2) + (w - x) / sqrt((w - x)^2 + d^2)) / 2.
+inline constexpr double kTrenchWidth = 2, kTrenchDepth = 2;
+Scene trench_scene();
+
+// The Cornell box as measured: room open to the front, short and tall block.
+Scene cornell_scene();
+
+// No triangles: every buffer is its background.
+Scene empty_scene();
+
+}  // namespace crevice

@@ -1,0 +1,69 @@
+// The scene of seed 002 (F. Luna, 3D Game Programming with DirectX 12, chapter 21), window 800x600.
+// Positions, lights and materials are the book's, without its textures. There is no cube map to reflect yet,
+// so the mirror spheres, whose albedo is 0, show highlights only.
+#include <array>
+#include <vector>
+
+#include "rasterizer/approx_math.h"
+#include "scenes/builtin_scenes.h"
+#include "scenes/carved_head.h"
+#include "scenes/composing.h"
+#include "scenes/shapes.h"
+
+namespace crevice {
+namespace {
+
+enum LunaMaterial { kBricks, kTile, kMirror, kSkull };
+
+std::vector<Material> materials() {
+    return {
+        book_material("bricks", glm::vec3(1), glm::vec3(0.1f), 0.3),
+        book_material("tile", glm::vec3(0.9f), glm::vec3(0.2f), 0.1),
+        book_material("mirror", glm::vec3(0), {0.98f, 0.97f, 0.95f}, 0.1),
+        book_material("skull", glm::vec3(0.3f), glm::vec3(0.6f), 0.2),
+    };
+}
+
+std::array<DirectionalLight, 3> lights() {
+    std::array<DirectionalLight, 3> three;
+    three[0].direction = unit({0.577, -0.577, 0.577});
+    three[0].diffuse = {0.4f, 0.4f, 0.5f};
+    three[1].direction = unit({-0.577, -0.577, 0.577});
+    three[1].diffuse = glm::vec3(0.1f);
+    three[2].direction = unit({0, -0.707, -0.707});  // the book's third light is dark
+    return three;
+}
+
+}  // namespace
+
+Scene columns_luna_scene() {
+    Scene scene;
+    scene.name = "columns_luna";
+    scene.materials = materials();
+    scene.lights = lights();
+    scene.ambient_light = {0.4f, 0.4f, 0.6f};
+    scene.lighting = LightingModel::blinn_schlick;
+    // LightSteelBlue, to which the book clears.
+    scene.sky = {linear_from_srgb(0.690196f), linear_from_srgb(0.768627f), linear_from_srgb(0.870588f)};
+    scene.camera.eye = {0, 2, -15};
+    scene.camera.target = {0, 2, 0};
+    scene.camera.fov_y_rad = kPi / 4;
+
+    const int floor = add_mesh(scene, with_material(grid_mesh(20, 30, 60, 40, {8, 8}), kTile));
+    const int box = add_mesh(scene, with_material(box_mesh(glm::dvec3(1), 8), kBricks));
+    const int head = add_mesh(scene, with_material(carved_head_mesh(), kSkull));
+    const int column = add_mesh(scene, with_material(cylinder_mesh(0.5, 0.3, 3, 20, 20), kBricks));
+    const int sphere = add_mesh(scene, with_material(sphere_mesh(0.5, 20, 20), kMirror));
+    scene.instances = {placed(floor, {0, 0, 0}), placed(box, {0, 0.5f, 0}, {2, 1, 2}),
+                       placed(head, {0, 1, 0}, glm::vec3(0.4f))};
+    for (int i = 0; i < 5; ++i) {
+        const float z = -10.0f + 5.0f * static_cast<float>(i);
+        for (const float x : {-5.0f, 5.0f}) {
+            scene.instances.push_back(placed(column, {x, 1.5f, z}));
+            scene.instances.push_back(placed(sphere, {x, 3.5f, z}));
+        }
+    }
+    return scene;
+}
+
+}  // namespace crevice

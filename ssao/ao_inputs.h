@@ -1,0 +1,51 @@
+// What an AO map's texel sees of the G-buffer: one normal and one depth, fetched the way the tutorial's samplers fetch them, and the
+// depth map its samples are compared with.
+// Source: seed 000 (normals and view depth, linear, border), seed 002 (normals point and renormalised, NDC depth linear, border far).
+// In:     GBuffer
+// Out:    AoInputs; background: normal (0,0,0), view_depth +inf
+// Differs from the tutorials: a texel at the edge of the sky takes the mean of the pixels that hold a surface; the tutorials
+//         mix the sky's depth into it. `as_published` does as they do.
+#pragma once
+
+#include "rasterizer/camera.h"
+#include "rasterizer/normal_depth.h"
+#include "rasterizer/spaces.h"
+
+namespace crevice {
+
+enum class DepthSource {
+    view_depth,  // seed 000
+    ndc_depth,   // seed 002
+};
+
+struct AoFetch {
+    DepthSource depth = DepthSource::view_depth;
+    bool point_normals = false;  // the pixel's own normal, renormalised, instead of the unnormalised mean
+    float scale = 0.5f;          // AO map size over picture size: 0.5 or 1
+    bool as_published = false;
+};
+
+struct AoInputs {
+    AoFetch fetch;
+    Size picture;            // of the G-buffer
+    Image3 normal;           // view space, AO map size
+    Image<float> view_depth; // scene units, AO map size
+
+    // Seed 000: view depth, background and border kBackgroundOverFar * far; seed 002: ndc depth, background and border the far
+    // plane. Pixel (x, y) of the picture is at (x + 1, y + 1); one column and row of border before, two after.
+    Image<float> depth_map;
+    float depth_a = 0, depth_b = 0;         // CameraMatrices, to turn ndc depth into view depth
+    ViewRays rays{glm::vec2(1), {}, true};  // of the picture
+    float near_plane = 0;                   // scene units
+    Size size() const { return view_depth.size; }
+};
+
+// Seed 000 clears its depth to 1e5, a hundred times its far plane; as a ratio it survives a change of units.
+inline constexpr float kBackgroundOverFar = 100;
+
+// The AO map of a picture: each side times the scale, rounded up, at least 1.
+Size ao_map_size(Size picture, float scale);
+
+AoInputs ao_inputs(const GBuffer& gbuffer, const Camera& camera, const AoFetch& fetch, const Run& run = {});
+
+}  // namespace crevice

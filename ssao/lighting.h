@@ -1,0 +1,64 @@
+// The two tutorials' lighting models, for one pixel or eight. All vectors in view space, all colours in linear light.
+#pragma once
+
+#include <vector>
+
+#include "rasterizer/approx_math.h"
+#include "rasterizer/scene.h"
+
+namespace crevice {
+
+// A point to be lit.
+template <class F>
+struct SurfacePoint {
+    Vec3<F> n, to_eye;       // unit
+    Vec3<F> texture_colour;  // multiplies diffuse and ambient reflectance
+    F accessibility;         // multiplies every ambient term
+};
+
+using ViewLights = std::vector<DirectionalLight>;
+
+// Seed 000: ambient, diffuse and Phong specular of each light; the texture multiplies the first two.
+template <class F>
+CREVICE_INLINE Vec3<F> phong(const SurfacePoint<F>& s, const Material& material, const ViewLights& lights) {
+    const F zero = F(0);
+    Vec3<F> ambient{zero, zero, zero}, diffuse = ambient, specular = ambient;
+    for (const DirectionalLight& light : lights) {
+        const Vec3<F> to_light = spread<F>(-light.direction);
+        const F facing = dot(s.n, to_light);
+        ambient = ambient + spread<F>(light.ambient * material.ambient);
+        diffuse = diffuse + max_of(facing, zero) * spread<F>(light.diffuse * material.diffuse);
+        const Vec3<F> mirrored = F(2) * facing * s.n - to_light;
+        const F highlight = power(max_of(dot(mirrored, s.to_eye), zero), F(material.shininess));
+        specular = specular + select(facing > zero, highlight, zero) * spread<F>(light.specular * material.specular);
+    }
+    return s.texture_colour * (s.accessibility * ambient + diffuse) + specular;
+}
+
+// Seed 002: one ambient term; each light's diffuse albedo plus a Blinn-Phong highlight, normalised, times Schlick's Fresnel term and
+// brought into [0,1) for a low dynamic range.
+template <class F>
+CREVICE_INLINE Vec3<F> blinn_schlick(const SurfacePoint<F>& s, const Material& material, const ViewLights& lights,
+                                     const glm::vec3& ambient_light) {
+    const F zero = F(0), one = F(1);
+    const Vec3<F> albedo = s.texture_colour * spread<F>(material.diffuse), ones{one, one, one};
+    const Vec3<F> r0 = spread<F>(material.specular);
+    Vec3<F> colour = s.accessibility * (spread<F>(ambient_light) * albedo);
+    for (const DirectionalLight& light : lights) {
+        const Vec3<F> to_light = spread<F>(-light.direction);
+        const F facing = max_of(dot(s.n, to_light), zero);
+        const Vec3<F> half = normalize_or<F>(to_light + s.to_eye, s.n);
+        const F m = F(material.shininess);
+        const F roughness = (m + F(8)) * power(max_of(dot(s.n, half), zero), m) * F(0.125f);
+        const F grazing = one - saturate(dot(half, to_light));
+        const F grazing2 = grazing * grazing;
+        const Vec3<F> fresnel = r0 + (grazing2 * grazing2 * grazing) * (ones - r0);
+        const Vec3<F> highlight = roughness * fresnel;
+        const Vec3<F> bounded{highlight.x / (highlight.x + one), highlight.y / (highlight.y + one),
+                              highlight.z / (highlight.z + one)};
+        colour = colour + facing * (spread<F>(light.diffuse) * (albedo + bounded));
+    }
+    return colour;
+}
+
+}  // namespace crevice

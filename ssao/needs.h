@@ -1,0 +1,35 @@
+// What a frame of this scene needs, derived from the scene and from the buffers that somebody asked for. Passes take the answers as
+// plain values; nothing left out changes a bit of what remains.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "rasterizer/scene.h"
+
+namespace crevice {
+
+// The buffers a frame can produce, by the names of their files.
+inline constexpr const char* kBufferNames[] = {"normal", "view_depth", "ndc_depth", "ao_raw", "ao_blurred", "lit"};
+using WantedBuffers = std::set<std::string>;
+WantedBuffers all_buffers();
+
+struct LeftOut {
+    std::string what, why;
+};
+
+struct Needs {
+    bool normal_depth = true;  // the first pass: everything reads its depth
+    bool normals = true;       // written by the first pass
+    bool ao = true;
+    bool blur = true;
+    bool lit = true;
+    std::vector<LeftOut> left_out;  // a reason for every "no", and for the passes that no scene has yet
+};
+
+// `ao_on` is false for the method `none`; `blur_iterations` 0 asks for no blur. With `keep_all` every pass runs that can run, and
+// the result is the same.
+Needs needs_of(const Scene& scene, const WantedBuffers& wanted, bool ao_on, int blur_iterations, bool keep_all);
+
+}  // namespace crevice
