@@ -1,19 +1,16 @@
-// Question: in which directions does a pixel look for occluders, and are they as even and as random as the text says?
+// Question: in which directions does a pixel look for occluders, and are they as even as the text says?
 //
-// The one idea: keep 14 fixed vectors that are spread evenly, and mirror all of them at the plane of one random vector
-// per pixel. Mirroring keeps lengths and angles, so the set stays even; but only a unit vector makes a mirror.
+// The one idea: keep 14 fixed vectors that are spread evenly, and mirror them all at the plane of a random
+// vector, another at each pixel. Mirroring keeps lengths and angles, but only a unit vector makes a mirror.
 //
 // Source: seed 000, "Generating random samples"; seed 002, BuildOffsetVectors and BuildRandomVectorTexture.
-// Look for: the third drawing, where a vector that is too long pulls the set out of shape; the histogram, which
-//           should be a single bar; the bright spots of the density.
+// Look for: the third drawing, pulled out of shape; the histogram, which should be one bar; the bright spots.
 // Run: crevice chapter 05
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <numeric>
 
 #include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
 
 #include "chapters/chapter.h"
 #include "ssao/random_vectors.h"
@@ -23,146 +20,127 @@ namespace {
 
 using Vectors = std::array<glm::vec3, kCubeVectors>;
 
-std::string text(const char* format, float value) {
-    char characters[48];
-    std::snprintf(characters, sizeof characters, format, static_cast<double>(value));
-    return characters;
-}
-
 // HLSL's reflect, for the whole set.
 Vectors mirrored(Vectors vectors, glm::vec3 r) {
     for (glm::vec3& v : vectors) v = v - 2 * glm::dot(v, r) * r;
     return vectors;
 }
 
-// The vectors as lines from the origin, z to the upper right; grey axes from -1 to 1.
+// The vectors as lines from the origin: x right, y up, z to the upper right. The frame is at 1.6.
 Picture drawing(const Vectors& vectors) {
     constexpr int kSide = 241;
     Image3 canvas({kSide, kSide}, glm::vec3(1));
-    const auto line = [&](glm::vec3 from, glm::vec3 to, glm::vec3 colour) {
+    for (const glm::vec3& v : vectors) {
         for (int step = 0; step <= kSide; ++step) {
-            const glm::vec3 p = from + static_cast<float>(step) / kSide * (to - from);
+            const glm::vec3 p = static_cast<float>(step) / kSide * v;
             const int x = static_cast<int>(120.5f + 75 * (p.x + 0.35f * p.z));
             const int y = static_cast<int>(120.5f - 75 * (p.y + 0.25f * p.z));
-            if (x >= 0 && y >= 0 && x < kSide && y < kSide) canvas.set(x, y, colour);
+            if (x >= 0 && y >= 0 && x < kSide && y < kSide) canvas.set(x, y, 0.4f * glm::normalize(v) + 0.4f);
         }
-    };
-    for (const glm::vec3& axis : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)}) {
-        line(-axis, axis, glm::vec3(0.8f));
     }
-    for (const glm::vec3& v : vectors) line(glm::vec3(0), v, 0.4f * glm::normalize(v) + 0.4f);
     return colour_picture(canvas);
 }
 
-// What mirroring does to 14 unit directions, over every texel of the random map.
-struct Mirroring {
-    std::vector<float> lengths;         // sorted
-    double mean_length = 0;
-    float uneven = 0;                   // largest |mean of d d^T - identity / 3| of one texel's set
-    Image<float> density{{48, 48}, 0};  // of the flipped directions, seen along n = +z, equal areas; even: 1
-    float percentile(std::size_t percent) const { return lengths[percent * (lengths.size() - 1) / 100]; }
-};
-
-Mirroring mirroring(Vectors directions, const RandomMap& map, bool unit) {
-    Mirroring result;
-    for (glm::vec3& d : directions) d = glm::normalize(d);
-    const auto count = static_cast<float>(map.x.size() * kCubeVectors);
+// The 14 directions mirrored at every vector of the map.
+std::vector<glm::vec3> all_mirrored(Vectors offsets, const RandomMap& map, bool unit) {
+    for (glm::vec3& o : offsets) o = glm::normalize(o);
+    std::vector<glm::vec3> result;
     for (std::size_t i = 0; i < map.x.size(); ++i) {
         const glm::vec3 r(map.x[i], map.y[i], map.z[i]);
-        glm::mat3 spread(-1.0f / 3);
-        for (const glm::vec3& d : mirrored(directions, unit ? glm::normalize(r) : r)) {
-            result.lengths.push_back(glm::length(d));
-            result.mean_length += static_cast<double>(glm::length(d) / count);
-            spread += glm::outerProduct(d, d) * (1.0f / kCubeVectors);
-            const glm::vec3 flipped = d / (d.z < 0 ? -glm::length(d) : glm::length(d));
-            const auto cell = [&](float a) { return static_cast<int>((a / std::sqrt(1 + flipped.z) + 1) * 23.9f); };
-            result.density.at(cell(flipped.x), 47 - cell(flipped.y)) += 3.14159265f * 23.9f * 23.9f / count;
-        }
-        for (int c = 0; c < 9; ++c) result.uneven = std::max(result.uneven, std::fabs(spread[c / 3][c % 3]));
+        const Vectors d = mirrored(offsets, unit ? glm::normalize(r) : r);
+        result.insert(result.end(), d.begin(), d.end());
     }
-    std::sort(result.lengths.begin(), result.lengths.end());
     return result;
 }
 
-// Bars over |d| / |o| from 0 to 3; the highest fills the picture. `lengths` are sorted.
-Picture histogram(const std::vector<float>& lengths) {
-    Image<float> canvas({360, 160}, 1.0f);
-    for (int x = 0; x < 360; ++x) {
-        const auto below = [&](int bar) {
-            return std::lower_bound(lengths.begin(), lengths.end(), static_cast<float>(bar) / 20);
-        };
-        const auto share = static_cast<double>(below(x / 6 + 1) - below(x / 6)) / static_cast<double>(lengths.size());
-        const int top = 160 - static_cast<int>(2500 * share);
-        for (int y = std::max(top, 0); y < 160; ++y) canvas.at(x, y) = x / 6 == 20 ? 0.5f : 0.2f;
+// How often the flipped directions point where, seen along n = +z; equal areas, 1 is the mean.
+Image<float> density(const std::vector<glm::vec3>& directions) {
+    Image<float> result({48, 48}, 0.0f);
+    for (const glm::vec3& d : directions) {
+        const glm::vec3 n = d.z < 0 ? -d : d;
+        const float scale = 1 / std::sqrt(1 + n.z);
+        const auto cell = [&](float a) { return static_cast<int>((a * scale + 1) * 23.99f); };
+        result.at(cell(n.x), 47 - cell(n.y)) += 3.14159265f * 24 * 24 / static_cast<float>(directions.size());
+    }
+    return result;
+}
+
+// Bars over 0 to 3, a twentieth wide, light below 1.
+Picture histogram(const std::vector<float>& sorted) {
+    Image<float> canvas({60, 40}, 1.0f);
+    const auto first = [&](float value) { return std::lower_bound(sorted.begin(), sorted.end(), value); };
+    for (int bar = 0; bar < 60; ++bar) {
+        const auto low = 0.05f * static_cast<float>(bar);
+        const auto inside = first(low + 0.05f) - first(low);
+        const auto height = 300 * inside / static_cast<std::ptrdiff_t>(sorted.size());
+        for (int y = 0; y < height && y < 40; ++y) canvas.at(bar, 39 - y) = bar < 20 ? 0.6f : 0.2f;
     }
     return grey_picture(canvas, 0, 1);
 }
 
-void mirror_and_flip(Notebook& book, const Vectors& offsets, const RandomMap& map) {
-    const glm::vec3 r = glm::normalize(glm::vec3(0.3f, 0.8f, 0.5f));
-    const Vectors turned = mirrored(offsets, r);
-    book.show_row("The 14 vectors: as stored; mirrored with |r| = 1; with |r| = 1.4, which is no mirror.",
-                  {{"stored", drawing(offsets)}, {"mirrored", drawing(turned)}, {"stretched", drawing(mirrored(offsets, 1.4f * r))}});
-    const Mirroring unit = mirroring(offsets, map, true), raw = mirroring(offsets, map, false);
-    book.show("lengths", histogram(raw.lengths), "|d| / |o| from 0 to 3 with r as published; the lighter bar begins at 1.");
-    const auto row = [](const char* name, const Mirroring& m) {
-        return std::vector{std::string(name), text("%.2f", static_cast<float>(m.mean_length)), text("%.2f", m.percentile(1)),
-                           text("%.2f", m.percentile(99)), text("%.2f", m.lengths.back()), text("%.2g", m.uneven)};
-    };
-    book.table({"r", "mean |d|/|o|", "p1", "p99", "max", "unevenness of a set"}, {row("unit", unit), row("as published", raw)});
-    book.check("a unit r keeps every length", unit.lengths.front() > 0.99999f && unit.lengths.back() < 1.00001f);
-    book.check("a unit r keeps every pixel's set even in all axes", unit.uneven < 1e-5f, text("%.1e", unit.uneven));
-    book.check("as published, a sample can lie more than 4, never 5 times too far; 1 in 100 lies beyond 2.5 times",
-               raw.lengths.back() > 4 && raw.lengths.back() < 5 && raw.percentile(99) > 2.5f);
-    book.text("Samples behind the surface are flipped to its front: `q = p + sign(d . n) radius d`.");
-    float cosine = 1;
-    for (std::size_t i = 0; i < turned.size(); i += 2) {
-        cosine = std::min(cosine, -glm::dot(glm::normalize(turned[i]), glm::normalize(turned[i + 1])));
-    }
-    book.check("flipping sends both vectors of a pair the same way: 7 directions, not 14", cosine > 0.99999f);
-    book.show("density", grey_picture(unit.density, 0, 3), "Where the flipped directions of all pixels point, seen along n "
-              "(even: dark grey, 1): they stay near the originals, here the cube's corners and faces.");
+void show_all_mirrored(Notebook& book, const Vectors& offsets, const RandomMap& map) {
+    const std::vector<glm::vec3> directions = all_mirrored(offsets, map, true);
+    std::vector<float> unit, raw;
+    for (const glm::vec3& d : directions) unit.push_back(glm::length(d));
+    for (const glm::vec3& d : all_mirrored(offsets, map, false)) raw.push_back(glm::length(d));
+    for (std::vector<float>* lengths : {&unit, &raw}) std::sort(lengths->begin(), lengths->end());
+    book.show("lengths", histogram(raw), "|d| / |o| from 0 to 3, r as published; light below 1, dark above.");
+    const double mean = std::accumulate(raw.begin(), raw.end(), 0.0) / static_cast<double>(raw.size());
+    const float p1 = raw[raw.size() / 100], p99 = raw[raw.size() / 100 * 99];
+    book.table({"mean |d| / |o|", "1 %", "99 %", "largest"},
+               {{std::to_string(mean), exact_text(p1), exact_text(p99), exact_text(raw.back())}});
+    book.check("a unit r keeps every length", unit.front() > 0.99999f && unit.back() < 1.00001f);
+    book.check("as published, 1 sample in 100 lies over 2.5 times too far, the worst over 4, none 5",
+               p99 > 2.5f && raw.back() > 4 && raw.back() < 5);
+    book.show("density", grey_picture(density(directions), 0, 3),
+              "Where all flipped directions point, seen along n (1, dark, is even): near the originals.");
 }
 
 void sample_vectors(Notebook& book) {
     book.text(R"(
         # 05 Sample vectors
 
-        Each pixel tests 14 points around itself. Fixed directions would show as bands, independent random ones would
-        clump. The tutorial takes 14 fixed vectors `o` to the corners and faces of a cube, a quarter to one unit long,
-        and mirrors them at a random vector `r` of the pixel:
+        Fixed directions would show as bands, independent ones would clump. The tutorial takes 14 vectors `o`
+        to a cube's corners and faces, a quarter to one unit long, mirrors them at the random `r` of a pixel,
+        and flips to the front those behind the surface:
 
-            d = o - 2 (o . r) r
+            d = o - 2 (o . r) r        q = p + sign(d . n) radius d
     )");
     const Vectors offsets = cube_offsets(book.seed());
-    std::vector<std::vector<std::string>> rows;
-    for (std::size_t i = 0; i < offsets.size(); i += 2) {
-        const glm::vec3 o = offsets[i];
-        rows.push_back({std::to_string(i) + ", " + std::to_string(i + 1), text("%+.2f", o.x) + text(" %+.2f", o.y) + text(" %+.2f", o.z),
-                        text("%.3f", glm::length(o)), text("%.3f", glm::length(offsets[i + 1]))});
+    const glm::vec3 r = glm::normalize(glm::vec3(0.3f, 0.8f, 0.5f));
+    const Vectors turned = mirrored(offsets, r);
+    book.show_row("The vectors: as stored; mirrored with |r| = 1; with |r| = 1.4, which is no mirror.",
+                  {{"stored", drawing(offsets)},
+                   {"mirrored", drawing(turned)},
+                   {"stretched", drawing(mirrored(offsets, 1.4f * r))}});
+    glm::vec3 mean(0);
+    float opposite = 1;  // cosine
+    for (std::size_t i = 0; i < turned.size(); i += 2) {
+        const glm::vec3 first = glm::normalize(turned[i]), second = glm::normalize(turned[i + 1]);
+        mean += (first + second) / 14.0f;
+        opposite = std::min(opposite, -glm::dot(first, second));
     }
-    book.table({"pair", "the first", "its length", "length of the opposite"}, rows);
+    book.check("the mean direction is 0: no side is preferred", glm::length(mean) < 1e-6f);
+    book.check("flipping sends both of a pair the same way: 7 directions, not 14", opposite > 0.99999f);
+
     const RandomMap map = random_map(book.seed());
-    Image3 picture({kRandomMapSide, kRandomMapSide}, glm::vec3(0));
-    for (int i = 0; i < kRandomMapSide * kRandomMapSide; ++i) {
-        const auto t = static_cast<std::size_t>(i);
-        picture.set(i % kRandomMapSide, i / kRandomMapSide, 0.5f * glm::vec3(map.x[t], map.y[t], map.z[t]) + 0.5f);
-    }
-    book.show("random_map", colour_picture(picture), "The random map, RGB = r / 2 + 1/2: 256 x 256 vectors, hardly one unit.");
-    mirror_and_flip(book, offsets, map);
+    Image3 vectors({256, 256}, glm::vec3(0));
+    vectors.x.pixels.assign(map.x.begin(), map.x.end());
+    vectors.y.pixels.assign(map.y.begin(), map.y.end());
+    vectors.z.pixels.assign(map.z.begin(), map.z.end());
+    book.show("random_map", normal_picture(vectors), "The random map: 256 x 256 vectors r, hardly one unit.");
+    show_all_mirrored(book, offsets, map);
     book.try_it({
-        "Give `mirror_and_flip` `1.2f * r` instead of `1.4f * r`: longer or shorter by half is enough to spoil the set.",
-        "In `mirroring`, leave the 7 odd vectors out: the same density, so 7 samples look in as many directions as 14.",
+        "Draw with `1.1f * r` instead of `1.4f * r`: a tenth too long is enough to spoil the set.",
+        "In `all_mirrored`, keep every second `d` only: the same density, the other half repeats it.",
         "Run with `--seed 2`: other lengths and another map, but the same statistics.",
     });
     book.errata({
-        "*Seed 000, shader:* the random vector is used as fetched, so `reflect` is no reflection (table). The lab "
-        "normalises it; `as_published` does not.",
-        "*Seed 000:* reflected vectors are 'certainly uniform'. Each set is even, the sum of all is not (density).",
-        "*Seed 000:* alternating sides keeps fewer than 14 samples spread out. Flipping undoes that: two samples share "
-        "one direction, so `samples` = 2 looks one way.",
+        "*Seed 000, shader:* `r` is used as fetched: `reflect` does not reflect. The lab normalises it.",
+        "*Seed 000:* mirrored vectors are certain to be uniform. One pixel's are, all together are not.",
+        "*Seed 000:* opposite neighbours spread fewer than 14 samples. Flipping makes them one direction.",
         "*Seed 002, prose:* 14 vectors in the hemisphere. They fill the sphere; the shader flips them.",
-        "*Seed 000:* `random_device` seeds both tables, so no two runs of the tutorial give the same picture.",
+        "*Seed 000:* `random_device` seeds both tables: no two runs give the same picture.",
     });
 }
 

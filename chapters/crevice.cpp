@@ -72,7 +72,7 @@ int render(const Words& words) {
     request.run = run_of(words);
     request.size = parse_size("--size", words.size);
     request.method = &find_method(words.ao);
-    request.settings = settings_of(*request.method, words.params);
+    options.params = words.params;
     request.settings.ao.ao_scale = static_cast<float>(parse_number("--ao-scale", words.ao_scale));
     ao_map_size(request.size, request.settings.ao.ao_scale);
     request.wanted = buffers_of(words.only);

@@ -136,9 +136,13 @@ std::vector<Parameter> parameters_of(const Method& method) {
     return parameters;
 }
 
-MethodSettings settings_of(const Method& method, const std::vector<std::string>& assignments) {
+MethodSettings settings_of(const Method& method, const std::vector<std::string>& assignments, float length_unit) {
     const std::vector<Parameter> parameters = parameters_of(method);
     MethodSettings settings = method.defaults;
+    for (float* length : {&settings.ao.radius, &settings.ao.fade_start, &settings.ao.fade_end, &settings.ao.epsilon,
+                          &settings.blur.depth_threshold}) {
+        *length *= length_unit;
+    }
     for (const std::string& assignment : assignments) {
         const std::size_t equals = assignment.find('=');
         if (equals == std::string::npos) throw UsageError("--param: no value (" + assignment + "); write name=value");

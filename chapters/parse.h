@@ -17,7 +17,7 @@ bool parse_yes_no(const std::string& flag, const std::string& word);
 // "x,y,z"
 glm::dvec3 parse_point(const std::string& flag, const std::string& word);
 // "WxH", each in 1..kLargestSide, together small enough to be addressed.
-inline constexpr int kLargestSide = 32768;
+inline constexpr int kLargestSide = 32767;  // what a PNG can hold
 Size parse_size(const std::string& flag, const std::string& word);
 
 }  // namespace crevice

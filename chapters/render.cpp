@@ -67,9 +67,12 @@ Json passes_json(const RenderOptions& options, const Frame& frame, Json buffers)
                           {"runs", pass.runs}});
     }
     for (const LeftOut& item : frame.left_out) left_out.push_back({{"what", item.what}, {"why", item.why}});
+    Json parameters = Json::object();
+    for (const Parameter& p : parameters_of(*request.method)) parameters[p.name] = p.get(request.settings);
     return {{"scene", options.scene},
             {"size", {request.size.width, request.size.height}},
             {"method", request.method->name},
+            {"parameters", parameters},
             {"threads", thread_count(request.run)},
             {"lanes", request.run.lanes},
             {"isa", isa_name(request.run.isa)},
@@ -98,14 +101,21 @@ void print_times(const Frame& frame) {
 
 }  // namespace
 
-void render_command(const RenderOptions& options) {
-    validate(options.request.run);
+void render_command(const RenderOptions& given) {
+    RenderOptions options = given;
+    FrameRequest& request = options.request;
+    validate(request.run);
+    // Before the scene is loaded, for a quick answer to a wrong word.
+    settings_of(*request.method, options.params);
     // Loads no texture when no picture shows one.
-    const SceneArgument argument = load_scene(options.scene, options.request.wanted.contains("lit"));
+    const SceneArgument argument = load_scene(options.scene, request.wanted.contains("lit"));
     const Camera camera = chosen_camera(argument, options.camera);
+    const float ao_scale = request.settings.ao.ao_scale;
+    request.settings = settings_of(*request.method, options.params, argument.scene.length_unit);
+    request.settings.ao.ao_scale = ao_scale;
     try_output_directory(options.out);
     if (triangle_count(argument.scene) == 0) std::cerr << options.scene << ": 0 triangles; only the sky will be seen\n";
-    const Frame frame = render_frame(argument.scene, camera, options.request);
+    const Frame frame = render_frame(argument.scene, camera, request);
     Json buffers = described_buffers(frame, options.request, options.out);
     const std::filesystem::path report = options.out / "passes.json";
     write_file_atomically(report, passes_json(options, frame, std::move(buffers)).dump(1) + "\n");

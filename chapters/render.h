@@ -12,7 +12,8 @@ namespace crevice {
 struct RenderOptions {
     std::string scene;
     CameraFlags camera;
-    FrameRequest request;
+    std::vector<std::string> params;  // "name=value"
+    FrameRequest request;             // its settings follow from params and the scene
     std::filesystem::path out = "out";
 };
 

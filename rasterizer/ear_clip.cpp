@@ -210,11 +210,13 @@ Triangulation ear_clip(std::span<const glm::vec3> corners) {
 }
 
 QuadCut quad_cut(const std::array<glm::vec3, 4>& corners) {
-    const PlaneAxes axes = plane_axes(newell_normal(corners));
-    std::array<glm::dvec2, 4> p;
-    for (std::size_t i = 0; i < 4; ++i) p[i] = axes.flattened(corners[i]);
-    const double a012 = area2(p[0], p[1], p[2]), a023 = area2(p[0], p[2], p[3]);
-    const double a013 = area2(p[0], p[1], p[3]), a123 = area2(p[1], p[2], p[3]);
+    // Quads are often warped, so they are seen along the normal itself; no area still gives exactly 0.
+    const glm::dvec3 normal = newell_normal(corners);
+    const auto area2_along = [&](std::size_t i, std::size_t j, std::size_t k) {
+        return glm::dot(normal, newell_normal(std::array{corners[i], corners[j], corners[k]}));
+    };
+    const double a012 = area2_along(0, 1, 2), a023 = area2_along(0, 2, 3);
+    const double a013 = area2_along(0, 1, 3), a123 = area2_along(1, 2, 3);
     if (a012 > 0 && a023 > 0) return QuadCut::first_third;
     if (a013 > 0 && a123 > 0) return QuadCut::second_fourth;
     // A quad with a repeated corner is a triangle.

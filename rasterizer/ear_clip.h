@@ -24,13 +24,13 @@ struct Triangulation {
     bool self_intersecting = false;                       // the outline crosses itself: none is right
 };
 
-// Triangulates a polygon seen along its Newell normal. Concave polygons, collinear and repeated corners, and
-// holes joined to the outline by a bridge (two coinciding edges) are covered; for a simple polygon every
-// triangle has positive area and the areas add up to that of the polygon. One whose outline crosses itself is
-// triangulated somehow and said to be so. Corners must be finite. All signs are taken from differences of
-// corners in double, which for coordinates of similar magnitude are exact: neither the place nor the scale
-// nor the first corner of the polygon matters. After Meisters 1975 ("Polygons have ears"). O(corners * reflex
-// corners).
+// Triangulates a polygon seen along the axis nearest to its Newell normal. Concave polygons, collinear and
+// repeated corners, and holes joined to the outline by a bridge (two coinciding edges) are covered; for a
+// simple polygon every triangle has positive area and the areas add up to that of the polygon. One whose
+// outline crosses itself is triangulated somehow and said to be so. Corners must be finite. All signs are
+// taken from differences of corners in double, which for coordinates of similar magnitude are exact: neither
+// the place nor the scale nor the first corner of the polygon matters. After Meisters 1975 ("Polygons have
+// ears"). O(corners * reflex corners).
 Triangulation ear_clip(std::span<const glm::vec3> corners);
 
 // How to cut a quad in two, seen along its Newell normal.

@@ -102,7 +102,9 @@ LoadedObj loaded_from(const std::filesystem::path& path, const ObjOptions& optio
     scene.materials = std::move(materials.materials);
     scene.two_sided = true;
     add_light(scene);
-    scene.camera = framing_camera(world_bounds(scene));
+    const Bounds bounds = world_bounds(scene);
+    scene.camera = framing_camera(bounds);
+    scene.length_unit = length_unit_of(bounds);
     return loaded;
 }
 

@@ -87,9 +87,9 @@ struct Scanner {
             fail("this is not a whole index (" + std::string(corner) + "); write v, v/vt, v//vn or v/vt/vn");
         }
         // The sign changes nothing here: a file small enough to be read has no room for 2^31 vertices.
-        std::int64_t value = 0;
+        std::int32_t value = 0;
         const std::errc error = std::from_chars(digits.data(), digits.data() + digits.size(), value).ec;
-        if (digits.size() > 10 || error != std::errc() || value > std::numeric_limits<std::int32_t>::max()) {
+        if (error != std::errc()) {
             fail("the index is too large (" + std::string(corner) +
                  "); give the number of a vertex of this file");
         }

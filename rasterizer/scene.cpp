@@ -28,4 +28,13 @@ Bounds world_bounds(const Scene& scene) {
     return bounds;
 }
 
+float length_unit_of(const Bounds& bounds) {
+    const glm::dvec3 half = 0.5 * bounds.high - 0.5 * bounds.low;
+    const double radius = std::sqrt(glm::dot(half, half));
+    if (bounds.empty || !(radius > 0)) return 1;
+    // The power of two nearest in ratio: the exponent of sqrt(2) times the value.
+    const int exponent = std::ilogb(radius / kTutorialRadius * 1.4142135623730951);
+    return static_cast<float>(std::ldexp(1.0, std::min(std::max(exponent, -60), 60)));
+}
+
 }  // namespace crevice

@@ -70,6 +70,8 @@ struct Scene {
     glm::vec3 sky = glm::vec3(0.69f, 0.77f, 0.87f);  // linear light, behind everything
     bool two_sided = false;  // draw back faces, with their normals turned to the eye; else they are culled
     Camera camera;           // the view the scene is meant to be seen from
+    // How many scene units make one unit of the tutorials: the AO methods' default lengths are multiples of it.
+    float length_unit = 1;
 };
 
 std::size_t triangle_count(const Scene& scene);
@@ -80,5 +82,10 @@ struct Bounds {
     bool empty = true;
 };
 Bounds world_bounds(const Scene& scene);
+
+// A length unit that makes a scene of these bounds about as large as the tutorials' (kTutorialRadius): a power of two, so that the
+// same scene in other units gives the same bits. 1 when empty.
+inline constexpr double kTutorialRadius = 18.03;  // units; bounding sphere of seed 002's scene
+float length_unit_of(const Bounds& bounds);
 
 }  // namespace crevice

@@ -67,10 +67,12 @@ class BlockBuilder {
         const ClippedPolygon polygon = clip_triangle(p_clip, geometry_.size);
         std::array<ProjectedVertex, kMaxClippedVertices> projected;
         for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.count); ++i) {
-            // A vertex that was not moved keeps the position its unclipped neighbours use.
+            // A vertex inside all planes keeps the position its unclipped neighbours use. (One on the guard band may be outside
+            // in float and not be moved in double: it has no position yet.)
             const ClippedVertex& v = polygon.vertices[i];
-            projected[i] = v.original >= 0 ? *corners[static_cast<std::size_t>(v.original)]
-                                           : project_clipped(v, geometry_.size);
+            const ProjectedVertex* corner = v.original >= 0 ? corners[static_cast<std::size_t>(v.original)] : nullptr;
+            const bool keeps = corner != nullptr && (corner->outside & kNeedsClipping) == 0;
+            projected[i] = keeps ? *corner : project_clipped(v, geometry_.size);
         }
         for (std::size_t i = 2; i < static_cast<std::size_t>(polygon.count); ++i) {
             const std::array<std::size_t, 3> piece = {0, i - 1, i};

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 namespace crevice {
 
@@ -55,7 +56,8 @@ struct WideOf {
     V v;
 
     CREVICE_INLINE WideOf() = default;
-    CREVICE_INLINE WideOf(T scalar) : v(V{} + scalar) {}
+    // Minus zero rather than plus: -0 must stay -0.
+    CREVICE_INLINE WideOf(T scalar) : v(scalar - V{}) {}
     CREVICE_INLINE explicit WideOf(V vector) : v(vector) {}
 
     CREVICE_INLINE T operator[](int lane) const { return v[lane]; }
@@ -241,7 +243,7 @@ CREVICE_INLINE Int<F> lane_index() {
 
 // ---- the same text for every lane type ------------------------------------------------------------------------------
 
-// Smaller and larger in the D3D sense: with one NaN the other operand, so min_of(max_of(NaN, 0), 1) is 0.
+// A NaN in the first place gives the second operand, so min_of(max_of(NaN, 0), 1) is 0; in the second place it stays.
 template <class A>
 CREVICE_INLINE A max_of(A a, A b) {
     return select(a > b, a, b);
@@ -259,17 +261,26 @@ template <class F>
 CREVICE_INLINE F absolute(F a) {
     return select(a < F(0), F(0) - a, a);
 }
+// A whole number as F; for double without the rounding of a float.
+template <class F>
+CREVICE_INLINE F from_int(Int<F> a) {
+    if constexpr (std::is_same_v<F, double>) {
+        return to_double(a);
+    } else {
+        return to_float(a);
+    }
+}
 // Largest whole number <= a, for |a| < 2^31.
 template <class F>
 CREVICE_INLINE Int<F> floor_to_int(F a) {
     const Int<F> whole = to_int(a);
-    return select(F(to_float(whole)) > a, whole - Int<F>(1), whole);
+    return select(from_int<F>(whole) > a, whole - Int<F>(1), whole);
 }
 // Nearest whole number, ties to even, for |a| < 2^31.
 template <class F>
 CREVICE_INLINE Int<F> round_half_even(F a) {
     const Int<F> below = floor_to_int(a);
-    const F fraction = a - F(to_float(below));
+    const F fraction = a - from_int<F>(below);
     const auto odd = (below & Int<F>(1)) == Int<F>(1);
     const auto up = (fraction > F(0.5f)) | ((fraction == F(0.5f)) & odd);
     return select(up, below + Int<F>(1), below);

@@ -15,8 +15,8 @@
 namespace crevice {
 namespace {
 
-// The carving is its distance: the functions below give it in object units, negative inside. The head is folded
-// at x = 0, so a shape is given once, for x >= 0.
+// The carving is its distance: the functions below give it in object units, negative inside. The head is
+// folded at x = 0, so a shape is given once, for x >= 0.
 
 // Exact on the surface, a good estimate near it.
 double ellipsoid(glm::dvec3 p, glm::dvec3 centre, glm::dvec3 radii) {

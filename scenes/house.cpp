@@ -108,7 +108,7 @@ std::vector<FlatPolygon> gables() {
 // A chevron whose upper side is courses of tiles, each ending in a small drop onto the next.
 std::vector<FlatPolygon> roof() {
     constexpr int kCourses = 9;
-    // Above an eighth of the thickness the lowest drops would hide the roof's end from prism_along_x's first corner.
+    // Drops above an eighth of the thickness would hide the eaves from prism_along_x's first corner.
     constexpr double kDrop = 0.026, kTop = kRidgeY + kRoofThickness;
     const auto underside = [](double reach) { return kRidgeY - kSlope * reach; };
     std::vector<glm::dvec2> outline = {{kRidgeY, kRidgeZ}, {underside(kEaveReach), kRidgeZ - kEaveReach}};

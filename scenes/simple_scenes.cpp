@@ -10,9 +10,8 @@
 namespace crevice {
 namespace {
 
-// How far surfaces that stand for endless ones reach from the origin. Seen from near the origin, what the
-// trench lacks beyond is less than 1e-4 of the cosine-weighted sky; a wall is missed more (x / 2h at distance
-// x), so it is higher.
+// How far surfaces that stand for endless ones reach. What an endless trench would hide beyond is less than
+// 1e-4 of the cosine-weighted sky; a wall of height h lacks x / 2h of it at distance x, so it is higher.
 constexpr double kReach = 100, kWallReach = 1000;
 
 // Plain clay under a bright sky and a mild sun, so that most of what is seen is ambient light.

@@ -24,8 +24,8 @@ CREVICE_INLINE F view_from_ndc(const AoInputs& inputs, F ndc) {
 // Seed 000's clear depth as its 16-bit buffer keeps it: D3D truncates to the largest half. Rounding to nearest makes it infinite,
 // and every filter that touches it NaN; only the tutorial as published gets that.
 float stored_background(BufferFormat format, const Camera& camera, bool as_published) {
-    const float value = stored_as(static_cast<float>(kBackgroundOverFar * camera.far_plane), format);
-    return value < kInfinity || as_published ? value : stored_as(kInfinity, BufferFormat::float16_toward_zero);
+    const float value = static_cast<float>(kBackgroundOverFar * camera.far_plane), stored = stored_as(value, format);
+    return stored < kInfinity || as_published ? stored : stored_as(value, BufferFormat::float16_toward_zero);
 }
 
 Image<float> bordered_depth(const GBuffer& gbuffer, const AoInputs& inputs, const Camera& camera, const Run& run) {
@@ -49,33 +49,94 @@ Image<float> bordered_depth(const GBuffer& gbuffer, const AoInputs& inputs, cons
     return map;
 }
 
+// Pixels whose normals agree less, or that lie further from the plane of the nearest one, show another surface.
+constexpr float kSameSurfaceCosine = 0.8f;
+constexpr float kSameSurface_px = 2;  // times the size of a pixel at that depth
+// A surface seen at a steeper angle than this is not carried from a pixel's centre to the texel's.
+constexpr float kSteepest = 0.05f;
+
 // One G-buffer pixel and its weight in a texel.
 template <class F>
 struct Tap {
-    Int<F> column;
-    int row;
+    Vec3<F> p, n;  // view space
+    F z, stored;   // view depth; what the depth map holds
     F weight;
+    Mask<F> surface;
 };
 
-// The mean of four pixels as a sampler sees them, without those of the sky.
+// What one texel shows, as it is fetched from the four pixels around its centre.
 template <class F>
-struct TexelMean {
-    Vec3<F> normal{F(0), F(0), F(0)};
-    F depth = F(0), weight = F(0);
+struct TexelFetch {
+    const GBuffer& gbuffer;
+    const AoInputs& inputs;
+    F u, v;  // of the texel's centre
+    Tap<F> taps[4];
 
-    CREVICE_INLINE void add(const GBuffer& gbuffer, const AoInputs& inputs, Tap<F> tap, bool with_sky) {
-        const Int<F> column = tap.column;
-        const F view_depth = F(gather(gbuffer.view_depth.row(tap.row), column));
-        const F stored = F(gather(inputs.depth_map.row(tap.row + 1) + 1, column));
-        const Vec3<F> n = {F(gather(gbuffer.normal.x.row(tap.row), column)), F(gather(gbuffer.normal.y.row(tap.row), column)),
-                           F(gather(gbuffer.normal.z.row(tap.row), column))};
-        const auto surface = view_depth < F(kInfinity);
-        const F w = with_sky ? tap.weight : select(surface, tap.weight, F(0));
-        // Seed 000 clears its normals to (0, 0, -1).
-        const F n_z = with_sky ? select(surface, n.z, F(-1)) : n.z;
-        normal = normal + w * Vec3<F>{n.x, n.y, n_z};
-        depth = depth + w * stored;
-        weight = weight + w;
+    CREVICE_INLINE Tap<F> tap(Int<F> column, int row, F weight) const {
+        const auto at = [&](const Image<float>& plane) __attribute__((always_inline)) {
+            return F(gather(plane.row(row), column));
+        };
+        const F z = at(gbuffer.view_depth);
+        const auto surface = z < F(kInfinity);
+        const F tap_u = (F(to_float(column)) + F(0.5f)) / F(static_cast<float>(inputs.picture.width));
+        const F tap_v = F((static_cast<float>(row) + 0.5f) / static_cast<float>(inputs.picture.height));
+        return {inputs.rays.p_view(tap_u, tap_v, select(surface, z, F(0))),
+                {at(gbuffer.normal.x), at(gbuffer.normal.y), at(gbuffer.normal.z)},
+                z,
+                F(gather(inputs.depth_map.row(row + 1) + 1, column)),
+                weight,
+                surface};
+    }
+
+    // The covered pixel nearest to the eye; the first of equals. One of weight 0 is outside the texel: it does not count.
+    CREVICE_INLINE Tap<F> nearest() const {
+        Tap<F> result = taps[0];
+        for (int i = 1; i < 4; ++i) {
+            const auto nearer = (taps[i].z < result.z) & (taps[i].weight > F(0));
+            result.p = select<F>(nearer, taps[i].p, result.p);
+            result.n = select<F>(nearer, taps[i].n, result.n);
+            result.z = select(nearer, taps[i].z, result.z);
+            result.surface = result.surface | nearer;
+        }
+        return result;
+    }
+
+    // Whether all four pixels show the surface of `reference`.
+    CREVICE_INLINE Mask<F> one_surface(const Tap<F>& reference) const {
+        const float pixel_width = 2 * inputs.rays.ray_scale.y / static_cast<float>(inputs.picture.height);
+        const F tolerance = F(kSameSurface_px * pixel_width) * (inputs.rays.perspective ? reference.z : F(1));
+        Mask<F> same = reference.surface;
+        for (const Tap<F>& other : taps) {
+            const F distance = absolute(dot(reference.n, other.p - reference.p));
+            const auto agrees = (dot(reference.n, other.n) >= F(kSameSurfaceCosine)) & (distance <= tolerance);
+            same = same & ((other.surface & agrees) | (other.weight == F(0)));
+        }
+        return same;
+    }
+
+    // View depth of the reference's plane at the texel's centre.
+    CREVICE_INLINE F carried_depth(const Tap<F>& reference) const {
+        const Vec3<F> at_centre = inputs.rays.p_view(u, v, reference.z);
+        const Vec3<F> per_depth =
+            inputs.rays.perspective ? inputs.rays.p_view(u, v, F(1)) : Vec3<F>{F(0), F(0), F(1)};
+        const F slope = dot(reference.n, per_depth);
+        const auto usable = absolute(slope) > F(kSteepest);
+        const F shift = dot(reference.n, reference.p - at_centre) / select(usable, slope, F(1));
+        const F carried = reference.z + select(usable, shift, F(0));
+        return select(carried > F(0), carried, reference.z);
+    }
+
+    // Seed 000 clears its normals to (0, 0, -1), seed 002 to (0, 0, 1).
+    CREVICE_INLINE F cleared_normal_z() const { return F(inputs.fetch.depth == DepthSource::view_depth ? -1.0f : 1.0f); }
+
+    // The sampler's plain mean, the sky's clear values included.
+    CREVICE_INLINE void mean(Vec3<F>& normal, F& stored) const {
+        normal = {F(0), F(0), F(0)};
+        stored = F(0);
+        for (const Tap<F>& t : taps) {
+            normal = normal + t.weight * Vec3<F>{t.n.x, t.n.y, select(t.surface, t.n.z, cleared_normal_z())};
+            stored = stored + t.weight * t.stored;
+        }
     }
 };
 
@@ -114,29 +175,33 @@ AoInputs ao_inputs(const GBuffer& gbuffer, const Camera& camera, const AoFetch& 
                 for (int x = 0; x < size.width; x += kLanes<F>) {
                     const Int<F> column0 = load<F>(columns.first.data() + x), column1 = load<F>(columns.second.data() + x);
                     const F fx = load<F>(columns.weight_of_second.data() + x), one = F(1);
-                    TexelMean<F> mean;
-                    mean.add(gbuffer, inputs, {column0, row0, (one - fx) * (one - fy)}, fetch.as_published);
-                    mean.add(gbuffer, inputs, {column1, row0, fx * (one - fy)}, fetch.as_published);
-                    mean.add(gbuffer, inputs, {column0, row1, (one - fx) * fy}, fetch.as_published);
-                    mean.add(gbuffer, inputs, {column1, row1, fx * fy}, fetch.as_published);
+                    const F u = (F(to_float(lane_index<F>() + Int<F>(x))) + F(0.5f)) / F(static_cast<float>(size.width));
+                    const F v = F((static_cast<float>(y) + 0.5f) / static_cast<float>(size.height));
+                    TexelFetch<F> texel{gbuffer, inputs, u, v, {}};
+                    texel.taps[0] = texel.tap(column0, row0, (one - fx) * (one - fy));
+                    texel.taps[1] = texel.tap(column1, row0, fx * (one - fy));
+                    texel.taps[2] = texel.tap(column0, row1, (one - fx) * fy);
+                    texel.taps[3] = texel.tap(column1, row1, fx * fy);
 
-                    // Point sampling takes the pixel whose cell holds the texel's centre: the second one from 1/2 on.
-                    const Int<F> nearest = select(fx >= F(0.5f), column1, column0);
-                    const int nearest_row = rows.weight_of_second[row] >= 0.5f ? row1 : row0;
-                    const auto at_nearest = [&](const Image<float>& plane) __attribute__((always_inline)) {
-                        return F(gather(plane.row(nearest_row), nearest));
-                    };
-                    const auto surface = mean.weight > F(0);
-                    const F inverse = one / select(surface, mean.weight, one);
-                    const Vec3<F> mean_normal = inverse * mean.normal;
-                    Vec3<F> normal = mean_normal;
+                    Vec3<F> normal;
+                    F stored;
+                    texel.mean(normal, stored);
+                    F z = fetch.depth == DepthSource::ndc_depth ? view_from_ndc(inputs, stored) : stored;
                     if (fetch.point_normals) {
-                        normal = normalize_or<F>({at_nearest(gbuffer.normal.x), at_nearest(gbuffer.normal.y),
-                                                  at_nearest(gbuffer.normal.z)}, mean_normal);
+                        // The pixel whose cell holds the texel's centre: the second one from 1/2 on.
+                        const Int<F> column = select(fx >= F(0.5f), column1, column0);
+                        const int row_of = rows.weight_of_second[row] >= 0.5f ? row1 : row0;
+                        const Vec3<F> cleared = {F(0), F(0), texel.cleared_normal_z()};
+                        normal = normalize_or<F>(texel.tap(column, row_of, one).n, cleared);
                     }
-                    F z = mean.depth * inverse;
-                    if (fetch.depth == DepthSource::ndc_depth) z = view_from_ndc(inputs, z);
-                    // A sky pixel in the middle of the texel: nothing there, unless the tutorial is shown as published.
+                    auto surface = z < F(kInfinity);
+                    if (!fetch.as_published) {
+                        const Tap<F> nearest = texel.nearest();
+                        const auto mixed = !texel.one_surface(nearest);
+                        surface = nearest.surface;
+                        z = select(mixed & surface, texel.carried_depth(nearest), z);
+                        normal = select<F>(mixed & surface, nearest.n, normal);
+                    }
                     const F zero = F(0);
                     store(inputs.normal.x.row(y) + x, select(surface, normal.x, zero));
                     store(inputs.normal.y.row(y) + x, select(surface, normal.y, zero));

@@ -3,8 +3,9 @@
 // Source: seed 000 (normals and view depth, linear, border), seed 002 (normals point and renormalised, NDC depth linear, border far).
 // In:     GBuffer
 // Out:    AoInputs; background: normal (0,0,0), view_depth +inf
-// Differs from the tutorials: a texel at the edge of the sky takes the mean of the pixels that hold a surface; the tutorials
-//         mix the sky's depth into it. `as_published` does as they do.
+// Differs from the tutorials: a texel whose four pixels show more than one surface takes the nearest one, carried along its plane to
+//         the texel's centre; the tutorials mix normals and depths (the sky's too) into a surface that is not there, which
+//         the blur then leaves as dark dots along every crease. `as_published` does as they do.
 #pragma once
 
 #include "rasterizer/camera.h"

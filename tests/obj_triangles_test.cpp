@@ -72,7 +72,7 @@ TEST_CASE("load_obj: a file whose every face was dropped is an empty scene that 
 
 TEST_CASE("load_obj: indices of texture coordinates and normals out of range count as absent") {
     const LoadedObj loaded =
-        load_text(std::string(kCorners) + "vt 0.5 0.5\nvt nan 0\nvn 0 0 1\nf 1/9/9 2/1/1 3/2/-5\n");
+        load_text(std::string(kCorners) + "vt 0.5 0.5\nvt nan 0\nvn 0 0 1\nf 1/9/9 2/1/1 3/2/-2\n");
     check_whole(loaded);
     CHECK(loaded.report.missing_texcoords.count == 2);
     CHECK(loaded.report.missing_normals.count == 2);

@@ -11,13 +11,21 @@
 
 #include "rasterizer/normal_depth.h"
 #include "scenes/shapes.h"
-#include "ssao/ao_inputs.h"
-#include "ssao/random_vectors.h"
+#include "ssao/luna_ssao.h"
+#include "ssao/xjun_ssao.h"
 
 namespace crevice {
 
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 inline constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+// The two methods that share the estimator, without the command line's table.
+struct TutorialMethod {
+    std::string name;
+    LunaSettings settings;
+    AoFetch (*fetch)(const LunaSettings&);
+};
+inline const TutorialMethod kTutorialMethods[] = {{"xjun", kXjunSettings, xjun_fetch}, {"luna", kLunaSettings, luna_fetch}};
 
 // A rectangle given by its corners, clockwise seen from its front; texture (0,0) at the first corner, (1,0) at the second.
 inline Mesh quad_mesh(std::array<glm::vec3, 4> corners, glm::vec3 normal) {
@@ -76,11 +84,12 @@ inline Scene scaled(Scene scene, int k) {
         for (int i = 0; i < 3; ++i) instance.world_from_object[3][i] *= factor;
     }
     Camera& camera = scene.camera;
-    camera.target = factor * (camera.target - camera.eye) + factor * camera.eye;
-    camera.eye *= static_cast<double>(factor);
-    camera.near_plane *= static_cast<double>(factor);
-    camera.far_plane *= static_cast<double>(factor);
-    camera.ortho_height *= static_cast<double>(factor);
+    const double longer = factor;
+    camera.eye *= longer;
+    camera.target *= longer;
+    camera.near_plane *= longer;
+    camera.far_plane *= longer;
+    camera.ortho_height *= longer;
     return scene;
 }
 
