@@ -80,7 +80,7 @@ TEST_CASE("every code of D16 and D24 comes back from its depth") {
         }
         CHECK(failures == 0);
     }
-    for (std::int32_t code = 0; code <= last_code(DepthFormat::d32f); code += 4099) {
+    for (std::int32_t code = 0; code <= last_code(DepthFormat::d32f); code += 400009) {
         CAPTURE(code);
         CHECK(depth_code(DepthFormat::d32f, depth_from_code<float>(DepthFormat::d32f, code), 0.0) == code);
     }
