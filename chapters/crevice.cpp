@@ -139,12 +139,17 @@ int run(int argc, char** argv) {
     std::string compare_out = ".";
     compare_app->add_option("--out", compare_out, "the directory for the error images")->capture_default_str();
 
+    const std::string first = argc > 1 ? argv[1] : "";
+    const auto is_first = [&](const CLI::App* command) { return command->get_name() == first; };
+    if (!first.empty() && first[0] != '-' && app.get_subcommands(is_first).empty()) {
+        throw UsageError("crevice: there is no such command (" + first + "); crevice --help lists them");
+    }
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error);
-        const std::string command = app.get_subcommands().empty() ? "" : app.get_subcommands().front()->get_name() + " ";
-        throw UsageError("crevice " + command + ": " + error.what() + "; crevice " + command + "--help tells more");
+        const std::string command = app.get_subcommands().empty() ? "" : " " + app.get_subcommands().front()->get_name();
+        throw UsageError("crevice" + command + ": " + error.what() + "; crevice" + command + " --help tells more");
     }
     if (*chapter_app) return chapter(words);
     if (*scenes_app) print_scenes(std::cout);

@@ -51,10 +51,10 @@ Camera chosen_camera(const SceneArgument& argument, const CameraFlags& flags) {
 
 void print_scenes(std::ostream& out) {
     out << std::left << std::setw(18) << "scene" << std::right << std::setw(10) << "triangles" << "  " << std::left
-        << std::setw(16) << "unit" << "purpose\n";
+        << std::setw(22) << "unit" << "purpose\n";
     for (const BuiltinScene& builtin : builtin_scenes()) {
         out << std::left << std::setw(18) << builtin.name << std::right << std::setw(10) << triangle_count(builtin.make()) << "  "
-            << std::left << std::setw(16) << builtin.unit << builtin.purpose << "\n";
+            << std::left << std::setw(22) << builtin.unit << builtin.purpose << "\n";
     }
     out << "or the path of an OBJ file\n";
 }

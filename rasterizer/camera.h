@@ -43,7 +43,4 @@ struct CameraMatrices {
 };
 CameraMatrices camera_matrices(const Camera& camera, Size size);
 
-// View depth (view-space z, scene units) of an ndc depth under this camera.
-float view_depth_from_ndc(const Camera& camera, const CameraMatrices& matrices, float ndc_depth);
-
 }  // namespace crevice

@@ -27,14 +27,26 @@ struct NormalDepthShader {
     CREVICE_INLINE void fragment(const ScreenTriangle& t, const Fragment<F>& f) const {
         store_where_passed(g.view_depth.row(f.y), f, stored_as(f.view_depth, g.format));
         if (geometry.vertices.n_view.empty()) return;
-        const Vec3<F> n = n_view_at(geometry, t, f);
-        store_where_passed(g.normal.x.row(f.y), f, stored_as(n.x, g.format));
-        store_where_passed(g.normal.y.row(f.y), f, stored_as(n.y, g.format));
-        store_where_passed(g.normal.z.row(f.y), f, stored_as(n.z, g.format));
+        const Vec3<F> n = interpolated_normal(geometry, t, f);
+        store_where_passed(g.normal.x.row(f.y), f, n.x);
+        store_where_passed(g.normal.y.row(f.y), f, n.y);
+        store_where_passed(g.normal.z.row(f.y), f, n.z);
     }
 
+    // Normals are made unit here, eight pixels at a time whatever the size of the triangles.
     template <class F>
-    CREVICE_INLINE void finish_tile(PixelRect) const {}
+    CREVICE_INLINE void finish_tile(PixelRect tile) const {
+        if (geometry.vertices.n_view.empty()) return;
+        for (int y = tile.y0; y < tile.y1; ++y) {
+            for (int x = tile.x0; x < tile.x1; x += kLanes<F>) {
+                float *const at_x = g.normal.x.row(y) + x, *const at_y = g.normal.y.row(y) + x, *const at_z = g.normal.z.row(y) + x;
+                const Vec3<F> n = unit_normal<F>({load<F>(at_x), load<F>(at_y), load<F>(at_z)});
+                store(at_x, stored_as(n.x, g.format));
+                store(at_y, stored_as(n.y, g.format));
+                store(at_z, stored_as(n.z, g.format));
+            }
+        }
+    }
 };
 
 }  // namespace

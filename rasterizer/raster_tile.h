@@ -67,17 +67,22 @@ CREVICE_INLINE Vec3<F> view_ray_at(const ScreenGeometry& geometry, int x, int y)
     return geometry.rays.p_view(u, v, F(1));
 }
 
-// The interpolated vertex normal of a fragment, unit, view space. On a back face it is turned to the eye where it points away;
-// where it does not (the rim of a smooth closed mesh), it is the better normal as it stands.
+// The interpolated vertex normal of a fragment, view space, not normalised. On a back face it is turned to the eye where it points
+// away; where it does not (the rim of a smooth closed mesh), it is the better normal as it stands.
 template <class F>
-CREVICE_INLINE Vec3<F> n_view_at(const ScreenGeometry& geometry, const ScreenTriangle& t, const Fragment<F>& f) {
+CREVICE_INLINE Vec3<F> interpolated_normal(const ScreenGeometry& geometry, const ScreenTriangle& t, const Fragment<F>& f) {
     const std::vector<glm::vec3>& n_view = geometry.vertices.n_view;
-    const F zero = F(0);
-    const Vec3<F> n = normalize_or<F>(f.here.interpolate(n_view[t.vertex[0]], n_view[t.vertex[1]], n_view[t.vertex[2]]),
-                                      {zero, zero, zero});
+    const Vec3<F> n = f.here.interpolate(n_view[t.vertex[0]], n_view[t.vertex[1]], n_view[t.vertex[2]]);
     if (!t.back_facing) return n;
+    const F zero = F(0);
     const auto away = dot(n, view_ray_at<F>(geometry, f.x, f.y)) > zero;
     return select<F>(away, {zero - n.x, zero - n.y, zero - n.z}, n);
+}
+
+// A pixel's normal once it is known which triangle it shows; the background keeps (0, 0, 0).
+template <class F>
+CREVICE_INLINE Vec3<F> unit_normal(Vec3<F> interpolated) {
+    return normalize_or<F>(interpolated, {F(0), F(0), F(0)});
 }
 
 struct PixelRect {
@@ -129,7 +134,7 @@ CREVICE_INLINE Fragment<F> fragment_at(const ScreenGeometry& geometry, const Tri
     Fragment<F> f{x, y, passed, {}, F(0), e0 * F(t.inverse_w[0]), e1 * F(t.inverse_w[1]), e2 * F(t.inverse_w[2]), clipped};
     f.here = f.barycentric(f.b0, f.b1, f.b2);
     f.view_depth = geometry.rays.perspective ? F(t.doubled_area) / select(passed, f.b0 + f.b1 + f.b2, F(1))
-                                        : (z_ndc - F(geometry.depth_a)) / F(geometry.depth_b);
+                                             : (z_ndc - F(geometry.depth_a)) / F(geometry.depth_b);
     return f;
 }
 
@@ -167,7 +172,8 @@ CREVICE_INLINE void raster_triangle(const ScreenGeometry& geometry, const Triang
                     Mask<F> covered = (e0 >= edges[0].threshold) & (e1 >= edges[1].threshold) & (e2 >= edges[2].threshold);
                     if (!any(covered)) continue;
                     const F f1 = F(to_float(e1)), f2 = F(to_float(e2));
-                    const F z_ndc = F(t.z0) + f1 * F(t.z_per_e1) + f2 * F(t.z_per_e2);
+                    // The small terms first: one rounding at the size of z instead of two.
+                    const F z_ndc = F(t.z0) + (f1 * F(t.z_per_e1) + f2 * F(t.z_per_e2));
                     const Int<F> code = depth_code(depth.format, z_ndc, t.depth_bias);
                     const auto stored_at = depth.codes.row(y) + x;
                     const Int<F> stored = load<F>(stored_at);

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include <glm/vec2.hpp>
+
 #include "rasterizer/approx_math.h"
 #include "rasterizer/texture.h"
 

@@ -1,10 +1,12 @@
 #include "rasterizer/screen_geometry.h"
 
 #include <algorithm>
+#include <string>
 
 #include <glm/matrix.hpp>
 
 #include "rasterizer/clip.h"
+#include "rasterizer/error.h"
 #include "rasterizer/parallel.h"
 
 namespace crevice {
@@ -148,6 +150,11 @@ class BlockBuilder {
 
 ScreenGeometry empty_geometry(Size size, const Run& run) {
     validate(run);
+    constexpr int largest = static_cast<int>(kGuardBand_px);
+    if (size.width < 1 || size.height < 1 || size.width > largest || size.height > largest) {
+        throw UsageError("image size: width and height must lie in 1.." + std::to_string(largest) + " (" +
+                         std::to_string(size.width) + "x" + std::to_string(size.height) + "); give another --size");
+    }
     ScreenGeometry geometry;
     geometry.size = size;
     geometry.tile_size = run.tile_size;

@@ -140,6 +140,16 @@ struct TexelFetch {
     }
 };
 
+// Whether any of the pixels that a group of texels reads holds a surface; without one the texels keep what they start with.
+template <class F>
+CREVICE_INLINE bool any_surface(const GBuffer& gbuffer, Int<F> column0, Int<F> column1, int row0, int row1) {
+    const auto at = [&](int row, Int<F> column) __attribute__((always_inline)) {
+        return F(gather(gbuffer.view_depth.row(row), column));
+    };
+    const F nearest = min_of(min_of(at(row0, column0), at(row0, column1)), min_of(at(row1, column0), at(row1, column1)));
+    return any(nearest < F(kInfinity));
+}
+
 }  // namespace
 
 Size ao_map_size(Size picture, float scale) {
@@ -175,6 +185,7 @@ AoInputs ao_inputs(const GBuffer& gbuffer, const Camera& camera, const AoFetch& 
                 for (int x = 0; x < size.width; x += kLanes<F>) {
                     const Int<F> column0 = load<F>(columns.first.data() + x), column1 = load<F>(columns.second.data() + x);
                     const F fx = load<F>(columns.weight_of_second.data() + x), one = F(1);
+                    if (!fetch.as_published && !any_surface<F>(gbuffer, column0, column1, row0, row1)) continue;
                     const F u = (F(to_float(lane_index<F>() + Int<F>(x))) + F(0.5f)) / F(static_cast<float>(size.width));
                     const F v = F((static_cast<float>(y) + 0.5f) / static_cast<float>(size.height));
                     TexelFetch<F> texel{gbuffer, inputs, u, v, {}};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -63,6 +64,8 @@ CREVICE_INLINE Mask<F> tap_counts(const Guide& guide, TapPosition centre, TapPos
 }
 
 TapDecisions decide_taps(const Guide& guide, Size size, Direction direction, const BlurSettings& settings, const Run& run) {
+    // Where there is no surface no tap counts: the normal is (0,0,0) there, and the distance to an infinite depth not a number.
+    constexpr float kNothing = std::numeric_limits<float>::infinity();
     TapDecisions result{Image<std::int32_t>(size, 0), Image<float>(size, 0.0f)};
     parallel_rows(size.height, run, [&](int first_row, int end_row) {
         run_kernel(run, [&](auto tag) __attribute__((always_inline)) {
@@ -72,6 +75,8 @@ TapDecisions decide_taps(const Guide& guide, Size size, Direction direction, con
                     Int<F> bits(0);
                     F total = F(settings.weights[kBlurRadius]);
                     const TapPosition centre = {x + kMargin, y, true};
+                    const F z = load<F>(guide.z.row(y) + x + kMargin);
+                    if (!any(z < F(kNothing))) continue;
                     for (int k = 0; k < kTaps; ++k) {
                         const TapPosition tap = tap_position(direction, size, x, y, k);
                         if (k == kBlurRadius || !tap.inside) continue;

@@ -79,6 +79,7 @@ struct LunaKernel {
     // What one offset vector contributes, in [0,1] for a unit normal.
     template <class F>
     CREVICE_INLINE F sample(Vec3<F> p, Vec3<F> n, Vec3<F> random, const glm::vec3& offset) const {
+        if (settings.radius == 0) return F(0);  // q = p, which nothing occludes
         const Vec3<F> o = spread<F>(offset);
         const Vec3<F> d = o - F(2) * dot(o, random) * random;
         const F facing = dot(d, n);

@@ -79,7 +79,7 @@ struct LitShader {
 
     template <class F>
     CREVICE_INLINE void fragment(const ScreenTriangle& t, const Fragment<F>& f) const {
-        store_where_passed(lit, f, n_view_at(geometry, t, f));
+        store_where_passed(lit, f, interpolated_normal(geometry, t, f));
         crevice::store_where_passed(materials.row(f.y), f, Int<F>(t.material));
         if (textures.empty()) return;
         const Material& material = scene.materials[static_cast<std::size_t>(t.material)];
@@ -107,7 +107,7 @@ struct LitShader {
             const std::int32_t index = largest_of(select(left, material_index, Int<F>(kSky)));
             const auto lanes = material_index == Int<F>(index);
             const Vec3<F> now = load_vec3<F>(lit, x, y);
-            const Vec3<F> colour = lit_colour<F>(scene.materials[static_cast<std::size_t>(index)], now, x, y);
+            const Vec3<F> colour = lit_colour<F>(scene.materials[static_cast<std::size_t>(index)], unit_normal(now), x, y);
             store(lit.x.row(y) + x, select(lanes, colour.x, now.x));
             store(lit.y.row(y) + x, select(lanes, colour.y, now.y));
             store(lit.z.row(y) + x, select(lanes, colour.z, now.z));

@@ -103,7 +103,9 @@ class TexelReference {
         if (one_surface) return mean();
         const double slope = glm::dot(first.n, ray_), carried = glm::dot(first.n, first.p) / slope;
         const bool usable = std::fabs(slope) > 0.05 && carried > 0;
-        return {first.n, 0, usable ? carried : first.z, glm::length(first.n) * glm::length(first.p) / std::fabs(slope)};
+        const double shift = glm::length(ray_) * std::fabs(carried - first.z);
+        const double magnified = glm::length(first.n) * (glm::length(first.p) + shift) / std::fabs(slope);
+        return {first.n, 0, usable ? carried : first.z, usable ? magnified : 0};
     }
 
    private:

@@ -1,4 +1,5 @@
-// Triangles given on the screen or in clip space, drawn with a shader that only counts, for tests of exact coverage.
+// Triangles given on the screen or in clip space, drawn with a shader that only counts, for tests of exact
+// coverage.
 #pragma once
 
 #include <array>
@@ -42,7 +43,9 @@ struct ClipSpaceScene {
         return static_cast<std::uint32_t>(p_clip.size() - 1);
     }
     // Three new vertices.
-    void add_triangle(glm::vec4 a, glm::vec4 b, glm::vec4 c) { triangles.push_back({add(a), add(b), add(c)}); }
+    void add_triangle(glm::vec4 a, glm::vec4 b, glm::vec4 c) {
+        triangles.push_back({add(a), add(b), add(c)});
+    }
     // A quad of two triangles abc and acd that share vertices a and c.
     void add_quad(glm::vec4 a, glm::vec4 b, glm::vec4 c, glm::vec4 d) {
         const std::uint32_t i = add(a), j = add(b), k = add(c), l = add(d);
@@ -50,8 +53,8 @@ struct ClipSpaceScene {
         triangles.push_back({i, k, l});
     }
 
-    // The clip-space position that lands on a screen position. Without a rounding error when the sides of the picture and w are
-    // powers of two and the position is a whole number of 1/256 pixels.
+    // The clip-space position that lands on a screen position. Without a rounding error when the sides of the
+    // picture and w are powers of two and the position is a whole number of 1/256 pixels.
     glm::vec4 at_screen(double x_px, double y_px, double z_ndc = 0.5, double w = 1) const {
         const double x_ndc = x_px / (size.width * 0.5) - 1, y_ndc = 1 - y_px / (size.height * 0.5);
         return glm::vec4(x_ndc * w, y_ndc * w, z_ndc * w, w);
@@ -89,13 +92,15 @@ Image<std::int32_t> count_passing(const ScreenGeometry& geometry, DepthFunction 
     return count;
 }
 
-inline ScreenGeometry geometry_of(const ClipSpaceScene& scene, const SetupSettings& setup = {.cull_back_faces = false},
+inline ScreenGeometry geometry_of(const ClipSpaceScene& scene,
+                                  const SetupSettings& setup = {.cull_back_faces = false},
                                   const Run& run = kPlainRun) {
     return screen_geometry_from_clip(scene.p_clip, scene.triangles, scene.size, setup, run);
 }
 
 inline CountedDrawing draw(const ClipSpaceScene& scene, DepthFunction test = DepthFunction::always,
-                           const SetupSettings& setup = {.cull_back_faces = false}, const Run& run = kPlainRun) {
+                           const SetupSettings& setup = {.cull_back_faces = false},
+                           const Run& run = kPlainRun) {
     CountedDrawing drawing{Image<std::int32_t>(), cleared_depth(scene.size, setup.format, false)};
     drawing.count = count_passing(geometry_of(scene, setup, run), test, drawing.depth, run);
     return drawing;
@@ -117,8 +122,8 @@ inline std::string differences(const Image<std::int32_t>& actual, const Image<st
         for (int x = 0; x < expected.size.width; ++x) {
             if (actual.at(x, y) == expected.at(x, y)) continue;
             if (count++ > 0) continue;
-            first = "(" + std::to_string(x) + "," + std::to_string(y) + ") is " + std::to_string(actual.at(x, y)) +
-                    ", expected " + std::to_string(expected.at(x, y));
+            first = "(" + std::to_string(x) + "," + std::to_string(y) + ") is " +
+                    std::to_string(actual.at(x, y)) + ", expected " + std::to_string(expected.at(x, y));
         }
     }
     return count == 0 ? "" : std::to_string(count) + " pixels differ, the first: " + first;
@@ -127,10 +132,12 @@ inline std::string differences(const Image<std::int32_t>& actual, std::int32_t e
     return differences(actual, Image<std::int32_t>(actual.size, expected));
 }
 
-// Whether a triangle of corners in 1/256 pixel covers a pixel, in either winding: its centre, moved right by an infinitely small
-// amount and down by a still smaller one, lies inside. That is the top-left rule in other words.
+// Whether a triangle of corners in 1/256 pixel covers a pixel, in either winding: its centre, moved right by
+// an infinitely small amount and down by a still smaller one, lies inside. That is the top-left rule in other
+// words.
 inline bool covers_by_definition(const std::array<glm::ivec2, 3>& corners, int column, int row) {
-    const std::int64_t x = column * kSubpixelSteps + kSubpixelSteps / 2, y = row * kSubpixelSteps + kSubpixelSteps / 2;
+    const std::int64_t x = column * kSubpixelSteps + kSubpixelSteps / 2,
+                       y = row * kSubpixelSteps + kSubpixelSteps / 2;
     int positive = 0, negative = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::ivec2 a = corners[i], b = corners[(i + 1) % 3];

@@ -8,66 +8,15 @@
 
 #include "rasterizer/approx_math.h"
 #include "tests/clip_space_scene.h"
+#include "tests/ray_reference.h"
 
 using namespace crevice;
 
 namespace {
 
-using Real = long double;
-struct Vector3 {
-    Real x, y, z;
-};
-Vector3 cross(Vector3 a, Vector3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-Real dot(Vector3 a, Vector3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Real length(Vector3 a) { return std::sqrt(dot(a, a)); }
-
-enum class Coverage { outside, inside, too_close_to_tell };
-
-// A triangle in homogeneous screen coordinates (x_px * w, y_px * w, w). The pixel's ray meets its plane at
-// sum lambda_i * v_i with lambda_i = line_i . (x_px, y_px, 1), which must all be positive (Olano & Greer 1997), and z must
-// be in range there.
-class RayReference {
-   public:
-    RayReference(const std::array<glm::vec4, 3>& p_clip, Size size) {
-        std::array<Vector3, 3> v;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Real x = p_clip[i].x, y = p_clip[i].y, w = p_clip[i].w;
-            v[i] = {(x + w) * size.width / 2, (w - y) * size.height / 2, w};
-        }
-        const Real volume = dot(v[0], cross(v[1], v[2]));
-        edge_on_ = std::abs(volume) <= Real(1e-16) * length(v[0]) * length(v[1]) * length(v[2]);
-        if (edge_on_) return;
-        Vector3 z = {0, 0, 0};
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Vector3 c = cross(v[(i + 1) % 3], v[(i + 2) % 3]);
-            lines_[i] = {c.x / volume, c.y / volume, c.z / volume};
-            const Real at = p_clip[i].z;
-            z = {z.x + at * lines_[i].x, z.y + at * lines_[i].y, z.z + at * lines_[i].z};
-        }
-        lines_[3] = z;                      // z_ndc >= 0
-        lines_[4] = {-z.x, -z.y, 1 - z.z};  // z_ndc <= 1
-    }
-
-    // `tolerance_px` is how far the snapped outline may be from the true one.
-    Coverage at(int column, int row, Real tolerance_px) const {
-        if (edge_on_) return Coverage::too_close_to_tell;
-        const Vector3 p = {column + Real(0.5), row + Real(0.5), 1};
-        Coverage coverage = Coverage::inside;
-        for (const Vector3& line : lines_) {
-            const Real value = dot(line, p), per_px = std::sqrt(line.x * line.x + line.y * line.y);
-            if (value < -tolerance_px * per_px - Real(1e-9)) return Coverage::outside;
-            if (value < tolerance_px * per_px + Real(1e-9)) coverage = Coverage::too_close_to_tell;
-        }
-        return coverage;
-    }
-
-   private:
-    std::array<Vector3, 5> lines_;
-    bool edge_on_;  // or nearly: what is seen of it is up to the rounding
-};
-
-// A vertex is snapped by half of 1/256 pixel, after a float division that errs by up to as much again at the guard band.
-constexpr Real kSnap_px = Real(1) / kSubpixelSteps;
+// A vertex is snapped by half of 1/256 pixel, after a float division that errs by up to as much again at the
+// guard band.
+constexpr long double kSnap_px = 1.0L / kSubpixelSteps;
 
 // Checks one triangle, in both windings; returns how many pixels were decided to be inside.
 int check_against_rays(glm::vec4 a, glm::vec4 b, glm::vec4 c, Size size) {
@@ -97,7 +46,8 @@ constexpr Size kSize = {64, 48};
 }  // namespace
 
 TEST_CASE("vertices far away in all 26 directions") {
-    // The first, the first two, or all three vertices are moved outwards (CTS clip_one, clip_two, clip_three).
+    // The first, the first two, or all three vertices are moved outwards (CTS clip_one, clip_two,
+    // clip_three).
     const std::array<glm::vec4, 3> base = {{{-0.5, -0.4, 0.3, 1}, {0.6, -0.3, 0.5, 1}, {0.1, 0.7, 0.6, 1}}};
     int drawn = 0;
     for (const float distance : {2.0f, 100.0f, 30000.0f, 1e5f, 3.4e34f}) {
@@ -141,7 +91,8 @@ TEST_CASE("random triangles with w of either sign and of every magnitude") {
 TEST_CASE("one, two or three vertices behind the eye leave no mirrored ghost") {
     const glm::vec4 left(-0.5, -0.5, 0.5, 1), right(0.5, -0.5, 0.5, 1), top(0, 0.5, 0.5, 1);
     // Behind, its mirror image would land inside the picture.
-    const glm::vec4 behind(0, 0.3, -0.5, -1), behind_left(-0.2, 0.1, -0.2, -0.5), behind_right(0.4, 0.2, -0.8, -2);
+    const glm::vec4 behind(0, 0.3, -0.5, -1), behind_left(-0.2, 0.1, -0.2, -0.5),
+        behind_right(0.4, 0.2, -0.8, -2);
     CHECK(check_against_rays(left, right, top, kSize) > 0);
     CHECK(check_against_rays(left, right, behind, kSize) > 0);
     CHECK(check_against_rays(left, behind_right, behind, kSize) >= 0);
@@ -216,6 +167,60 @@ TEST_CASE("a vertex on the guard band keeps its place, on whichever side roundin
             const double x_ndc = (i % 2 == 0 ? 2 : -2) * static_cast<double>(kGuardBand_px) / width - 1;
             const glm::vec4 p(x_ndc * w * (1 + random.whole(-3, 3) * 0x1p-24), 0.9 * w, 0.5 * w, w);
             CHECK(check_against_rays({-0.9f, -0.9f, 0.5f, 1}, p, {0.9f, -0.8f, 0.5f, 1}, size) > 0);
+        }
+    }
+}
+
+TEST_CASE("a mesh that runs from behind the eye to beyond the far plane covers each of its pixels once") {
+    // The ground y_view = -1, a jittered grid of 13x13 vertices; a field of view of 90 degrees, near 0.1,
+    // far 20.
+    const Size size = {96, 96};
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        CAPTURE(seed);
+        RandomSequence random(seed);
+        const double spread = seed % 2 == 0 ? 6 : 5000;  // up to the guard band and far beyond it
+        ClipSpaceScene scene{size, {}, {}};
+        for (int row = 0; row < 13; ++row) {
+            for (int column = 0; column < 13; ++column) {
+                const double x = spread * (column - 6 + random.between(-0.3, 0.3));
+                const double z = 3 * (row - 3 + random.between(-0.3, 0.3));
+                scene.add(glm::vec4(x, -1, 20 / 19.9 * (z - 0.1), z));
+            }
+        }
+        for (std::uint32_t i = 0; i < 12 * 12; ++i) {
+            const std::uint32_t a = i / 12 * 13 + i % 12;
+            scene.triangles.push_back({a, a + 1, a + 14});
+            scene.triangles.push_back({a, a + 14, a + 13});
+        }
+        const Image<std::int32_t> count = draw(scene).count;
+        Image<std::int32_t> expected(size, 0);
+        for (int y = 0; y < size.height; ++y) {
+            for (int x = 0; x < size.width; ++x) {
+                // Row y shows the ground at z = 48 / (y + 0.5 - 48); the far plane at 20 is cut at row 50.4.
+                expected.at(x, y) = y > 50 ? 1 : y < 50 ? 0 : count.at(x, y);
+            }
+        }
+        CHECK(differences(count, expected) == "");
+    }
+}
+
+TEST_CASE("abc, bca and cab of a clipped triangle cover the same pixels") {
+    RandomSequence random(9);
+    for (int i = 0; i < 1000; ++i) {
+        CAPTURE(i);
+        ClipSpaceScene scene{kSize, {}, {}};
+        for (int k = 0; k < 3; ++k) {
+            const double w = random.between(-1, 2), reach = i % 2 == 0 ? 2 : 2000;
+            scene.add(glm::vec4(random.between(-reach, reach), random.between(-reach, reach),
+                                random.between(-0.5, 1.5), w));
+        }
+        scene.triangles = {{0, 1, 2}};
+        const CountedDrawing expected = draw(scene);
+        for (const std::array<std::uint32_t, 3>& order :
+             {std::array<std::uint32_t, 3>{1, 2, 0}, {2, 0, 1}, {0, 2, 1}}) {
+            INFO("order " << order[0] << order[1] << order[2]);
+            scene.triangles = {order};
+            CHECK(differences(draw(scene).count, expected.count) == "");
         }
     }
 }

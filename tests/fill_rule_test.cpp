@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "rasterizer/approx_math.h"
+#include "rasterizer/error.h"
 #include "tests/clip_space_scene.h"
 
 using namespace crevice;
@@ -35,8 +36,8 @@ ClipSpaceScene random_fan(RandomSequence& random, Size size, glm::dvec2 centre_p
         scene.add(scene.at_screen(centre_px.x + reach * at.cosine, centre_px.y + reach * at.sine));
     }
     for (int i = 0; i < sectors; ++i) {
-        scene.triangles.push_back({centre, static_cast<std::uint32_t>(1 + i),
-                                   static_cast<std::uint32_t>(1 + (i + 1) % sectors)});
+        scene.triangles.push_back(
+            {centre, static_cast<std::uint32_t>(1 + i), static_cast<std::uint32_t>(1 + (i + 1) % sectors)});
     }
     return scene;
 }
@@ -45,10 +46,14 @@ ClipSpaceScene random_fan(RandomSequence& random, Size size, glm::dvec2 centre_p
 glm::dvec2 fan_centre(RandomSequence& random, Size size) {
     const double x = random.whole(4, size.width - 5), y = random.whole(4, size.height - 5);
     switch (random.whole(0, 3)) {
-        case 0: return {x + 0.5, y + 0.5};
-        case 1: return {x, random.whole(0, 1) == 0 ? y : y + 0.5};
-        case 2: return {x + random.between(0, 1), y + random.between(0, 1)};
-        default: return {-random.between(0, 30), size.height + random.between(0, 30)};
+        case 0:
+            return {x + 0.5, y + 0.5};
+        case 1:
+            return {x, random.whole(0, 1) == 0 ? y : y + 0.5};
+        case 2:
+            return {x + random.between(0, 1), y + random.between(0, 1)};
+        default:
+            return {-random.between(0, 30), size.height + random.between(0, 30)};
     }
 }
 
@@ -91,7 +96,9 @@ TEST_CASE("of eight tiny triangles around a pixel centre only the one to the rig
     for (std::size_t i = 0; i < 8; ++i) {
         CAPTURE(i);
         ClipSpaceScene scene{{8, 8}, {}, {}};
-        const auto at = [&](glm::ivec2 d) { return scene.at_screen(3.5 + d.x * 3 / 256.0, 3.5 + d.y * 3 / 256.0); };
+        const auto at = [&](glm::ivec2 d) {
+            return scene.at_screen(3.5 + d.x * 3 / 256.0, 3.5 + d.y * 3 / 256.0);
+        };
         scene.add_triangle(at({0, 0}), at(directions[i]), at(directions[(i + 1) % 8]));
         const CountedDrawing drawing = draw(scene);
         CHECK(total(drawing.count) == (i == 0 ? 1 : 0));
@@ -99,7 +106,8 @@ TEST_CASE("of eight tiny triangles around a pixel centre only the one to the rig
     }
 }
 
-TEST_CASE("four triangles that meet near a pixel centre cover each pixel once, for all nine sub-pixel shifts") {
+TEST_CASE(
+    "four triangles that meet near a pixel centre cover each pixel once, for all nine sub-pixel shifts") {
     for (int dy = -1; dy <= 1; ++dy) {
         for (int dx = -1; dx <= 1; ++dx) {
             CAPTURE(dx);
@@ -142,7 +150,8 @@ TEST_CASE("random triangles of every size cover what the definition says") {
         const double reach = std::array{0.02, 3.0, 40.0, 300.0, 30000.0}[static_cast<std::size_t>(i % 5)];
         const glm::dvec2 near(random.whole(0, 31) + 0.5, random.whole(0, 31) + 0.5);
         const auto corner = [&] {
-            return scene.at_screen(near.x + random.between(-reach, reach), near.y + random.between(-reach, reach));
+            return scene.at_screen(near.x + random.between(-reach, reach),
+                                   near.y + random.between(-reach, reach));
         };
         const glm::vec4 a = corner(), b = corner(), c = corner();
         scene.add_triangle(a, b, c);
@@ -154,7 +163,8 @@ TEST_CASE("a sliver of 1/256 pixel covers the centres on its left edge and none 
     for (const int side : {1, -1}) {
         CAPTURE(side);
         ClipSpaceScene scene{{8, 8}, {}, {}};
-        scene.add_triangle(scene.at_screen(2.5, 0), scene.at_screen(2.5 + side / 256.0, 4), scene.at_screen(2.5, 8));
+        scene.add_triangle(scene.at_screen(2.5, 0), scene.at_screen(2.5 + side / 256.0, 4),
+                           scene.at_screen(2.5, 8));
         const CountedDrawing drawing = draw(scene);
         CHECK(total(drawing.count) == (side == 1 ? 8 : 0));
         for (int y = 0; y < 8; ++y) CHECK(drawing.count.at(2, y) == (side == 1 ? 1 : 0));
@@ -186,7 +196,8 @@ TEST_CASE("moving a triangle by whole pixels moves its pixels and depths, to the
         const int dx = random.whole(-40, 40), dy = random.whole(-40, 40);
         ClipSpaceScene here{size, {}, {}}, there{size, {}, {}};
         for (std::uint32_t k = 0; k < 3; ++k) {
-            const double x = 40 + random.whole(0, 48 * 256) / 256.0, y = 40 + random.whole(0, 48 * 256) / 256.0;
+            const double x = 40 + random.whole(0, 48 * 256) / 256.0,
+                         y = 40 + random.whole(0, 48 * 256) / 256.0;
             const double z = random.between(0, 1);
             here.add(here.at_screen(x, y, z));
             there.add(there.at_screen(x + dx, y + dy, z));
@@ -212,11 +223,21 @@ TEST_CASE("a full-screen quad fills pictures of every shape, and nothing outside
         for (const float reach : {1.0f, 3.0f, 1000.0f}) {
             CAPTURE(reach);
             ClipSpaceScene scene{size, {}, {}};
-            scene.add_quad({-reach, reach, 0.5, 1}, {reach, reach, 0.5, 1}, {reach, -reach, 0.5, 1}, {-reach, -reach, 0.5, 1});
+            scene.add_quad({-reach, reach, 0.5, 1}, {reach, reach, 0.5, 1}, {reach, -reach, 0.5, 1},
+                           {-reach, -reach, 0.5, 1});
             CHECK(differences(draw(scene).count, 1) == "");
             const Run one_lane = {.threads = 1, .lanes = 1};
-            const CountedDrawing stepped = draw(scene, DepthFunction::always, {.cull_back_faces = false}, one_lane);
+            const CountedDrawing stepped =
+                draw(scene, DepthFunction::always, {.cull_back_faces = false}, one_lane);
             CHECK(differences(stepped.count, 1) == "");
         }
+    }
+}
+
+TEST_CASE("pictures without pixels, or larger than screen coordinates reach, are refused") {
+    for (const Size size : {Size{0, 4}, {4, 0}, {-4, 4}, {32769, 1}, {1, 1000000}}) {
+        CAPTURE(size.width);
+        CAPTURE(size.height);
+        CHECK_THROWS_AS(geometry_of({size, {}, {}}), UsageError);
     }
 }

@@ -72,8 +72,9 @@ TEST_CASE("all 65536 halves come back from their float, NaN as a NaN") {
             const std::int32_t expected = half + lane;
             const float value = float_from_half_bits<float>(expected);
             bool right = float_bits(value) == float_bits(values[lane]);
-            for (const std::int32_t back : {even[lane], zero[lane], half_bits(value, HalfRounding::nearest_even),
-                                            half_bits(value, HalfRounding::toward_zero)}) {
+            for (const std::int32_t back :
+                 {even[lane], zero[lane], half_bits(value, HalfRounding::nearest_even),
+                  half_bits(value, HalfRounding::toward_zero)}) {
                 const bool is_nan = (expected & 0x7fff) > 0x7c00;
                 right = right && (is_nan ? value != value && (back & 0x7fff) > 0x7c00 : back == expected);
             }
@@ -89,7 +90,8 @@ TEST_CASE("every rounded float is the nearest half, or the next toward zero") {
     std::uint32_t state = 9;
     for (int i = 0; i < 200000; ++i) {
         state = state * 1664525u + 1013904223u;
-        const float a = float_from_bits(static_cast<std::int32_t>(0x32000000u + state % (0x477fe000u - 0x32000000u)));
+        const float a =
+            float_from_bits(static_cast<std::int32_t>(0x32000000u + state % (0x477fe000u - 0x32000000u)));
         CAPTURE(a);
         const std::int32_t below = half_bits(a, HalfRounding::toward_zero);
         const double low = static_cast<double>(float_from_half_bits<float>(below));
@@ -97,7 +99,8 @@ TEST_CASE("every rounded float is the nearest half, or the next toward zero") {
         const double value = static_cast<double>(a);
         const bool up = value - low > high - value || (value - low == high - value && below % 2 == 1);
         if (!(low <= value && value < high)) FAIL("not between its neighbours " << low << " and " << high);
-        if (half_bits(a, HalfRounding::nearest_even) != below + up) FAIL("not the nearest of " << low << " and " << high);
+        if (half_bits(a, HalfRounding::nearest_even) != below + up)
+            FAIL("not the nearest of " << low << " and " << high);
     }
 }
 

@@ -14,7 +14,8 @@ ProjectedVertex corner_at(std::int32_t x, std::int32_t y, float z_ndc = 0.5f) {
     return {.x = x, .y = y, .x_rest = 0, .y_rest = 0, .z_ndc = z_ndc, .inverse_w = 1, .outside = 0};
 }
 
-std::optional<SetUpTriangle> set_up(const std::array<ProjectedVertex, 3>& corners, bool cull_back_faces = false) {
+std::optional<SetUpTriangle> set_up(const std::array<ProjectedVertex, 3>& corners,
+                                    bool cull_back_faces = false) {
     return set_up_triangle({&corners[0], &corners[1], &corners[2]}, {.cull_back_faces = cull_back_faces});
 }
 
@@ -44,7 +45,8 @@ TEST_CASE("nothing is set up for triangles without area, without a pixel centre,
     CHECK_FALSE(set_up({corner_at(0, 0), corner_at(512, 512), corner_at(1024, 1024)}).has_value());
     // Between the centres of a row.
     CHECK_FALSE(set_up({corner_at(0, 130), corner_at(9999, 130), corner_at(50, 380)}).has_value());
-    const std::array<ProjectedVertex, 3> clockwise = {corner_at(0, 0), corner_at(1024, 0), corner_at(0, 1024)};
+    const std::array<ProjectedVertex, 3> clockwise = {corner_at(0, 0), corner_at(1024, 0),
+                                                      corner_at(0, 1024)};
     const std::array<ProjectedVertex, 3> reversed = {clockwise[0], clockwise[2], clockwise[1]};
     REQUIRE(set_up(clockwise, true).has_value());
     CHECK_FALSE(set_up(clockwise, true)->triangle.back_facing);
@@ -58,7 +60,8 @@ TEST_CASE("corners start at the top, go clockwise, and `order` names them") {
     for (int i = 0; i < 2000; ++i) {
         CAPTURE(i);
         std::array<ProjectedVertex, 3> corners;
-        for (ProjectedVertex& c : corners) c = corner_at(random.whole(-9, 9) * 128, random.whole(-9, 9) * 128);
+        for (ProjectedVertex& c : corners)
+            c = corner_at(random.whole(-9, 9) * 128, random.whole(-9, 9) * 128);
         const std::optional<SetUpTriangle> result = set_up(corners);
         if (!result) continue;
         const ScreenTriangle& t = result->triangle;
@@ -68,7 +71,8 @@ TEST_CASE("corners start at the top, go clockwise, and `order` names them") {
         }
         CHECK(std::pair(t.y[0], t.x[0]) < std::pair(t.y[1], t.x[1]));
         CHECK(std::pair(t.y[0], t.x[0]) < std::pair(t.y[2], t.x[2]));
-        const int doubled_area = (t.x[1] - t.x[0]) * (t.y[2] - t.y[0]) - (t.x[2] - t.x[0]) * (t.y[1] - t.y[0]);
+        const int doubled_area =
+            (t.x[1] - t.x[0]) * (t.y[2] - t.y[0]) - (t.x[2] - t.x[0]) * (t.y[1] - t.y[0]);
         CHECK(doubled_area > 0);
         CHECK(t.doubled_area == static_cast<float>(doubled_area));
     }
@@ -81,7 +85,8 @@ TEST_CASE("edge functions are exact integers, up to the guard band") {
         CAPTURE(i);
         const int reach = i % 2 == 0 ? band * kSubpixelSteps : 4096;
         std::array<ProjectedVertex, 3> corners;
-        for (ProjectedVertex& c : corners) c = corner_at(random.whole(-reach, reach), random.whole(-reach, reach));
+        for (ProjectedVertex& c : corners)
+            c = corner_at(random.whole(-reach, reach), random.whole(-reach, reach));
         if (i < 2) corners = {corner_at(-reach, -reach), corner_at(reach, -reach), corner_at(reach, reach)};
         const std::optional<SetUpTriangle> result = set_up(corners);
         if (!result) continue;
@@ -90,7 +95,8 @@ TEST_CASE("edge functions are exact integers, up to the guard band") {
         __int128 sum = 0, doubled_area = 0;
         for (std::size_t k = 0; k < 3; ++k) {
             const std::size_t from = (k + 1) % 3, to = (k + 2) % 3;
-            const __int128 x = column * kSubpixelSteps + kSubpixelSteps / 2, y = row * kSubpixelSteps + kSubpixelSteps / 2;
+            const __int128 x = column * kSubpixelSteps + kSubpixelSteps / 2,
+                           y = row * kSubpixelSteps + kSubpixelSteps / 2;
             const __int128 dx = t.x[to] - t.x[from], dy = t.y[to] - t.y[from];
             const __int128 expected = dx * (y - t.y[from]) - dy * (x - t.x[from]);
             const Edge edge = triangle_edge(t, static_cast<int>(k));
@@ -99,7 +105,8 @@ TEST_CASE("edge functions are exact integers, up to the guard band") {
             CHECK(std::abs(value) < std::int64_t{1} << 53);  // exact as a double
             CHECK(edge.threshold == (dy < 0 || (dy == 0 && dx > 0) ? 0 : 1));
             sum += value;
-            doubled_area += static_cast<__int128>(t.x[from]) * t.y[to] - static_cast<__int128>(t.x[to]) * t.y[from];
+            doubled_area +=
+                static_cast<__int128>(t.x[from]) * t.y[to] - static_cast<__int128>(t.x[to]) * t.y[from];
         }
         CHECK(static_cast<std::int64_t>(sum) == static_cast<std::int64_t>(doubled_area));
     }
@@ -112,7 +119,8 @@ TEST_CASE("abc, bca, cab and their mirror images draw the same pixels and depths
         ClipSpaceScene scene{{64, 64}, {}, {}};
         for (int k = 0; k < 3; ++k) {
             const double w = random.between(0.1, 4);
-            scene.add(scene.at_screen(random.between(-40, 104), random.between(-40, 104), random.between(0, 1), w));
+            scene.add(
+                scene.at_screen(random.between(-40, 104), random.between(-40, 104), random.between(0, 1), w));
         }
         scene.triangles = {{0, 1, 2}};
         const CountedDrawing expected = draw(scene);
@@ -137,7 +145,8 @@ TEST_CASE("depth is that of the true plane, not of its snapped corners") {
         const double slope_x = random.between(-0.2, 0.2), slope_y = random.between(-0.2, 0.2);
         const auto corner = [&](double x_ndc, double y_ndc) {
             const glm::vec4 p(x_ndc + random.between(-0.2, 0.2), y_ndc + random.between(-0.2, 0.2), 0, 1);
-            return glm::vec4(p.x, p.y, 0.5 + slope_x * static_cast<double>(p.x) + slope_y * static_cast<double>(p.y), 1);
+            return glm::vec4(
+                p.x, p.y, 0.5 + slope_x * static_cast<double>(p.x) + slope_y * static_cast<double>(p.y), 1);
         };
         scene.add_triangle(corner(-0.8, 0.8), corner(0.8, 0.7), corner(0, -0.8));
         const CountedDrawing drawing = draw(scene);
@@ -160,12 +169,14 @@ TEST_CASE("slivers keep their depth near the range of their corners") {
     for (int i = 0; i < 2000; ++i) {
         CAPTURE(i);
         ClipSpaceScene scene{{64, 64}, {}, {}};
-        const glm::dvec2 a(random.between(0, 64), random.between(0, 64)), b(random.between(0, 64), random.between(0, 64));
+        const glm::dvec2 a(random.between(0, 64), random.between(0, 64)),
+            b(random.between(0, 64), random.between(0, 64));
         const double along = random.between(-0.5, 1.5), aside = random.between(-0.2, 0.2);
         std::array<double, 3> z;
         for (double& value : z) value = random.between(0.01, 0.9);
         const glm::dvec2 c = a + along * (b - a) + glm::dvec2(aside, -aside);
-        scene.add_triangle(scene.at_screen(a.x, a.y, z[0]), scene.at_screen(b.x, b.y, z[1]), scene.at_screen(c.x, c.y, z[2]));
+        scene.add_triangle(scene.at_screen(a.x, a.y, z[0]), scene.at_screen(b.x, b.y, z[1]),
+                           scene.at_screen(c.x, c.y, z[2]));
         const auto [low, high] = std::minmax({z[0], z[1], z[2]});
         const CountedDrawing drawing = draw(scene);
         const Image<float> depth = ndc_depth(drawing.depth);
@@ -175,7 +186,8 @@ TEST_CASE("slivers keep their depth near the range of their corners") {
                 ++drawn;
                 const double value = static_cast<double>(depth.at(x, y));
                 if (!(value > low - 0.26 * (high - low) && value < high + 0.26 * (high - low))) {
-                    FAIL("depth " << value << " at " << x << "," << y << " for corners from " << low << " to " << high);
+                    FAIL("depth " << value << " at " << x << "," << y << " for corners from " << low << " to "
+                                  << high);
                 }
             }
         }

@@ -1,4 +1,5 @@
-// Eight lanes against one: every operation gives the bits of the plain float, under every instruction set of this CPU.
+// Eight lanes against one: every operation gives the bits of the plain float, under every instruction set of
+// this CPU.
 #include "rasterizer/wide.h"
 
 #include <algorithm>
@@ -22,13 +23,16 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 // Ordinary, tiny, huge and special values; a multiple of eight of them.
 const std::vector<float>& some_floats() {
     static const std::vector<float> values = [] {
-        std::vector<float> v = {0.0f, -0.0f, 1.0f, -1.0f, 0.5f, -0.5f, 1.5f, -1.5f, 2.5f, -2.5f, 0.49999997f, -0.49999997f,
-                                1e-45f, -1e-45f, 1.17549435e-38f, 3.4e38f, -3.4e38f, kInfinity, -kInfinity, kNan, 8388607.5f,
-                                -8388607.5f, 16777216.0f, 65504.0f};
+        std::vector<float> v = {0.0f,        -0.0f,        1.0f,        -1.0f,      0.5f,
+                                -0.5f,       1.5f,         -1.5f,       2.5f,       -2.5f,
+                                0.49999997f, -0.49999997f, 1e-45f,      -1e-45f,    1.17549435e-38f,
+                                3.4e38f,     -3.4e38f,     kInfinity,   -kInfinity, kNan,
+                                8388607.5f,  -8388607.5f,  16777216.0f, 65504.0f};
         std::uint32_t state = 1;
         while (v.size() < 512) {
             state = state * 1664525u + 1013904223u;
-            v.push_back((static_cast<float>(state >> 8) * 0x1p-24f - 0.5f) * (v.size() % 2 == 0 ? 8.0f : 1e6f));
+            v.push_back((static_cast<float>(state >> 8) * 0x1p-24f - 0.5f) *
+                        (v.size() % 2 == 0 ? 8.0f : 1e6f));
         }
         return v;
     }();
@@ -49,10 +53,14 @@ void check_same_bits(const char* name, const Kernel& kernel) {
     for (const Isa isa : {Isa::baseline, Isa::avx2, Isa::avx512}) {
         if (!isa_available(isa)) continue;
         std::vector<float> wide(a.size());
-        run_for_isa(isa, [&](auto tag) __attribute__((always_inline)) {
-            using F = typename decltype(tag)::type;
-            for (std::size_t i = 0; i < a.size(); i += 8) store(&wide[i], kernel(load<F>(&a[i]), load<F>(&b[i])));
-        }, LaneTag<Wide<8>>{});
+        run_for_isa(
+            isa,
+            [&](auto tag) __attribute__((always_inline)) {
+                using F = typename decltype(tag)::type;
+                for (std::size_t i = 0; i < a.size(); i += 8)
+                    store(&wide[i], kernel(load<F>(&a[i]), load<F>(&b[i])));
+            },
+            LaneTag<Wide<8>>{});
         for (std::size_t i = 0; i < a.size(); ++i) {
             INFO(name << " of " << a[i] << " and " << b[i] << ", " << isa_name(isa));
             CHECK(result_bits(wide[i]) == expected[i]);
@@ -62,12 +70,13 @@ void check_same_bits(const char* name, const Kernel& kernel) {
 
 }  // namespace
 
-#define CHECK_SAME_BITS(expression)                                                        \
-    check_same_bits(#expression, [](auto a, auto b) __attribute__((always_inline)) {       \
-        using F = decltype(a);                                                             \
-        (void)b;                                                                           \
-        return F(expression);                                                              \
-    })
+#define CHECK_SAME_BITS(expression)                                      \
+    check_same_bits(                                                     \
+        #expression, [](auto a, auto b) __attribute__((always_inline)) { \
+            using F = decltype(a);                                       \
+            (void)b;                                                     \
+            return F(expression);                                        \
+        })
 
 TEST_CASE("eight lanes compute the bits of one lane") {
     CHECK_SAME_BITS(a + b);
@@ -95,7 +104,8 @@ TEST_CASE("eight lanes compute the bits of one lane") {
     CHECK_SAME_BITS(to_float(to_int(max_of(min_of(b, F(2e9f)), F(-2e9f)))));
     CHECK_SAME_BITS(to_float(floor_to_int(max_of(min_of(b, F(2e9f)), F(-2e9f)))));
     CHECK_SAME_BITS(to_float(round_half_even(max_of(min_of(b, F(2e9f)), F(-2e9f)))));
-    CHECK_SAME_BITS(to_float(((float_bits(a) >> 5) & (float_bits(b) >> 3)) | (float_bits(a) & Int<F>(0xffff)) << 3));
+    CHECK_SAME_BITS(
+        to_float(((float_bits(a) >> 5) & (float_bits(b) >> 3)) | (float_bits(a) & Int<F>(0xffff)) << 3));
     CHECK_SAME_BITS(to_float(clamp_int(float_bits(a) >> 8, Int<F>(-5), Int<F>(100000))));
     CHECK_SAME_BITS(float_from_bits(float_bits(a)));
     CHECK_SAME_BITS(normalize_or<F>({a, b, F(1)}, {F(1), F(0), F(0)}).x);
@@ -153,14 +163,16 @@ TEST_CASE("NaN first gives way to the other operand, and saturate turns it into 
 
 TEST_CASE("vectors that have no direction become the fallback") {
     const Vec3<float> up = {0, 1, 0};
-    for (const Vec3<float> bad : {Vec3<float>{0, 0, 0}, {kNan, 1, 0}, {0, kNan, 1}, {1, 0, kNan}, {1e-20f, 0, 0}}) {
+    for (const Vec3<float> bad :
+         {Vec3<float>{0, 0, 0}, {kNan, 1, 0}, {0, kNan, 1}, {1, 0, kNan}, {1e-20f, 0, 0}}) {
         INFO(bad.x << " " << bad.y << " " << bad.z);
         const Vec3<float> n = normalize_or<float>(bad, up);
         CHECK(n.x == 0);
         CHECK(n.y == 1);
         CHECK(n.z == 0);
     }
-    for (const Vec3<float> bad : {Vec3<float>{0, 0, 0}, {kNan, 1, 0}, {0, kNan, 1}, {1, 0, kNan}, {kInfinity, 0, 0}}) {
+    for (const Vec3<float> bad :
+         {Vec3<float>{0, 0, 0}, {kNan, 1, 0}, {0, kNan, 1}, {1, 0, kNan}, {kInfinity, 0, 0}}) {
         INFO(bad.x << " " << bad.y << " " << bad.z);
         const Vec3<float> n = normalize_any_length<float>(bad);
         CHECK(n.x == 0);
@@ -180,14 +192,25 @@ TEST_CASE("vectors that have no direction become the fallback") {
 }
 
 TEST_CASE_TEMPLATE("floor and rounding to even", F, float, double) {
-    const std::array<std::array<double, 3>, 12> rounded = {{{0.5, 0, 0}, {1.5, 1, 2}, {2.5, 2, 2}, {-0.5, -1, 0},
-                                                            {-1.5, -2, -2}, {-2.5, -3, -2}, {0.49999997, 0, 0}, {-0.25, -1, 0},
-                                                            {3, 3, 3}, {-3, -3, -3}, {8388606.5, 8388606, 8388606},
-                                                            {-8388607.5, -8388608, -8388608}}};
-    for (const auto& [value, floor, nearest] : rounded) {
-        CAPTURE(value);
-        CHECK(floor_to_int(static_cast<F>(value)) == static_cast<int>(floor));
-        CHECK(round_half_even(static_cast<F>(value)) == static_cast<int>(nearest));
+    const struct {
+        double value;
+        std::int32_t floor, nearest;
+    } cases[] = {{0.5, 0, 0},
+                 {1.5, 1, 2},
+                 {2.5, 2, 2},
+                 {-0.5, -1, 0},
+                 {-1.5, -2, -2},
+                 {-2.5, -3, -2},
+                 {0.49999997, 0, 0},
+                 {-0.25, -1, 0},
+                 {3, 3, 3},
+                 {-3, -3, -3},
+                 {8388606.5, 8388606, 8388606},
+                 {-4194303.5, -4194304, -4194304}};
+    for (const auto& c : cases) {
+        CAPTURE(c.value);
+        CHECK(floor_to_int(static_cast<F>(c.value)) == c.floor);
+        CHECK(round_half_even(static_cast<F>(c.value)) == c.nearest);
     }
     // Whole numbers stay, up to 2^31, also those that no float holds.
     for (const std::int32_t whole : {16777216, 33554432, 1073741824, -1073741824}) {
