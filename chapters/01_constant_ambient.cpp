@@ -1,8 +1,8 @@
 // Question: why does an object lit by a constant ambient term look like paper cut out and pasted on?
 //
-// The one idea: a constant ambient term says "every point receives the same indirect light", so all points of one
-// material get one colour and the term cannot show shape. Accessibility, 1 where the surroundings are open and 0 where
-// they are closed, gives each point a share of that light.
+// The one idea: a constant ambient term says "every point receives the same indirect light", so all points of
+// one material get one colour and the term cannot show shape. Accessibility, 1 where the surroundings are
+// open and 0 where they are closed, gives each point its share of that light.
 //
 // Source: seed 000, foreword and the formula at the start of "Screen-space ambient occlusion".
 // Look for: the first picture, which is all silhouette; then the feet of the columns before and after.
@@ -24,9 +24,9 @@ namespace {
 
 const Image<float> kNoAo;  // an empty map: everything counts as open
 
-std::string text(const char* format, double value) {
-    char characters[48];
-    std::snprintf(characters, sizeof characters, format, value);
+std::string text(double value) {
+    char characters[32];
+    std::snprintf(characters, sizeof characters, "%.4g", value);
     return characters;
 }
 
@@ -55,31 +55,29 @@ void explain(Notebook& book) {
     book.text(R"(
         # 01 Constant ambient light
 
-        Light that has bounced off other objects is expensive, so the classic lighting equation replaces all of it by one
-        product, the ambient light of a lamp times what the material reflects of it:
+        Light that has bounced off other objects is expensive, so the classic lighting equation replaces all
+        of it by one product, the ambient light of a lamp times what the material reflects of it:
 
-        $C_a = A_L \otimes m$
+            ambient = light * material
 
         There is no position in it and no normal. Whatever the shape, the answer is the same.
     )");
 }
 
-void what_it_cannot_fix(Notebook& book, const Scene& scene) {
+void remarks(Notebook& book, const Scene& scene) {
     const Material& ground = scene.materials[0];
     book.errata({
-        "*Seed 000, first formula:* the ambient light is multiplied by the diffuse reflectance. The series' own Phong code "
-        "multiplies it by a separate ambient reflectance: the ground of this scene has " +
-            text("%.3f", static_cast<double>(ground.ambient.x)) + " for ambient and " +
-            text("%.3f", static_cast<double>(ground.diffuse.x)) + " for diffuse red. This lab does as the code does.",
-        "*Seed 000, ray casting:* the hit of a ray is first called q and two sentences later p, the point the ray started "
-        "from. What must be near for the hit to count is q: the distance is |q - p|.",
+        "*Seed 000, first formula:* multiplies ambient light by the diffuse reflectance. The series' own "
+        "Phong code has an ambient reflectance for it: the red of this ground is " +
+            exact_text(ground.ambient.x) + ", not " + exact_text(ground.diffuse.x) + ".",
+        "*Seed 000, ray casting:* the hit of a ray is called q, then p, which is where the ray starts. What "
+        "must be near for the hit to count is q.",
     });
     book.try_it({
-        "Set `light.ambient` to a third of what it is before lighting: the picture turns dark and contrasty, and the "
-        "difference AO makes shrinks to a third, because AO has only the ambient term to work on.",
-        "Use `find_builtin_scene(\"cornell\")`: indoors nearly every surface has a neighbour, so AO changes more of the "
-        "picture (its lights are of the other lighting model: zero `diffuse` and keep `ambient_light`).",
-        "Set `settings.exponent` to 1: the contact shade turns pale. The tutorial's 4 is for contrast, not for physics.",
+        "Make `light.ambient` a third of what it is: the difference AO makes shrinks to a third as well, "
+        "because AO has only the ambient term to work on.",
+        "Set `settings.exponent` to 1: the shade turns pale. The tutorial's 4 is for contrast, not physics.",
+        "Set `settings.radius` to 2: shade spreads far from the contacts, and the house turns dirty.",
     });
 }
 
@@ -93,7 +91,7 @@ void constant_ambient(Notebook& book) {
     Scene ambient_scene = scene;
     for (DirectionalLight& light : ambient_scene.lights) light.diffuse = light.specular = glm::vec3(0);
     const Image3 ambient = shade(ambient_scene, camera, gbuffer.depth, kNoAo);
-    book.show("ambient", lit_picture(ambient), "Ambient light only: where two objects of one material overlap, the edge is gone.");
+    book.show("ambient", lit_picture(ambient), "Ambient light only: no tiles on the roof, nothing round.");
     const std::size_t colours = colours_in(ambient), materials = scene.materials.size();
     book.check("one colour a material, and the sky's", colours <= materials + 1,
                std::to_string(colours) + " colours, " + std::to_string(materials) + " materials");
@@ -101,37 +99,39 @@ void constant_ambient(Notebook& book) {
     // 2. With diffuse and specular light the shapes appear, but nothing stands on anything.
     const Image3 without_ao = shade(scene, camera, gbuffer.depth, kNoAo);
     book.show("lit_without_ao", lit_picture(without_ao),
-              "Diffuse and specular light added: round things look round. The columns still hover: light falls unhindered "
-              "into the corner where they meet the floor.");
+              "Diffuse and specular light added: round things look round. But the columns hover, since light "
+              "falls unhindered into the corner where they meet the floor.");
 
     // 3. What chapters 03 to 08 compute: which share of the ambient light each point can receive.
-    const LunaSettings settings = kXjunSettings;
+    LunaSettings settings = kXjunSettings;
+    settings.seed = book.seed();
     const Image<float> ao_raw = xjun_ssao(gbuffer, camera, settings);
     const Image<float> ao = bilateral_blur(ao_raw, gbuffer, camera, xjun_fetch(settings));
     const Image3 ambient_with_ao = shade(ambient_scene, camera, gbuffer.depth, ao);
     const Image3 with_ao = shade(scene, camera, gbuffer.depth, ao);
-    book.show("accessibility", ao_picture(ao_at_picture_size(ao, book.size())), "Accessibility, white where the point is open.");
-    book.text("The ambient term becomes $C_a = access \\cdot A_L \\otimes m$. Nothing else changes: light from a lamp that "
-              "reaches the point directly is not asked whether there are neighbours.");
-    book.show_row("The ambient term without and with accessibility: the same one colour a material, but now with shape.",
-                  {{"ambient_before", lit_picture(ambient)}, {"ambient_after", lit_picture(ambient_with_ao)}});
-    book.show("lit_with_ao", lit_picture(with_ao), "All light, ambient times accessibility: the columns stand on the floor.");
+    const Picture map = ao_picture(ao_at_picture_size(ao, book.size()));
+    book.show("accessibility", map, "Accessibility: white where it is open.");
+    book.text("The ambient term becomes `access * light * material`. Nothing else changes: light that comes "
+              "straight from a lamp is not asked whether there are neighbours.");
+    book.show("ambient_with_ao", lit_picture(ambient_with_ao), "The ambient term alone, and it has shape.");
+    book.show("lit_with_ao", lit_picture(with_ao), "All light, ambient times access: the columns stand.");
 
     // 4. The difference, and that it lies in the ambient term alone.
     const Image3 change = difference(with_ao, without_ao);
     const Image3 ambient_change = difference(ambient_with_ao, ambient);
-    book.show("change", difference_picture(change), "With AO minus without: only darker, and only where surfaces meet.");
+    book.show("change", difference_picture(change), "With AO minus without: darker where surfaces meet.");
     const BufferStatistics statistics = buffer_statistics(change);
     const double most = compare_images(change, ambient_change).max_abs;
     book.check("accessibility only takes light away", statistics.max <= 0,
-               "change from " + text("%.3f", static_cast<double>(statistics.min)) + " to " +
-                   text("%.3f", static_cast<double>(statistics.max)));
-    book.check("it takes it from the ambient term only", most < 1e-6,
-               "the two differences agree within " + text("%.1e", most));
-    book.table({"mean of the picture, linear light", "without AO", "with AO"},
-               {{"ambient term", text("%.4f", buffer_statistics(ambient).mean), text("%.4f", buffer_statistics(ambient_with_ao).mean)},
-                {"all light", text("%.4f", buffer_statistics(without_ao).mean), text("%.4f", buffer_statistics(with_ao).mean)}});
-    what_it_cannot_fix(book, scene);
+               "change from " + exact_text(statistics.min) + " to " + exact_text(statistics.max));
+    book.check("it takes it from the ambient term only", most < 1e-6, "same change within " + text(most));
+    const auto means = [](const char* name, const Image3& before, const Image3& after) {
+        const double mean_before = buffer_statistics(before).mean, mean_after = buffer_statistics(after).mean;
+        return std::vector{std::string(name), text(mean_before), text(mean_after)};
+    };
+    book.table({"mean of the picture", "without AO", "with AO"},
+               {means("ambient term", ambient, ambient_with_ao), means("all light", without_ao, with_ao)});
+    remarks(book, scene);
 }
 
 const Chapter kChapter("01", "constant_ambient", "Constant ambient light", constant_ambient);

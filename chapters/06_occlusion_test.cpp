@@ -85,7 +85,7 @@ void tell_one_texel(Notebook& book, const LunaKernel& kernel, const Image<float>
         sum += s.dp * s.occlusion;
         rows.push_back({text(s.q), text(s.r), text(s.dz), text(s.dp), text(s.occlusion)});
     }
-    book.text("Darkest, at a column's foot: texel `(" + std::to_string(x) + ", " + std::to_string(y) + ")`, " +
+    book.text("Darkest, at a column's foot, is `(" + std::to_string(x) + ", " + std::to_string(y) + ")`, " +
               "`p = " + text(sample_of(kernel, map, x, y, 0).p) + "` in view space.");
     book.table({"q (x y z)", "r (x y z)", "dz = p_z - r_z", "dp", "occlusion(dz)"}, rows);
     const float told = power(1 - sum / kCubeVectors, kernel.settings.exponent);

@@ -45,7 +45,7 @@ Image<float> without_noise(const AoInputs& inputs, LunaSettings settings) {
 }
 
 void both_tutorials(Notebook& book, const Image<float>& ao, const AoInputs& inputs) {
-    book.show("xjun", ao_picture(ao), "Seed 000's raw AO, half the picture's size: grain where it is shaded.");
+    book.show("xjun", ao_picture(ao), "Seed 000's raw AO, half the picture's size: grain in the shade.");
     const Scene luna = find_builtin_scene("columns_luna")->make();
     const GBuffer luna_gbuffer = normal_depth(luna, luna.camera, book.size());
     book.show("luna", ao_picture(luna_ssao(luna_gbuffer, luna.camera)),
@@ -64,15 +64,14 @@ void both_tutorials(Notebook& book, const Image<float>& ao, const AoInputs& inpu
 }
 
 void sample_counts(Notebook& book, const AoInputs& inputs) {
-    LunaSettings linear = kXjunSettings;
-    linear.exponent = 1;
+    LunaSettings linear{.exponent = 1, .seed = book.seed()};
     const Image<float> mean = without_noise(inputs, linear);
     std::vector<Notebook::Named> pictures;
     std::vector<std::vector<std::string>> rows;
     std::vector<double> noise;
     for (const int samples : {1, 2, 4, 7, 10, 14}) {
-        LunaSettings settings = kXjunSettings;
-        settings.samples = linear.samples = samples;
+        const LunaSettings settings{.samples = samples, .seed = book.seed()};
+        linear.samples = samples;
         const Image<float> ao = luna_occlusion(inputs, settings, {});
         pictures.push_back({"samples_" + std::to_string(samples), ao_picture(ao)});
         noise.push_back(compare_images(luna_occlusion(inputs, linear, {}), mean).rmse);
@@ -83,14 +82,14 @@ void sample_counts(Notebook& book, const AoInputs& inputs) {
     book.check("14 samples have less than half the noise of one", noise.back() < 0.5 * noise.front());
     book.check("2 samples gain less over 1 than 4 over 2: a pair looks the same way (chapter 05)",
                noise[0] / noise[1] < noise[1] / noise[2]);
-    const Image<float> raw = luna_occlusion(inputs, kXjunSettings, {});
+    const Image<float> raw = luna_occlusion(inputs, {.seed = book.seed()}, {});
     book.show("noise", difference_picture(difference(raw, without_noise(inputs, kXjunSettings))),
               "Raw AO minus its mean over 32 seeds: grain as fine as the map, no bands.");
 }
 
 // Whether the random map repeats after a quarter of the picture.
 void noise_pattern(Notebook& book, Size size) {
-    const RandomMap map = random_map(kXjunSettings.seed);
+    const RandomMap map = random_map(book.seed());
     float change = 0;
     for (int x = 0; x < size.width; ++x) {
         const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(size.width);
@@ -111,12 +110,12 @@ void raw_ao(Notebook& book) {
     const Scene scene = find_builtin_scene("columns")->make();
     const GBuffer gbuffer = normal_depth(scene, scene.camera, book.size());
     const AoInputs inputs = ao_inputs(gbuffer, scene.camera, xjun_fetch(kXjunSettings));
-    const Image<float> half = xjun_ssao(gbuffer, scene.camera);
+    const Image<float> half = xjun_ssao(gbuffer, scene.camera, {.seed = book.seed()});
     both_tutorials(book, half, inputs);
     sample_counts(book, inputs);
     noise_pattern(book, inputs.size());
 
-    const Image<float> full = xjun_ssao(gbuffer, scene.camera, {.ao_scale = 1});
+    const Image<float> full = xjun_ssao(gbuffer, scene.camera, {.seed = book.seed(), .ao_scale = 1});
     const Image<float> change = difference(ao_at_picture_size(half, book.size()), full);
     book.show_row("Full size, and half minus full: thin lines are lost, the rest differs by noise only.",
                   {{"full_size", ao_picture(full)}, {"half_minus_full", difference_picture(change)}});
@@ -125,14 +124,14 @@ void raw_ao(Notebook& book) {
 
     std::vector<Notebook::Named> powers;
     for (const float exponent : {1.0f, 2.0f, 4.0f, 6.0f}) {
-        const Image<float> ao = xjun_ssao(gbuffer, scene.camera, {.exponent = exponent});
+        const Image<float> ao = xjun_ssao(gbuffer, scene.camera, {.exponent = exponent, .seed = book.seed()});
         powers.push_back({"exponent_" + std::to_string(static_cast<int>(exponent)), ao_picture(ao)});
     }
     book.show_row("Exponents 1, 2, 4 (seed 000) and 6 (seed 002): contrast by taste, not physics.", powers);
     book.try_it({
-        "Add `.as_published = true` to `.ao_scale = 1`: `r` is not normalised, shade gets wider and blurred.",
+        "Put `.as_published = true` before `.ao_scale = 1`: `r` is not normalised, shade gets wider.",
         "Set `.radius = 2`: shade reaches four times as far, and so does the noise.",
-        "Set `.seed = 2` for `half`: other grain at the same places.",
+        "Run with `--seed 2`: other grain at the same places.",
     });
     book.errata({
         "*Seed 000:* a snippet divides by `g_SampleCount`; what the listing has is `sampleCount`.",

@@ -22,7 +22,9 @@ constexpr PositionOrder kFirstPass = PositionOrder::view_first, kSecondPass = Po
 constexpr glm::vec3 kMagenta(1, 0, 1);
 constexpr int kBars = 9;  // differences of -9 to 9 steps have a bar; the outer two hold all beyond
 
-std::string percent(double share) { return exact_text(std::round(1e5f * float(share)) / 1e3f) + " %"; }
+std::string percent(double share) {
+    return exact_text(static_cast<float>(std::round(1e5 * share) / 1e3)) + " %";
+}
 
 // The share of the pixels showing a surface for which holds(x, y).
 double share_of_surface(const Image<float>& view_depth, const auto& holds) {
@@ -49,8 +51,10 @@ double wrong_in(const Image3& lit, const Image3& right, const Image<float>& view
 
 // Depth of the second pass minus that of the first, in steps of the format: how often each occurs.
 std::vector<double> differences(const Scene& scene, const Camera& camera, Size size, DepthFormat format) {
-    const GBuffer first = normal_depth(scene, camera, size, {format, {}, BufferFormat::float32, kFirstPass});
-    const GBuffer second = normal_depth(scene, camera, size, {format, {}, BufferFormat::float32, kSecondPass});
+    NormalDepthSettings settings{.depth_format = format, .position_order = kFirstPass};
+    const GBuffer first = normal_depth(scene, camera, size, settings);
+    settings.position_order = kSecondPass;
+    const GBuffer second = normal_depth(scene, camera, size, settings);
     std::vector<double> shares;
     for (int bar = -kBars; bar <= kBars; ++bar) {
         shares.push_back(share_of_surface(first.view_depth, [&](int x, int y) {
@@ -61,10 +65,10 @@ std::vector<double> differences(const Scene& scene, const Camera& camera, Size s
 }
 
 Picture bars(const std::vector<double>& shares) {
-    Image<float> canvas({2 * kBars + 1, 16}, 1.0f);
+    Image<float> canvas({2 * kBars + 1, 32}, 1.0f);
     for (int bar = 0; bar < canvas.size.width; ++bar) {
-        const double height = 32 * shares[static_cast<std::size_t>(bar)];
-        for (int y = 0; y < 16 && y < height; ++y) canvas.at(bar, 15 - y) = bar == kBars ? 0.6f : 0.2f;
+        const double height = 64 * shares[static_cast<std::size_t>(bar)];
+        for (int y = 0; y < 32 && y < height; ++y) canvas.at(bar, 31 - y) = bar == kBars ? 0.6f : 0.2f;
     }
     return grey_picture(canvas, 0, 1);
 }
@@ -76,7 +80,6 @@ void mismatch(Notebook& book, const Scene& scene, const Camera& camera, const st
     const double holes = holes_in(lit, first.view_depth);
     book.show(name, lit_picture(lit), "EQUAL with the tutorial's two formulas, camera " + name + ".");
     book.check(name + ": more than a tenth of the surface is lost", holes > 0.1, percent(holes));
-
     const std::vector<double> d32f = differences(scene, camera, book.size(), DepthFormat::d32f);
     const std::vector<double> d24 = differences(scene, camera, book.size(), DepthFormat::d24);
     book.show_row("Second depth minus first, -9 (or less) to 9 (or more) steps, 0 light: D32F, D24.",
@@ -128,8 +131,7 @@ void depth_equal(Notebook& book) {
     scene.sky = kMagenta;
     Camera turned = scene.camera;
     turned.eye = {-7.3, 1.7, -11.1}, turned.target = {0.4, -1.2, 1.3};
-    mismatch(book, scene, scene.camera, "straight");
-    book.text("From whole numbers along an axis most products are exact. Not so for others:");
+    mismatch(book, scene, scene.camera, "straight");  // along an axis, where many products are exact
     mismatch(book, scene, turned, "turned");
     cures(book, scene, turned);
     book.try_it({
@@ -138,8 +140,7 @@ void depth_equal(Notebook& book) {
         "Set the small bias to -16: a few holes are back.",
     });
     book.errata({
-        "*Seed 000:* names no cure. Take one shared function for positions, and let no compiler fuse multiply "
-        "and add in one pass only (HLSL: `precise`; here: `-ffp-contract=off`).",
+        "*Seed 000:* names no cure: one function for positions, and no fused multiply-add in one pass only.",
     });
 }
 

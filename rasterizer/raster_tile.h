@@ -47,10 +47,13 @@ struct Fragment {
         return barycentric(moved(b0, 0), moved(b1, 1), moved(b2, 2));
     }
 
+    // 1 / (at0 + at1 + at2); lanes outside the triangle may meet a zero.
+    CREVICE_INLINE F inverse_sum(F at0, F at1, F at2) const { return F(1) / select(passed, at0 + at1 + at2, F(1)); }
+
     CREVICE_INLINE Barycentric<F> barycentric(F at0, F at1, F at2) const {
-        const F sum = at0 + at1 + at2;
-        // Lanes outside the triangle may meet a zero.
-        const F inverse = F(1) / select(passed, sum, F(1));
+        return shares(at1, at2, inverse_sum(at0, at1, at2));
+    }
+    CREVICE_INLINE Barycentric<F> shares(F at1, F at2, F inverse) const {
         const Barycentric<F> of_piece{at1 * inverse, at2 * inverse};
         if (clipped == nullptr) return of_piece;
         const auto &l1 = clipped->lambda1, &l2 = clipped->lambda2;
@@ -107,24 +110,37 @@ inline constexpr int kSmallTriangle_px = 64;
 // Triangles wider or higher than this are tested against blocks of 8x8 pixels first.
 inline constexpr int kBlock_px = 8;
 
-// One edge over a group of pixels, as E.
+// The scalar that goes with the lanes of an edge function: 32-bit integers or doubles.
+template <class E>
+using EdgeScalar = std::conditional_t<std::is_same_v<E, std::int32_t> || std::is_same_v<E, WideInt<8>>, std::int32_t, double>;
+
+// One edge over groups of pixels. Its values are kept less by the threshold, so that covered means not negative.
 template <class E>
 struct LaneEdge {
-    std::int64_t at_origin, per_column, per_row;
-    E lane_offsets, threshold;
+    Edge edge;
+    E lane_offsets, per_row, threshold;
 
-    CREVICE_INLINE LaneEdge(const Edge& edge, E lane)
-        : at_origin(edge.at_origin),
-          per_column(edge.per_column),
-          per_row(edge.per_row),
-          lane_offsets(lane * E(static_cast<Scalar>(edge.per_column))),
-          threshold(static_cast<Scalar>(edge.threshold)) {}
+    CREVICE_INLINE LaneEdge(const Edge& of_triangle, E lane)
+        : edge(of_triangle),
+          lane_offsets(lane * E(static_cast<EdgeScalar<E>>(edge.per_column))),
+          per_row(static_cast<EdgeScalar<E>>(edge.per_row)),
+          threshold(static_cast<EdgeScalar<E>>(edge.threshold)) {}
 
-    CREVICE_INLINE std::int64_t at(int x, int y) const { return at_origin + per_column * x + per_row * y; }
-    CREVICE_INLINE E lanes(std::int64_t first) const { return E(static_cast<Scalar>(first)) + lane_offsets; }
-
-    using Scalar = std::conditional_t<std::is_same_v<E, std::int32_t> || std::is_same_v<E, WideInt<8>>, std::int32_t, double>;
+    CREVICE_INLINE std::int64_t at(int x, int y) const {
+        return edge.at_origin + edge.per_column * x + edge.per_row * y - edge.threshold;
+    }
+    CREVICE_INLINE E lanes(int x, int y) const { return E(static_cast<EdgeScalar<E>>(at(x, y))) + lane_offsets; }
 };
+
+// Whether all three are >= 0. Of integers one look at the joined sign bits is enough.
+template <class F, class E>
+CREVICE_INLINE Mask<F> none_negative(E a, E b, E c) {
+    if constexpr (std::is_same_v<E, Int<F>>) {
+        return (a | b | c) >= E(0);
+    } else {
+        return (a >= E(0)) & (b >= E(0)) & (c >= E(0));
+    }
+}
 
 // What the shader is told, from the edge values of a group.
 template <class F>
@@ -132,10 +148,27 @@ CREVICE_INLINE Fragment<F> fragment_at(const ScreenGeometry& geometry, const Tri
                                        int x, int y, Mask<F> passed, F e0, F e1, F e2, F z_ndc) {
     const ClippedCorners* clipped = t.clipped < 0 ? nullptr : &block.clipped[static_cast<std::size_t>(t.clipped)];
     Fragment<F> f{x, y, passed, {}, F(0), e0 * F(t.inverse_w[0]), e1 * F(t.inverse_w[1]), e2 * F(t.inverse_w[2]), clipped};
-    f.here = f.barycentric(f.b0, f.b1, f.b2);
-    f.view_depth = geometry.rays.perspective ? F(t.doubled_area) / select(passed, f.b0 + f.b1 + f.b2, F(1))
+    const F inverse = f.inverse_sum(f.b0, f.b1, f.b2);
+    f.here = f.shares(f.b1, f.b2, inverse);
+    f.view_depth = geometry.rays.perspective ? F(t.doubled_area) * inverse
                                              : (z_ndc - F(geometry.depth_a)) / F(geometry.depth_b);
     return f;
+}
+
+// Depth test and shading of a group of covered pixels.
+template <class F, class Depth, class Shader>
+CREVICE_INLINE void raster_group(const ScreenGeometry& geometry, const TriangleBlock& block, const ScreenTriangle& t, int x,
+                                 int y, Mask<F> covered, F e0, F e1, F e2, DepthFunction test, Depth& depth,
+                                 const Shader& shader) {
+    // The small terms first: one rounding at the size of z instead of two.
+    const F z_ndc = F(t.z0) + (e1 * F(t.z_per_e1) + e2 * F(t.z_per_e2));
+    const Int<F> code = depth_code(depth.format, z_ndc, t.depth_bias);
+    const auto stored_at = depth.codes.row(y) + x;
+    const Int<F> stored = load<F>(stored_at);
+    const Mask<F> passed = covered & depth_passes<F>(test, code, stored);
+    if (!any(passed)) return;
+    if constexpr (!std::is_const_v<Depth>) store(stored_at, select(passed, code, stored));
+    shader.template fragment<F>(t, fragment_at<F>(geometry, block, t, x, y, passed, e0, e1, e2, z_ndc));
 }
 
 template <class F, class E, class Depth, class Shader>
@@ -152,9 +185,8 @@ CREVICE_INLINE void raster_triangle(const ScreenGeometry& geometry, const Triang
     const LaneEdge<E> edges[3] = {{triangle_edge(t, 0), lane}, {triangle_edge(t, 1), lane}, {triangle_edge(t, 2), lane}};
     const auto block_missed = [&](int x, int y) {
         for (const LaneEdge<E>& e : edges) {
-            const int inner_x = x + (e.per_column > 0 ? kBlock_px - 1 : 0);
-            const int inner_y = y + (e.per_row > 0 ? kBlock_px - 1 : 0);
-            // A threshold of 1 only adds edges through pixel centres, which the pixels sort out.
+            const int inner_x = x + (e.edge.per_column > 0 ? kBlock_px - 1 : 0);
+            const int inner_y = y + (e.edge.per_row > 0 ? kBlock_px - 1 : 0);
             if (e.at(inner_x, inner_y) < 0) return true;
         }
         return false;
@@ -162,25 +194,19 @@ CREVICE_INLINE void raster_triangle(const ScreenGeometry& geometry, const Triang
     for (int block_y = rect.y0 & -kBlock_px; block_y < rect.y1; block_y += kBlock_px) {
         for (int block_x = rect.x0 & -kBlock_px; block_x < rect.x1; block_x += kBlock_px) {
             if (test_blocks && block_missed(block_x, block_y)) continue;
-            const int end_y = std::min(block_y + kBlock_px, rect.y1);
-            for (int y = std::max(block_y, rect.y0); y < end_y; ++y) {
-                for (int x = block_x; x < block_x + kBlock_px; x += kLanes<F>) {
-                    if (kLanes<F> == 1 && (x < rect.x0 || x >= rect.x1)) continue;
-                    const E e0 = edges[0].lanes(edges[0].at(x, y));
-                    const E e1 = edges[1].lanes(edges[1].at(x, y));
-                    const E e2 = edges[2].lanes(edges[2].at(x, y));
-                    Mask<F> covered = (e0 >= edges[0].threshold) & (e1 >= edges[1].threshold) & (e2 >= edges[2].threshold);
-                    if (!any(covered)) continue;
-                    const F f1 = F(to_float(e1)), f2 = F(to_float(e2));
-                    // The small terms first: one rounding at the size of z instead of two.
-                    const F z_ndc = F(t.z0) + (f1 * F(t.z_per_e1) + f2 * F(t.z_per_e2));
-                    const Int<F> code = depth_code(depth.format, z_ndc, t.depth_bias);
-                    const auto stored_at = depth.codes.row(y) + x;
-                    const Int<F> stored = load<F>(stored_at);
-                    const Mask<F> passed = covered & depth_passes<F>(test, code, stored);
-                    if (!any(passed)) continue;
-                    if constexpr (!std::is_const_v<Depth>) store(stored_at, select(passed, code, stored));
-                    shader.template fragment<F>(t, fragment_at<F>(geometry, block, t, x, y, passed, F(to_float(e0)), f1, f2, z_ndc));
+            const int first_y = std::max(block_y, rect.y0), end_y = std::min(block_y + kBlock_px, rect.y1);
+            for (int x = block_x; x < block_x + kBlock_px; x += kLanes<F>) {
+                if (kLanes<F> == 1 && (x < rect.x0 || x >= rect.x1)) continue;
+                E e0 = edges[0].lanes(x, first_y), e1 = edges[1].lanes(x, first_y), e2 = edges[2].lanes(x, first_y);
+                for (int y = first_y; y < end_y; ++y) {
+                    const Mask<F> covered = none_negative<F>(e0, e1, e2);
+                    if (any(covered)) {
+                        raster_group<F>(geometry, block, t, x, y, covered, F(to_float(e0 + edges[0].threshold)),
+                                     F(to_float(e1 + edges[1].threshold)), F(to_float(e2 + edges[2].threshold)), test, depth, shader);
+                    }
+                    e0 = e0 + edges[0].per_row;
+                    e1 = e1 + edges[1].per_row;
+                    e2 = e2 + edges[2].per_row;
                 }
             }
         }

@@ -141,6 +141,12 @@ CREVICE_INLINE std::int32_t float_bits(float a) { return std::bit_cast<std::int3
 CREVICE_INLINE float float_from_bits(std::int32_t a) { return std::bit_cast<float>(a); }
 CREVICE_INLINE float gather(const float* base, std::int32_t index) { return base[index]; }
 CREVICE_INLINE std::int32_t gather(const std::int32_t* base, std::int32_t index) { return base[index]; }
+// base[index] and base[index + 1].
+template <class F>
+struct Pair {
+    F first, second;
+};
+CREVICE_INLINE Pair<float> gather_pair(const float* base, std::int32_t index) { return {base[index], base[index + 1]}; }
 template <class F>
     requires(kLanes<F> == 1)
 CREVICE_INLINE F load(const float* at) {
@@ -221,6 +227,20 @@ CREVICE_INLINE WideOf<T, N> gather(const T* base, WideInt<N> index) {
     WideOf<T, N> r;
     for (int i = 0; i < N; ++i) r.v[i] = base[index.v[i]];
     return r;
+}
+// One 64-bit load a lane instead of two.
+template <int N>
+CREVICE_INLINE Pair<Wide<N>> gather_pair(const float* base, WideInt<N> index) {
+    typename VectorOf<std::int64_t, N>::type both{};
+    for (int i = 0; i < N; ++i) {
+        std::int64_t bits;
+        std::memcpy(&bits, base + index.v[i], sizeof bits);
+        both[i] = bits;
+    }
+    const WideInt<N> low(__builtin_convertvector(both, typename WideInt<N>::V));
+    const WideInt<N> high(__builtin_convertvector(both >> 32, typename WideInt<N>::V));
+    static_assert(std::endian::native == std::endian::little);
+    return {float_from_bits(low), float_from_bits(high)};
 }
 template <class F, class T>
     requires(kLanes<F> > 1)

@@ -60,9 +60,9 @@ struct LunaKernel {
         const Int<F> x0 = floor_to_int(x), y0 = floor_to_int(y);
         const F fx = x - F(to_float(x0)), fy = y - F(to_float(y0));
         const Int<F> at = (y0 + Int<F>(1)) * Int<F>(map.stride) + x0 + Int<F>(1);
-        const float* texel = map.pixels.data();
-        const F top = mix(F(gather(texel, at)), F(gather(texel + 1, at)), fx);
-        const F bottom = mix(F(gather(texel + map.stride, at)), F(gather(texel + map.stride + 1, at)), fx);
+        const auto upper = gather_pair(map.pixels.data(), at), lower = gather_pair(map.pixels.data() + map.stride, at);
+        const F top = mix(F(upper.first), F(upper.second), fx);
+        const F bottom = mix(F(lower.first), F(lower.second), fx);
         const F depth = mix(top, bottom, fy);
         if (inputs.fetch.depth == DepthSource::view_depth) return depth;
         const F a = F(inputs.depth_a), b = F(inputs.depth_b);

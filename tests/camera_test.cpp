@@ -166,44 +166,28 @@ TEST_CASE("every bad camera is refused by name") {
         {[](Camera& c) { c.fov_y_rad = -1; }, "--fov-y"},
         {[](Camera& c) { c.fov_y_rad = kNan; }, "--fov-y"},
         {[](Camera& c) { c.target = c.eye; }, "--target"},
-        {[](Camera& c) {
-             c.up = {0, 0, 2};
-         },
-         "--target"},
-        {[](Camera& c) {
-             c.up = {0, 0, -1e-3};
-         },
-         "--target"},
-        {[](Camera& c) {
-             c.up = {0, 0, 0};
-         },
-         "--target"},
+        {[](Camera& c) { c.up = glm::dvec3(0, 0, 2); }, "--target"},
+        {[](Camera& c) { c.up = glm::dvec3(0, 0, -1e-3); }, "--target"},
+        {[](Camera& c) { c.up = glm::dvec3(0, 0, 0); }, "--target"},
         {[](Camera& c) { c.eye.x = kNan; }, "--eye"},
         {[](Camera& c) { c.target.y = kInfinity; }, "--target"},
         {[](Camera& c) { c.up.z = kNan; }, "up"},
-        {[](Camera& c) {
-             c.projection = Projection::orthographic;
-             c.ortho_height = 0;
-         },
-         "--ortho"},
-        {[](Camera& c) {
-             c.projection = Projection::orthographic;
-             c.ortho_height = -2;
-         },
-         "--ortho"},
-        {[](Camera& c) {
-             c.projection = Projection::orthographic;
-             c.ortho_height = kNan;
-         },
-         "--ortho"},
     };
-    int index = 0;
-    for (const auto& [spoil, named] : cases) {
-        CAPTURE(index++);
-        const std::string message = refusal_of(spoil);
+    for (const auto& c : cases) {
+        const auto index = &c - cases;
+        CAPTURE(index);
+        const std::string message = refusal_of(c.spoil);
         CAPTURE(message);
-        CHECK(message.find(named) != std::string::npos);
+        CHECK(message.find(c.named) != std::string::npos);
         CHECK(message.find("; ") != std::string::npos);
+    }
+    for (const double height : {0.0, -2.0, kNan, kInfinity}) {
+        CAPTURE(height);
+        const auto spoil = [&](Camera& c) {
+            c.projection = Projection::orthographic;
+            c.ortho_height = height;
+        };
+        CHECK(refusal_of(spoil).find("--ortho") != std::string::npos);
     }
     CHECK(refusal_of([](Camera&) {}) == "");
     // What one projection does not use may be anything.

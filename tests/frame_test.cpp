@@ -97,7 +97,8 @@ TEST_CASE("frame: passes in their order, the frame last, each once a repeat") {
         CHECK(pass.wall_ms <= frame.passes.back().wall_ms);
     }
     request.repeats = 1;
-    CHECK(hashes_of(render_frame(scene, scene.camera, request), all_buffers()) == hashes_of(frame, all_buffers()));
+    CHECK(hashes_of(render_frame(scene, scene.camera, request), all_buffers()) ==
+          hashes_of(frame, all_buffers()));
 }
 
 TEST_CASE("frame: a pass that is left out does not run, and what it would make stays empty") {
@@ -118,7 +119,9 @@ TEST_CASE("frame: a pass that is left out does not run, and what it would make s
         request.wanted = expected.wanted;
         const Frame frame = render_frame(scene, scene.camera, request);
         CHECK(pass_names(frame) == expected.passes);
-        const auto ran = [&](const char* pass) { return std::find(expected.passes.begin(), expected.passes.end(), pass) != expected.passes.end(); };
+        const auto ran = [&](const char* pass) {
+            return std::find(expected.passes.begin(), expected.passes.end(), pass) != expected.passes.end();
+        };
         CHECK(frame.ao_raw.empty() != ran("ao"));
         CHECK(frame.ao_blurred.empty() != ran("blur"));
         CHECK(frame.lit.empty() != ran("lit"));
@@ -149,7 +152,8 @@ TEST_CASE("frame: whichever buffers are asked for, each has the bits it has amon
                     CAPTURE(std::string(method));
                     CAPTURE(iterations);
                     CAPTURE(bits);
-                    CHECK(hashes_of(render_frame(*scene, scene->camera, request), request.wanted) == expected);
+                    CHECK(hashes_of(render_frame(*scene, scene->camera, request), request.wanted) ==
+                          expected);
                 }
             }
         }
@@ -158,7 +162,10 @@ TEST_CASE("frame: whichever buffers are asked for, each has the bits it has amon
 
 TEST_CASE("frame: sizes of the AO maps") {
     const Scene scene = scene_of({facing_quad({0, 0, 4}, 1)});
-    for (const auto& [picture, half] : {std::pair{Size{801, 601}, Size{401, 301}}, {{1, 1}, {1, 1}}, {{32767, 1}, {16384, 1}}, {{2, 7}, {1, 4}}}) {
+    for (const auto& [picture, half] : {std::pair{Size{801, 601}, Size{401, 301}},
+                                        {{1, 1}, {1, 1}},
+                                        {{32767, 1}, {16384, 1}},
+                                        {{2, 7}, {1, 4}}}) {
         CAPTURE(picture.width);
         FrameRequest request = request_for("xjun", picture);
         request.wanted = {"ao_blurred"};
@@ -182,8 +189,9 @@ TEST_CASE("frame: every stored format and depth direction gives finite AO near t
     for (const char* method : {"xjun", "luna"}) {
         const double mean = mean_with(method, {});
         CHECK(mean < 0.98);
-        for (const char* assignment : {"depth_format=d24", "depth_format=d32f_reversed", "buffer_format=float16", "buffer_format=float16_nearest",
-                                       "ao_format=float16", "ao_format=float16_nearest"}) {
+        for (const char* assignment :
+             {"depth_format=d24", "depth_format=d32f_reversed", "buffer_format=float16",
+              "buffer_format=float16_nearest", "ao_format=float16", "ao_format=float16_nearest"}) {
             CAPTURE(std::string(method));
             CAPTURE(std::string(assignment));
             CHECK(std::fabs(mean_with(method, {assignment}) - mean) < 0.005);

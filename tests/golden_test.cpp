@@ -1,5 +1,5 @@
-// Every buffer of every built-in scene against the one on record. The gate is the hash of the raw values, on every compiler and
-// machine; the .npy beside it only serves to show what changed.
+// Every buffer of every built-in scene against the one on record. The gate is the hash of the raw values, on
+// every compiler and machine; the .npy beside it only serves to show what changed.
 #include <algorithm>
 #include <bit>
 #include <fstream>
@@ -31,9 +31,12 @@ struct GoldenBuffer {
     Planes values;
 
     std::string name() const { return scene + " " + buffer; }
-    std::filesystem::path file(const std::filesystem::path& directory) const { return directory / scene / (buffer + ".npy"); }
+    std::filesystem::path file(const std::filesystem::path& directory) const {
+        return directory / scene / (buffer + ".npy");
+    }
     std::string replay() const {
-        return "crevice render " + scene + " --size 160x90 --ao " + method + " --only " + buffer + " --out DIR";
+        return "crevice render " + scene + " --size 160x90 --ao " + method + " --only " + buffer +
+               " --out DIR";
     }
 };
 
@@ -72,7 +75,8 @@ using Hashes = std::map<std::string, std::string>;
 Hashes read_hashes(const std::filesystem::path& directory) {
     Hashes hashes;
     std::ifstream file(directory / "hashes.txt");
-    for (std::string scene, buffer, hash; file >> scene >> buffer >> hash;) hashes[scene + " " + buffer] = hash;
+    for (std::string scene, buffer, hash; file >> scene >> buffer >> hash;)
+        hashes[scene + " " + buffer] = hash;
     return hashes;
 }
 
@@ -90,8 +94,8 @@ std::string first_difference(const GoldenBuffer& actual, const Planes& expected)
         for (const Image<float>& plane : planes) values += " " + exact_text(plane.at(at.x, at.y));
         return values;
     };
-    return "pixel (" + std::to_string(at.x) + ", " + std::to_string(at.y) + ") is" + text(actual.values) + ", expected" +
-           text(expected) + "; " + std::to_string(differing.size()) + " pixels differ";
+    return "pixel (" + std::to_string(at.x) + ", " + std::to_string(at.y) + ") is" + text(actual.values) +
+           ", expected" + text(expected) + "; " + std::to_string(differing.size()) + " pixels differ";
 }
 
 // What is wrong with one buffer, "" for nothing, and the golden values where there are any.
@@ -117,8 +121,8 @@ Verdict verdict_on(const GoldenBuffer& actual, const Hashes& hashes, const std::
         verdict.complaint = std::to_string(nan) + " values are NaN";
     } else if (expected.size() != actual.values.size() || expected[0].size != actual.values[0].size) {
         const Size is = actual.values[0].size, was = expected[0].size;
-        verdict.complaint = "its size is " + std::to_string(is.width) + "x" + std::to_string(is.height) + ", expected " +
-                            std::to_string(was.width) + "x" + std::to_string(was.height);
+        verdict.complaint = "its size is " + std::to_string(is.width) + "x" + std::to_string(is.height) +
+                            ", expected " + std::to_string(was.width) + "x" + std::to_string(was.height);
     } else if (hash_of_planes(actual.values) != recorded->second) {
         verdict.complaint = first_difference(actual, expected);
     }
@@ -129,7 +133,8 @@ void bless(const std::vector<GoldenBuffer>& buffers, const std::filesystem::path
     std::set<std::filesystem::path> written;
     std::set<std::string> lines;
     for (const GoldenBuffer& buffer : buffers) {
-        if (count_nan(buffer.values) > 0) throw InputError(buffer.name() + ": has NaN and cannot be blessed; mend it first");
+        if (count_nan(buffer.values) > 0)
+            throw InputError(buffer.name() + ": has NaN and cannot be blessed; mend it first");
         const std::filesystem::path file = buffer.file(directory);
         std::filesystem::create_directories(file.parent_path());
         if (buffer.values.size() == 1) {
@@ -164,13 +169,15 @@ std::string report_on(const std::vector<GoldenBuffer>& buffers, const std::files
         hashes.erase(buffer.name());
         if (verdict.complaint.empty()) continue;
         text += buffer.name() + ": " + verdict.complaint + "\n  to replay: " + buffer.replay() + "\n";
-        entries.push_back({buffer.name(), buffer.values, verdict.expected, verdict.complaint, buffer.buffer == "lit"});
+        entries.push_back(
+            {buffer.name(), buffer.values, verdict.expected, verdict.complaint, buffer.buffer == "lit"});
     }
     for (const auto& [name, hash] : hashes) text += name + ": hashes.txt has it, but nothing draws it\n";
     std::filesystem::remove(kReport);
     if (entries.empty()) return text;
     write_file_atomically(kReport, difference_page(entries, {"Golden images", "actual", "expected"}));
-    return text + "pictures: " + std::filesystem::absolute(kReport).string() + "\nto accept: " + kAccept + "\n";
+    return text + "pictures: " + std::filesystem::absolute(kReport).string() + "\nto accept: " + kAccept +
+           "\n";
 }
 
 }  // namespace
@@ -193,7 +200,9 @@ TEST_CASE("golden: the gate sees one bit, a missing image, another size and NaN"
     Image<float> image({5, 4}, 0.25f);
     image.at(2, 1) = 0.75f;
     GoldenBuffer buffer{"scene", "ao_raw", "xjun", planes_of(image)};
-    const auto complaint = [&] { return verdict_on(buffer, read_hashes(directory.path()), directory.path()).complaint; };
+    const auto complaint = [&] {
+        return verdict_on(buffer, read_hashes(directory.path()), directory.path()).complaint;
+    };
     CHECK(complaint().find("no golden image") == 0);
     bless({buffer}, directory.path());
     CHECK(complaint() == "");

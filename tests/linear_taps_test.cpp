@@ -26,7 +26,8 @@ TEST_CASE("linear taps: half of an even size is the mean of two, exactly") {
         int others = 0;
         for (int i = 0; i < count; ++i) {
             const auto at = static_cast<std::size_t>(i);
-            others += taps.first[at] != 2 * i || taps.second[at] != 2 * i + 1 || taps.weight_of_second[at] != 0.5f;
+            others +=
+                taps.first[at] != 2 * i || taps.second[at] != 2 * i + 1 || taps.weight_of_second[at] != 0.5f;
         }
         CHECK(others == 0);
     }
@@ -50,8 +51,9 @@ TEST_CASE("linear taps: any two sizes against the sampler's definition in double
                 const double whole = std::floor(position + 1e-9);
                 const auto clamped = [&](double a) { return std::fmin(std::fmax(a, 0), source - 1); };
                 const float weight = taps.weight_of_second[at];
-                wrong += taps.first[at] != clamped(whole) || taps.second[at] != clamped(whole + 1) || weight < 0 ||
-                         weight >= 1 || std::fabs(static_cast<double>(weight) - (position - whole)) > 1e-7;
+                wrong += taps.first[at] != clamped(whole) || taps.second[at] != clamped(whole + 1) ||
+                         weight < 0 || weight >= 1 ||
+                         std::fabs(static_cast<double>(weight) - (position - whole)) > 1e-7;
             }
             CAPTURE(count);
             CAPTURE(source);
@@ -72,7 +74,8 @@ TEST_CASE("linear taps: whole groups of eight, the padding inside the source too
             CHECK(taps.weight_of_second.size() == padded);
             int outside = 0;
             for (std::size_t i = 0; i < padded; ++i) {
-                outside += taps.first[i] < 0 || taps.first[i] >= source || taps.second[i] < 0 || taps.second[i] >= source;
+                outside += taps.first[i] < 0 || taps.first[i] >= source || taps.second[i] < 0 ||
+                           taps.second[i] >= source;
             }
             CHECK(outside == 0);
         }

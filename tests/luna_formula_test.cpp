@@ -1,20 +1,17 @@
-// The estimator against an independent text of its formula, and against itself in other number types.
+// The estimator against an independent text of its formula.
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
-#include "rasterizer/isa.h"
 #include "tests/test_scenes.h"
 
 using namespace crevice;
 
 namespace {
 
-// Powers of two, so that texture coordinates are exact in float and the reference reads the random map where the kernel does.
-constexpr Size kSize = {128, 64};
+constexpr Size kSize = PreparedStillLife::kSize;
 
 struct Interval {
     double low, high;
@@ -24,11 +21,17 @@ struct Interval {
 class Reference {
    public:
     Reference(const Scene& scene, const GBuffer& g, const AoInputs& inputs, const LunaSettings& settings)
-        : camera_(scene.camera), g_(g), inputs_(inputs), s_(settings), offsets_(cube_offsets(settings.seed)),
-          map_(random_map(settings.seed)), ndc_(inputs.fetch.depth == DepthSource::ndc_depth) {}
+        : camera_(scene.camera),
+          g_(g),
+          inputs_(inputs),
+          s_(settings),
+          offsets_(cube_offsets(settings.seed)),
+          map_(random_map(settings.seed)),
+          ndc_(inputs.fetch.depth == DepthSource::ndc_depth) {}
 
-    // Accessibility without exponent: all that the float kernel's rounding allows. A sample may fall on either side of a decision,
-    // such as dz > epsilon, so every sample is taken with its screen position and depth moved a little each way.
+    // Accessibility without exponent: all that the float kernel's rounding allows. A sample may fall on
+    // either side of a decision, such as dz > epsilon, so every sample is taken with its screen position and
+    // depth moved a little each way.
     Interval accessibility(int x, int y) const {
         const Size map = inputs_.size();
         const double u = (x + 0.5) / map.width, v = (y + 0.5) / map.height, z = inputs_.view_depth.at(x, y);
@@ -36,13 +39,15 @@ class Reference {
         const glm::dvec3 random = glm::normalize(random_at(4 * u * 256, 4 * v * 256));
         Interval sum = {0, 0};
         for (int i = 0; i < s_.samples; ++i) {
-            const glm::dvec3 o = offsets_[static_cast<std::size_t>(i)], d = o - 2 * glm::dot(o, random) * random;
+            const glm::dvec3 o = offsets_[static_cast<std::size_t>(i)],
+                             d = o - 2 * glm::dot(o, random) * random;
             const double side = glm::dot(d, n);
             Interval all = {1, 0};
             for (const double sign : {-1.0, 1.0}) {
                 if (std::fabs(side) > 1e-6 && sign * side < 0) continue;
                 for (int move = 0; move < 27; ++move) {
-                    const double a = sample(p, n, p + sign * static_cast<double>(s_.radius) * d, move % 3 - 1, move / 3 % 3 - 1, move / 9 - 1);
+                    const double a = sample(p, n, p + sign * static_cast<double>(s_.radius) * d, move % 3 - 1,
+                                            move / 3 % 3 - 1, move / 9 - 1);
                     all = {std::fmin(all.low, a), std::fmax(all.high, a)};
                 }
             }
@@ -63,8 +68,10 @@ class Reference {
         glm::dvec3 sum(0);
         for (int i = 0; i < 4; ++i) {
             const double left = std::floor(x - 0.5) + i % 2, top = std::floor(y - 0.5) + i / 2;
-            const auto at = static_cast<std::size_t>((static_cast<int>(top) & 255) * 256 + (static_cast<int>(left) & 255));
-            sum += (1 - std::fabs(x - 0.5 - left)) * (1 - std::fabs(y - 0.5 - top)) * glm::dvec3(map_.x[at], map_.y[at], map_.z[at]);
+            const auto at = static_cast<std::size_t>((static_cast<int>(top) & 255) * 256 +
+                                                     (static_cast<int>(left) & 255));
+            sum += (1 - std::fabs(x - 0.5 - left)) * (1 - std::fabs(y - 0.5 - top)) *
+                   glm::dvec3(map_.x[at], map_.y[at], map_.z[at]);
         }
         return sum;
     }
@@ -80,7 +87,8 @@ class Reference {
             double depth = ndc_ ? 1 : 100 * f;
             if (inside && !std::isinf(g_.view_depth.at(static_cast<int>(left), static_cast<int>(top)))) {
                 const int px = static_cast<int>(left), py = static_cast<int>(top);
-                depth = static_cast<double>(ndc_ ? float_from_bits(g_.depth.codes.at(px, py)) : g_.view_depth.at(px, py));
+                depth = static_cast<double>(ndc_ ? float_from_bits(g_.depth.codes.at(px, py))
+                                                 : g_.view_depth.at(px, py));
             }
             sum += weight * depth;
         }
@@ -88,9 +96,11 @@ class Reference {
         return ndc_ ? n * f / (f - sum * (f - n)) : sum;
     }
 
-    double sample(glm::dvec3 p, glm::dvec3 n, glm::dvec3 q, double move_x, double move_y, double move_depth) const {
+    double sample(glm::dvec3 p, glm::dvec3 n, glm::dvec3 q, double move_x, double move_y,
+                  double move_depth) const {
         if (q.z <= camera_.near_plane) return 0;
-        const double x = (q.x / q.z / ray(1, 0).x + 1) / 2 * kSize.width, y = (1 - q.y / q.z / tangent_y()) / 2 * kSize.height;
+        const double x = (q.x / q.z / ray(1, 0).x + 1) / 2 * kSize.width,
+                     y = (1 - q.y / q.z / tangent_y()) / 2 * kSize.height;
         const double r_z = depth_at(x + move_x * kMove_px, y + move_y * kMove_px, move_depth);
         const double dz = p.z - r_z;
         if (dz <= static_cast<double>(s_.epsilon)) return 0;
@@ -109,50 +119,12 @@ class Reference {
     bool ndc_;
 };
 
-struct Prepared {
-    Scene scene = still_life();
-    GBuffer g;
-    AoInputs inputs;
-    LunaSettings settings;
-
-    explicit Prepared(const TutorialMethod& method) : settings(method.settings) {
-        settings.exponent = 1;
-        g = normal_depth(scene, scene.camera, kSize);
-        inputs = ao_inputs(g, scene.camera, method.fetch(settings));
-    }
-};
-
-// One texel as the kernel wants it.
-struct Point {
-    Vec3<float> p, n, random;
-};
-std::vector<Point> points_of(const Prepared& scene) {
-    const LunaKernel kernel(scene.inputs, scene.settings);
-    const RandomMap map = random_map(scene.settings.seed);
-    std::vector<Point> points;
-    const Size size = scene.inputs.size();
-    for (int y = 0; y < size.height; ++y) {
-        for (int x = 0; x < size.width; ++x) {
-            const float z = scene.inputs.view_depth.at(x, y);
-            if (z == kInfinity) continue;
-            const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(size.width);
-            const float v = (static_cast<float>(y) + 0.5f) / static_cast<float>(size.height);
-            const glm::vec3 n = scene.inputs.normal.at(x, y);
-            points.push_back({scene.inputs.rays.p_view(u, v, z), {n.x, n.y, n.z}, kernel.random_vector<float>(map, u, v)});
-        }
-    }
-    while (points.size() % 8 != 0) points.pop_back();
-    return points;
-}
-
-Vec3<double> exact(Vec3<float> a) { return {a.x, a.y, a.z}; }
-
 }  // namespace
 
 TEST_CASE("the whole pass agrees with the formula in double to 1e-5") {
     for (const TutorialMethod& method : kTutorialMethods) {
         CAPTURE(method.name);
-        const Prepared scene(method);
+        const PreparedStillLife scene(method);
         const Reference reference(scene.scene, scene.g, scene.inputs, scene.settings);
         const Image<float> ao = luna_occlusion(scene.inputs, scene.settings, {});
         int surfaces = 0, occluded = 0, ambiguous = 0;
@@ -169,64 +141,5 @@ TEST_CASE("the whole pass agrees with the formula in double to 1e-5") {
         CHECK(surfaces > 800);
         CHECK(occluded > 50);
         CHECK(ambiguous * 10 < surfaces);
-    }
-}
-
-TEST_CASE("the kernel in float against the same text in double: 1e-5, but for samples that rounding puts across a decision") {
-    for (const TutorialMethod& method : kTutorialMethods) {
-        CAPTURE(method.name);
-        const Prepared scene(method);
-        const LunaKernel kernel(scene.inputs, scene.settings);
-        int samples = 0, across = 0;
-        double worst = 0;
-        for (const Point& point : points_of(scene)) {
-            for (const glm::vec3& offset : kernel.offsets) {
-                const double in_float = kernel.sample<float>(point.p, point.n, point.random, offset);
-                const double in_double = kernel.sample<double>(exact(point.p), exact(point.n), exact(point.random), offset);
-                const double difference = std::fabs(in_float - in_double);
-                ++samples;
-                // Beside a silhouette the depth map is so steep that a rounded screen position shows.
-                if (difference > 1e-4) ++across;
-                else worst = std::fmax(worst, difference);
-            }
-        }
-        CHECK(samples > 10000);
-        CHECK(across * 1000 < samples);
-        CHECK(worst < 1e-4);
-        CHECK(worst > 0);
-    }
-}
-
-TEST_CASE("eight lanes of the kernel give the bits of one lane eight times, on every instruction set") {
-    for (const TutorialMethod& method : kTutorialMethods) {
-        const Prepared scene(method);
-        const LunaKernel kernel(scene.inputs, scene.settings);
-        const std::vector<Point> points = points_of(scene);
-        std::vector<float> planes[9];
-        for (const Point& point : points) {
-            const float values[9] = {point.p.x, point.p.y, point.p.z, point.n.x, point.n.y, point.n.z,
-                                     point.random.x, point.random.y, point.random.z};
-            for (std::size_t i = 0; i < 9; ++i) planes[i].push_back(values[i]);
-        }
-        for (const Isa isa : {Isa::baseline, Isa::avx2, Isa::avx512}) {
-            if (!isa_available(isa)) continue;
-            CAPTURE(method.name);
-            CAPTURE(std::string(isa_name(isa)));
-            std::vector<float> wide(points.size());
-            run_for_isa(isa, [&](auto tag) __attribute__((always_inline)) {
-                using F = typename decltype(tag)::type;
-                for (std::size_t i = 0; i < points.size(); i += 8) {
-                    const auto at = [&](std::size_t k) __attribute__((always_inline)) { return load<F>(planes[k].data() + i); };
-                    const Vec3<F> p = {at(0), at(1), at(2)}, n = {at(3), at(4), at(5)}, random = {at(6), at(7), at(8)};
-                    store(wide.data() + i, kernel.accessibility<F>(p, n, random));
-                }
-            }, LaneTag<Wide<8>>{});
-            int unlike = 0;
-            for (std::size_t i = 0; i < points.size(); ++i) {
-                const float one = kernel.accessibility<float>(points[i].p, points[i].n, points[i].random);
-                unlike += float_bits(one) != float_bits(wide[i]);
-            }
-            CHECK(unlike == 0);
-        }
     }
 }

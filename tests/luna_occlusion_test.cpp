@@ -18,8 +18,10 @@ namespace {
 struct AoMaps {
     Image<float> raw, blurred;
 };
-AoMaps ao_maps(const Scene& scene, Size size, const TutorialMethod& method, const LunaSettings& settings, const BlurSettings& blur = {}) {
-    const AoInputs inputs = ao_inputs(normal_depth(scene, scene.camera, size), scene.camera, method.fetch(settings));
+AoMaps ao_maps(const Scene& scene, Size size, const TutorialMethod& method, const LunaSettings& settings,
+               const BlurSettings& blur = {}) {
+    const AoInputs inputs =
+        ao_inputs(normal_depth(scene, scene.camera, size), scene.camera, method.fetch(settings));
     Image<float> raw = luna_occlusion(inputs, settings, {});
     Image<float> blurred = bilateral_blur(raw, inputs, blur);
     return {std::move(raw), std::move(blurred)};
@@ -50,8 +52,8 @@ TEST_CASE("a plane that faces the eye is exactly open, near and far, also at the
 }
 
 TEST_CASE("closed form: a sheet half a unit in front of a plane") {
-    // Orthographic, so that all samples see the sheet straight ahead: dp = .5 / sqrt(R^2 (d_x^2 + d_y^2) + .25), and the
-    // occlusion of half a unit is (2 - .5) / (2 - .2).
+    // Orthographic, so that all samples see the sheet straight ahead: dp = .5 / sqrt(R^2 (d_x^2 + d_y^2) +
+    // .25), and the occlusion of half a unit is (2 - .5) / (2 - .2).
     const Size size = {64, 64};
     AoInputs inputs = plain_inputs(size, 10);
     for (int y = 0; y < 64; ++y) {
@@ -62,11 +64,13 @@ TEST_CASE("closed form: a sheet half a unit in front of a plane") {
     settings.seed = 77;
     const auto offsets = cube_offsets(settings.seed);
     const RandomMap map = random_map(settings.seed);
-    // At 64 texels a side the random map, four times across, is read in the middle of four texels: 16 x + 7 and the next.
+    // At 64 texels a side the random map, four times across, is read in the middle of four texels: 16 x + 7
+    // and the next.
     const auto random_at = [&](int x, int y) {
         glm::dvec3 sum(0);
         for (int i = 0; i < 4; ++i) {
-            const auto at = static_cast<std::size_t>((16 * y + 7 + i / 2) % 256 * 256 + (16 * x + 7 + i % 2) % 256);
+            const auto at =
+                static_cast<std::size_t>((16 * y + 7 + i / 2) % 256 * 256 + (16 * x + 7 + i % 2) % 256);
             sum += glm::dvec3(map.x[at], map.y[at], map.z[at]);
         }
         return glm::normalize(sum);
@@ -82,7 +86,8 @@ TEST_CASE("closed form: a sheet half a unit in front of a plane") {
                       if (x < 6 || y < 6 || x > 57 || y > 57) return true;  // may see the border
                       double sum = 0;
                       for (int i = 0; i < samples; ++i) {
-                          const glm::dvec3 d = glm::reflect(glm::dvec3(offsets[static_cast<std::size_t>(i)]), random_at(x, y));
+                          const glm::dvec3 d =
+                              glm::reflect(glm::dvec3(offsets[static_cast<std::size_t>(i)]), random_at(x, y));
                           sum += 0.5 / std::sqrt(16 * (d.x * d.x + d.y * d.y) + 0.25) * (2 - 0.5) / (2 - 0.2);
                       }
                       const double expected = std::pow(1 - sum / samples, static_cast<double>(exponent));
@@ -101,7 +106,9 @@ TEST_CASE("the depth map is read as a linear sampler with border reads it") {
     }
     const LunaKernel kernel(inputs, settings);
     const auto border = inputs.depth_map.at(0, 0);
-    const auto texel = [&](int x, int y) { return x < 0 || y < 0 || x >= 4 || y >= 3 ? border : noise(21, x, y); };
+    const auto texel = [&](int x, int y) {
+        return x < 0 || y < 0 || x >= 4 || y >= 3 ? border : noise(21, x, y);
+    };
     for (int y = -1; y <= 3; ++y) {
         for (int x = -1; x <= 4; ++x) {
             CAPTURE(x);
@@ -109,8 +116,10 @@ TEST_CASE("the depth map is read as a linear sampler with border reads it") {
             const Screen2<float> centre = {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
             CHECK(kernel.depth_at(centre) == texel(x, y));
             if (x == 4 || y == 3) continue;
-            const double mean = (static_cast<double>(texel(x, y)) + static_cast<double>(texel(x + 1, y)) +
-                                 static_cast<double>(texel(x, y + 1)) + static_cast<double>(texel(x + 1, y + 1))) / 4;
+            const double mean =
+                (static_cast<double>(texel(x, y)) + static_cast<double>(texel(x + 1, y)) +
+                 static_cast<double>(texel(x, y + 1)) + static_cast<double>(texel(x + 1, y + 1))) /
+                4;
             const double between = kernel.depth_at(Screen2<float>{centre.x + 0.5f, centre.y + 0.5f});
             CHECK(std::fabs(between - mean) <= 1e-6 * mean);
         }
@@ -147,7 +156,8 @@ TEST_CASE("radius 0, and epsilon beyond the end of the fade: exactly open") {
 }
 
 TEST_CASE("any size and any setting that is accepted: finite, in [0, 1]") {
-    const auto holds = [](const Scene& scene, Size size, const TutorialMethod& method, const LunaSettings& settings) {
+    const auto holds = [](const Scene& scene, Size size, const TutorialMethod& method,
+                          const LunaSettings& settings) {
         const AoMaps maps = ao_maps(scene, size, method, settings);
         CHECK(maps.raw.size == ao_map_size(size, settings.ao_scale));
         CHECK(outside_unit_interval(maps.raw) == "");
@@ -219,13 +229,15 @@ TEST_CASE("settings out of their range are refused by name") {
 TEST_CASE("all lengths times 2^k: the same bits") {
     for (const TutorialMethod& method : kTutorialMethods) {
         AoMaps one;
-        for (const int k : {0, -20, -19, -18, -17, -16, -15, -14, -13, -12, -11, -10, -9, -8, -7, -6, -5, -4, -3, -2, -1, 1, 2, 3,
-                            4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20}) {
+        for (const int k :
+             {0, -20, -19, -18, -17, -16, -15, -14, -13, -12, -11, -10, -9, -8, -7, -6, -5, -4, -3, -2, -1,
+              1, 2,   3,   4,   5,   6,   7,   8,   9,   10,  11,  12,  13, 14, 15, 16, 17, 18, 19, 20}) {
             CAPTURE(method.name);
             CAPTURE(k);
             LunaSettings settings = method.settings;
             BlurSettings blur;
-            for (float* length : {&settings.radius, &settings.fade_start, &settings.fade_end, &settings.epsilon, &blur.depth_threshold}) {
+            for (float* length : {&settings.radius, &settings.fade_start, &settings.fade_end,
+                                  &settings.epsilon, &blur.depth_threshold}) {
                 *length = std::ldexp(*length, k);
             }
             const AoMaps maps = ao_maps(scaled(still_life(), k), {48, 33}, method, settings, blur);

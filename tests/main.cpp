@@ -36,7 +36,8 @@ int main(int argc, char** argv) {
         }
     }
     if (golden.bless && std::getenv("CI") != nullptr) {
-        return refuse("--bless: refused where CI is set; look at the pictures and bless them on your own machine");
+        return refuse(
+            "--bless: refused where CI is set; look at the pictures and bless them on your own machine");
     }
     doctest::Context context(static_cast<int>(for_doctest.size()), for_doctest.data());
     return context.run();

@@ -55,7 +55,8 @@ TEST_CASE("parameters: the tutorials' defaults") {
     CHECK(l.blur.depth_threshold == 0.2f);
 }
 
-TEST_CASE("parameters: each has a unique name, range and effect, and its default, read back, changes nothing") {
+TEST_CASE(
+    "parameters: each has a unique name, range and effect, and its default, read back, changes nothing") {
     for (const Method& method : ao_methods()) {
         std::set<std::string> names;
         for (const Parameter& parameter : parameters_of(method)) {
@@ -67,9 +68,11 @@ TEST_CASE("parameters: each has a unique name, range and effect, and its default
             CHECK(std::string(parameter.effect) != "");
             const std::string word = parameter.get(method.defaults);
             const MethodSettings again = settings_of(method, {parameter.name + ("=" + word)});
-            for (const Parameter& other : parameters_of(method)) CHECK(other.get(again) == other.get(method.defaults));
+            for (const Parameter& other : parameters_of(method))
+                CHECK(other.get(again) == other.get(method.defaults));
         }
-        for (const char* common : {"samples", "radius", "fade_start", "fade_end", "epsilon", "exponent", "seed", "blur_iterations", "as_published"}) {
+        for (const char* common : {"samples", "radius", "fade_start", "fade_end", "epsilon", "exponent",
+                                   "seed", "blur_iterations", "as_published"}) {
             CAPTURE(std::string(common));
             CHECK(names.contains(common) == method.computes_ao);
         }
@@ -89,7 +92,8 @@ TEST_CASE("parameters: a value arrives where it belongs, the last one wins") {
     CHECK(xjun_with("as_published=1").ao.as_published);
     CHECK(!xjun_with("as_published=0").ao.as_published);
     CHECK(xjun_with("ao_format=float16").ao.format == BufferFormat::float16_toward_zero);
-    CHECK(xjun_with("buffer_format=float16_nearest").buffers.buffer_format == BufferFormat::float16_nearest_even);
+    CHECK(xjun_with("buffer_format=float16_nearest").buffers.buffer_format ==
+          BufferFormat::float16_nearest_even);
     CHECK(xjun_with("blur_iterations=0").blur.iterations == 0);
     CHECK(xjun_with("blur_weights=luna").blur.weights == kLunaBlurWeights);
     CHECK(xjun_with("blur_normal=-1").blur.normal_threshold == -1);
@@ -113,8 +117,10 @@ TEST_CASE("parameters: a wrong name or value is refused, and the message names i
     for (const char* samples : {"0", "-1", "15", "1.5", "", "nan", "1e1", "14x", "99999999999999999999"}) {
         refused(std::string("samples=") + samples, "samples");
     }
-    for (const char* name : {"radius", "fade_start", "fade_end", "epsilon", "exponent", "blur_normal", "blur_depth"}) {
-        for (const char* value : {"", "nan", "inf", "-inf", "1e999", "12x", "0x10", " 1", "1 ", "+1", "1,5", "-2"}) {
+    for (const char* name :
+         {"radius", "fade_start", "fade_end", "epsilon", "exponent", "blur_normal", "blur_depth"}) {
+        for (const char* value :
+             {"", "nan", "inf", "-inf", "1e999", "12x", "0x10", " 1", "1 ", "+1", "1,5", "-2"}) {
             refused(std::string(name) + "=" + value, name);
         }
     }
@@ -123,10 +129,14 @@ TEST_CASE("parameters: a wrong name or value is refused, and the message names i
     refused("exponent=65", "exponent");
     refused("radius=1e39", "radius");  // finite, but not as a float
     for (const char* seed : {"-1", "4294967296", "1.0"}) refused(std::string("seed=") + seed, "seed");
-    for (const char* word : {"yes", "TRUE", "2", ""}) refused(std::string("as_published=") + word, "as_published");
-    for (const char* name : {"ao_format", "buffer_format", "depth_format", "blur_weights"}) refused(std::string(name) + "=float8", name);
-    for (const char* iterations : {"-1", "65"}) refused(std::string("blur_iterations=") + iterations, "blur_iterations");
-    CHECK_THROWS_WITH_AS(settings_of(find_method("none"), {"radius=1"}), doctest::Contains("none has no such parameter"), UsageError);
+    for (const char* word : {"yes", "TRUE", "2", ""})
+        refused(std::string("as_published=") + word, "as_published");
+    for (const char* name : {"ao_format", "buffer_format", "depth_format", "blur_weights"})
+        refused(std::string(name) + "=float8", name);
+    for (const char* iterations : {"-1", "65"})
+        refused(std::string("blur_iterations=") + iterations, "blur_iterations");
+    CHECK_THROWS_WITH_AS(settings_of(find_method("none"), {"radius=1"}),
+                         doctest::Contains("none has no such parameter"), UsageError);
 }
 
 TEST_CASE("parameters: default lengths follow the scene's unit, given ones do not") {
@@ -153,11 +163,13 @@ TEST_CASE("the lists for reading name every method and parameter") {
 }
 
 TEST_CASE("parse: numbers are read whole or refused with the flag's name") {
-    for (const auto& [word, value] : {std::pair{"0", 0.0}, {"-3", -3.0}, {".5", 0.5}, {"2.", 2.0}, {"1e-3", 1e-3}, {"1E3", 1e3}}) {
+    for (const auto& [word, value] :
+         {std::pair{"0", 0.0}, {"-3", -3.0}, {".5", 0.5}, {"2.", 2.0}, {"1e-3", 1e-3}, {"1E3", 1e3}}) {
         CAPTURE(std::string(word));
         CHECK(parse_number("--near", word) == value);
     }
-    for (const char* word : {"", " ", "1 ", " 1", "+1", "1e", "e5", "--1", "1.2.3", "nan", "inf", "-inf", "infinity", "1e999", "0x10", "1,5", "1f"}) {
+    for (const char* word : {"", " ", "1 ", " 1", "+1", "1e", "e5", "--1", "1.2.3", "nan", "inf", "-inf",
+                             "infinity", "1e999", "0x10", "1,5", "1f"}) {
         CAPTURE(std::string(word));
         CHECK_THROWS_WITH_AS(parse_number("--near", word), doctest::Contains("--near"), UsageError);
     }
@@ -165,7 +177,8 @@ TEST_CASE("parse: numbers are read whole or refused with the flag's name") {
     CHECK(parse_whole("--threads", "8", 0, 8) == 8);
     for (const char* word : {"9", "-1", "1.0", "", "two", "1e1", "99999999999999999999"}) {
         CAPTURE(std::string(word));
-        CHECK_THROWS_WITH_AS(parse_whole("--threads", word, 0, 8), doctest::Contains("--threads"), UsageError);
+        CHECK_THROWS_WITH_AS(parse_whole("--threads", word, 0, 8), doctest::Contains("--threads"),
+                             UsageError);
     }
     CHECK(parse_yes_no("--keep", "true"));
     CHECK(!parse_yes_no("--keep", "0"));
@@ -174,14 +187,16 @@ TEST_CASE("parse: numbers are read whole or refused with the flag's name") {
 
 TEST_CASE("parse: points and sizes") {
     CHECK(parse_point("--eye", "1,-2.5,3e2") == glm::dvec3(1, -2.5, 300));
-    for (const char* word : {"", "1", "1,2", "1,2,3,4", "1,2,", ",,", "1;2;3", "1, 2,3", "a,b,c", "1,2,nan"}) {
+    for (const char* word :
+         {"", "1", "1,2", "1,2,3,4", "1,2,", ",,", "1;2;3", "1, 2,3", "a,b,c", "1,2,nan"}) {
         CAPTURE(std::string(word));
         CHECK_THROWS_WITH_AS(parse_point("--eye", word), doctest::Contains("--eye"), UsageError);
     }
     CHECK(parse_size("--size", "1280x720") == Size{1280, 720});
     CHECK(parse_size("--size", "1x1") == Size{1, 1});
     CHECK(parse_size("--size", std::to_string(kLargestSide) + "x1") == Size{kLargestSide, 1});
-    for (const char* word : {"", "x", "12", "12x", "x12", "0x10", "10x0", "-1x5", "12x34x", "12X34", "1.5x2", "40000x1", "1x40000", "30000x30000"}) {
+    for (const char* word : {"", "x", "12", "12x", "x12", "0x10", "10x0", "-1x5", "12x34x", "12X34", "1.5x2",
+                             "40000x1", "1x40000", "30000x30000"}) {
         CAPTURE(std::string(word));
         CHECK_THROWS_WITH_AS(parse_size("--size", word), doctest::Contains("--size"), UsageError);
     }

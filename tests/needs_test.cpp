@@ -12,7 +12,8 @@ using namespace crevice;
 namespace {
 
 std::string reason(const Needs& needs, const std::string& what) {
-    const auto at = std::find_if(needs.left_out.begin(), needs.left_out.end(), [&](const LeftOut& item) { return item.what == what; });
+    const auto at = std::find_if(needs.left_out.begin(), needs.left_out.end(),
+                                 [&](const LeftOut& item) { return item.what == what; });
     return at == needs.left_out.end() ? "" : at->why;
 }
 
@@ -44,10 +45,14 @@ TEST_CASE("needs: only what the asked buffers depend on") {
         bool normals, ao, blur, lit;
     };
     const Case cases[] = {
-        {{"view_depth"}, false, false, false, false}, {{"ndc_depth"}, false, false, false, false},
-        {{"normal"}, true, false, false, false},      {{"ao_raw"}, true, true, false, false},
-        {{"ao_blurred"}, true, true, true, false},    {{"ao_raw", "view_depth"}, true, true, false, false},
-        {{"lit"}, true, true, true, true},            {{"lit", "normal"}, true, true, true, true},
+        {{"view_depth"}, false, false, false, false},
+        {{"ndc_depth"}, false, false, false, false},
+        {{"normal"}, true, false, false, false},
+        {{"ao_raw"}, true, true, false, false},
+        {{"ao_blurred"}, true, true, true, false},
+        {{"ao_raw", "view_depth"}, true, true, false, false},
+        {{"lit"}, true, true, true, true},
+        {{"lit", "normal"}, true, true, true, true},
         {{}, false, false, false, false},
     };
     for (const Case& expected : cases) {
@@ -79,7 +84,8 @@ TEST_CASE("needs: no AO method, no blur, no triangles") {
     CHECK(reason(empty, "ao").find("no triangles") != std::string::npos);
 }
 
-TEST_CASE("needs: whatever is asked for, every 'no' has its reason, every 'yes' has none, and keep_all knows no 'no' but the method") {
+TEST_CASE(
+    "needs: whatever is asked for, every 'no' has a reason and every 'yes' none; keep_all says no 'no'") {
     const Scene with = still_life(), without = empty_scene();
     for (unsigned bits = 0; bits < 64; ++bits) {
         for (const Scene* scene : {&with, &without}) {

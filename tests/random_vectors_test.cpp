@@ -128,17 +128,20 @@ TEST_CASE("random map: at a texel's centre the texel, between two their mean, an
             const float whole = static_cast<float>(repeat);
             CHECK(map.sample<float>(whole + centre(x), whole + centre(y)).x == texel(x, y));
         }
-        const double u = static_cast<double>(x + 1) / kRandomMapSide, v = static_cast<double>(y + 1) / kRandomMapSide;
+        const double u = static_cast<double>(x + 1) / kRandomMapSide,
+                     v = static_cast<double>(y + 1) / kRandomMapSide;
         const double between = map.sample<double>(u, v).x;
-        const double mean = (static_cast<double>(texel(x, y)) + static_cast<double>(texel(x + 1, y)) +
-                             static_cast<double>(texel(x, y + 1)) + static_cast<double>(texel(x + 1, y + 1))) / 4;
+        const double mean =
+            (static_cast<double>(texel(x, y)) + static_cast<double>(texel(x + 1, y)) +
+             static_cast<double>(texel(x, y + 1)) + static_cast<double>(texel(x + 1, y + 1))) /
+            4;
         CHECK(std::fabs(between - mean) < 1e-7);
     }
 }
 
 TEST_CASE("hash: every input bit changes every output bit about half of the time") {
-    // Of each input the lower 24 bits, of the output the upper 24, which become numbers: the hash shifts by 16 bits once, so the
-    // highest input bits reach only the higher output bits.
+    // Of each input the lower 24 bits, of the output the upper 24, which become numbers: the hash shifts by
+    // 16 bits once, so the highest input bits reach only the higher output bits.
     constexpr int kTrials = 256;
     for (int input = 0; input < 96; ++input) {
         if (input % 32 >= 24) continue;

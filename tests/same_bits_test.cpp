@@ -1,5 +1,5 @@
-// How a frame is computed never changes a bit of it: lanes, instruction sets, threads, tiles, repeats, leaving out. The goldens
-// hold the same between compilers and build types.
+// How a frame is computed never changes a bit of it: lanes, instruction sets, threads, tiles, repeats,
+// leaving out. The goldens hold the same between compilers and build types.
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
@@ -27,7 +27,8 @@ std::vector<Isa> available_isas() {
     return isas;
 }
 
-FrameRequest request_for(const std::string& method, Size size, const std::vector<std::string>& assignments = {}) {
+FrameRequest request_for(const std::string& method, Size size,
+                         const std::vector<std::string>& assignments = {}) {
     FrameRequest request;
     request.size = size;
     request.method = &find_method(method);
@@ -38,9 +39,11 @@ FrameRequest request_for(const std::string& method, Size size, const std::vector
 // All six buffers, as one text: a failure shows which of them differ.
 std::string hashes_of(const Scene& scene, const FrameRequest& request) {
     const Frame frame = render_frame(scene, scene.camera, request);
-    return "normal " + content_hash(frame.gbuffer.normal) + " view_depth " + content_hash(frame.gbuffer.view_depth) +
-           " ndc_depth " + content_hash(ndc_depth(frame.gbuffer.depth, request.run)) + " ao_raw " + content_hash(frame.ao_raw) +
-           " ao_blurred " + content_hash(frame.ao_blurred) + " lit " + content_hash(frame.lit);
+    return "normal " + content_hash(frame.gbuffer.normal) + " view_depth " +
+           content_hash(frame.gbuffer.view_depth) + " ndc_depth " +
+           content_hash(ndc_depth(frame.gbuffer.depth, request.run)) + " ao_raw " +
+           content_hash(frame.ao_raw) + " ao_blurred " + content_hash(frame.ao_blurred) + " lit " +
+           content_hash(frame.lit);
 }
 
 // The plainest way there is: one lane, one thread, no special instructions.
@@ -60,7 +63,8 @@ Scene odds_and_ends() {
     scene.meshes[0].parts[0].material = scene.meshes[2].parts[0].material = 1;
     scene.two_sided = true;
     scene.lighting = LightingModel::phong;
-    scene.lights[1] = {glm::normalize(glm::vec3(1, -2, 1)), glm::vec3(0.2f), glm::vec3(0.5f), glm::vec3(0.4f)};
+    scene.lights[1] = {glm::normalize(glm::vec3(1, -2, 1)), glm::vec3(0.2f), glm::vec3(0.5f),
+                       glm::vec3(0.4f)};
     return scene;
 }
 
@@ -76,7 +80,8 @@ TEST_CASE("same bits: lanes x instruction sets x threads x tiles, odd sizes, bot
                     for (const Isa isa : available_isas()) {
                         for (const int threads : {1, 2, 7}) {
                             for (const int tile_size : {8, 32, 64}) {
-                                if (kSlowBuild && size.width > 37 && (threads != 7 || tile_size == 8)) continue;
+                                if (kSlowBuild && size.width > 37 && (threads != 7 || tile_size == 8))
+                                    continue;
                                 CAPTURE(scene.name);
                                 CAPTURE(std::string(method));
                                 CAPTURE(size.width);

@@ -25,9 +25,11 @@ struct TutorialMethod {
     LunaSettings settings;
     AoFetch (*fetch)(const LunaSettings&);
 };
-inline const TutorialMethod kTutorialMethods[] = {{"xjun", kXjunSettings, xjun_fetch}, {"luna", kLunaSettings, luna_fetch}};
+inline const TutorialMethod kTutorialMethods[] = {{"xjun", kXjunSettings, xjun_fetch},
+                                                  {"luna", kLunaSettings, luna_fetch}};
 
-// A rectangle given by its corners, clockwise seen from its front; texture (0,0) at the first corner, (1,0) at the second.
+// A rectangle given by its corners, clockwise seen from its front; texture (0,0) at the first corner, (1,0)
+// at the second.
 inline Mesh quad_mesh(std::array<glm::vec3, 4> corners, glm::vec3 normal) {
     Mesh mesh;
     mesh.positions.assign(corners.begin(), corners.end());
@@ -54,12 +56,14 @@ inline Scene scene_of(std::vector<Mesh> meshes) {
     scene.lights[0].diffuse = glm::vec3(0.5f);
     scene.camera.eye = {0, 0, 0};
     scene.camera.target = {0, 0, 1};
-    for (std::size_t i = 0; i < meshes.size(); ++i) scene.instances.push_back({static_cast<int>(i), glm::mat4(1.0f)});
+    for (std::size_t i = 0; i < meshes.size(); ++i)
+        scene.instances.push_back({static_cast<int>(i), glm::mat4(1.0f)});
     scene.meshes = std::move(meshes);
     return scene;
 }
 
-// A floor, a wall behind its left half, a box and a sphere on it, and sky: every kind of edge in few pixels. About 6 units deep.
+// A floor, a wall behind its left half, a box and a sphere on it, and sky: every kind of edge in few pixels.
+// About 6 units deep.
 inline Scene still_life() {
     const auto moved = [](Mesh mesh, glm::vec3 by) {
         for (glm::vec3& p : mesh.positions) p += by;
@@ -73,6 +77,23 @@ inline Scene still_life() {
     scene.camera.far_plane = 100;
     return scene;
 }
+
+// The still life, ready for the estimator, without contrast.
+struct PreparedStillLife {
+    // Powers of two: texture coordinates are exact in float, and a reference in double reads the random map
+    // at the same place.
+    static constexpr Size kSize = {128, 64};
+    Scene scene = still_life();
+    GBuffer g;
+    AoInputs inputs;
+    LunaSettings settings;
+
+    explicit PreparedStillLife(const TutorialMethod& method) : settings(method.settings) {
+        settings.exponent = 1;
+        g = normal_depth(scene, scene.camera, kSize);
+        inputs = ao_inputs(g, scene.camera, method.fetch(settings));
+    }
+};
 
 // Scene and camera with all lengths times 2^k, which is exact.
 inline Scene scaled(Scene scene, int k) {
@@ -93,8 +114,8 @@ inline Scene scaled(Scene scene, int k) {
     return scene;
 }
 
-// AO inputs made by hand: orthographic, one scene unit a pixel, AO map and depth map of picture size, view depth `z` everywhere
-// in both, normals to the eye, far plane beyond everything outside.
+// AO inputs made by hand: orthographic, one scene unit a pixel, AO map and depth map of picture size, view
+// depth `z` everywhere in both, normals to the eye, far plane beyond everything outside.
 inline AoInputs plain_inputs(Size size, float z) {
     AoInputs inputs;
     inputs.fetch = {DepthSource::view_depth, false, 1.0f, false};
@@ -112,7 +133,9 @@ inline AoInputs plain_inputs(Size size, float z) {
 
 // A number in [0,1) that depends on all three arguments: test images full of unlike values.
 inline float noise(std::uint32_t stream, int x, int y) {
-    return static_cast<float>(hash_of(stream, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y)) >> 8) / 16777216;
+    return static_cast<float>(hash_of(stream, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y)) >>
+                              8) /
+           16777216;
 }
 
 inline Image<float> noise_image(Size size, std::uint32_t stream) {
@@ -121,6 +144,31 @@ inline Image<float> noise_image(Size size, std::uint32_t stream) {
         for (int x = 0; x < size.width; ++x) image.at(x, y) = noise(stream, x, y);
     }
     return image;
+}
+
+// The camera that made_up_gbuffer() sees through: near .5, far 100, 60 degrees.
+inline Camera made_up_camera() { return still_life().camera; }
+
+// Unlike values in every pixel, all of them multiples of 1/64, so that the sum of four is exact; `sky_share`
+// of them sky.
+inline GBuffer made_up_gbuffer(Size size, float sky_share) {
+    const Camera camera = made_up_camera();
+    const CameraMatrices m = camera_matrices(camera, size);
+    GBuffer g{Image3(size, glm::vec3(0)), Image<float>(size, kInfinity),
+              cleared_depth(size, DepthFormat::d32f, false)};
+    const auto dyadic = [](float a) { return std::floor(a * 64) / 64; };
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+            if (noise(1, x, y) < sky_share) continue;
+            const float z = 2 + dyadic(8 * noise(2, x, y));
+            g.view_depth.at(x, y) = z;
+            g.depth.codes.at(x, y) = depth_code(DepthFormat::d32f, m.depth_a + m.depth_b / z, 0.0);
+            g.normal.set(
+                x, y,
+                {dyadic(noise(3, x, y)), dyadic(noise(4, x, y)) - 0.5f, -dyadic(noise(5, x, y)) - 0.25f});
+        }
+    }
+    return g;
 }
 
 // "" when holds(x, y) is true for every pixel; else how many fail, and the first.

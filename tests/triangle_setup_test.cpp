@@ -166,26 +166,27 @@ TEST_CASE("depth is that of the true plane, not of its snapped corners") {
 TEST_CASE("slivers keep their depth near the range of their corners") {
     RandomSequence random(10);
     int drawn = 0;
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = 0; i < 4000; ++i) {
         CAPTURE(i);
-        ClipSpaceScene scene{{64, 64}, {}, {}};
-        const glm::dvec2 a(random.between(0, 64), random.between(0, 64)),
-            b(random.between(0, 64), random.between(0, 64));
-        const double along = random.between(-0.5, 1.5), aside = random.between(-0.2, 0.2);
+        // Three corners within 1/100 pixel of a column of pixel centres.
+        ClipSpaceScene scene{{32, 32}, {}, {}};
         std::array<double, 3> z;
-        for (double& value : z) value = random.between(0.01, 0.9);
-        const glm::dvec2 c = a + along * (b - a) + glm::dvec2(aside, -aside);
-        scene.add_triangle(scene.at_screen(a.x, a.y, z[0]), scene.at_screen(b.x, b.y, z[1]),
-                           scene.at_screen(c.x, c.y, z[2]));
-        const auto [low, high] = std::minmax({z[0], z[1], z[2]});
+        for (double& value : z) {
+            value = random.between(0.01, 0.9);
+            const double x = 8.5 + random.between(-0.01, 0.01), y = random.between(0, 32);
+            scene.add(i % 2 == 0 ? scene.at_screen(x, y, value) : scene.at_screen(y, x, value));
+        }
+        scene.triangles = {{0, 1, 2}};
+        const double low = *std::min_element(z.begin(), z.end()),
+                     high = *std::max_element(z.begin(), z.end());
         const CountedDrawing drawing = draw(scene);
         const Image<float> depth = ndc_depth(drawing.depth);
-        for (int y = 0; y < 64; ++y) {
-            for (int x = 0; x < 64; ++x) {
+        for (int y = 0; y < 32; ++y) {
+            for (int x = 0; x < 32; ++x) {
                 if (drawing.count.at(x, y) == 0) continue;
                 ++drawn;
-                const double value = static_cast<double>(depth.at(x, y));
-                if (!(value > low - 0.26 * (high - low) && value < high + 0.26 * (high - low))) {
+                const double value = static_cast<double>(depth.at(x, y)), reach = 0.26 * (high - low);
+                if (!(value > low - reach && value < high + reach)) {
                     FAIL("depth " << value << " at " << x << "," << y << " for corners from " << low << " to "
                                   << high);
                 }
@@ -193,4 +194,26 @@ TEST_CASE("slivers keep their depth near the range of their corners") {
         }
     }
     CHECK(drawn > 1000);
+}
+
+TEST_CASE("slivers with corners near and far keep 1/w above zero") {
+    RandomSequence random(12);
+    int set_up_slivers = 0;
+    for (int i = 0; i < 4000; ++i) {
+        CAPTURE(i);
+        ClipSpaceScene scene{{32, 32}, {}, {}};
+        for (int k = 0; k < 3; ++k) {
+            const double w = k == 0 ? random.between(0.1, 1) : random.between(1, 1000);
+            scene.add(scene.at_screen(8.5 + random.between(-0.01, 0.01), random.between(0, 32), 0.5, w));
+        }
+        scene.triangles = {{0, 1, 2}};
+        float lowest = 1e30f;
+        for (const glm::vec4& p : scene.p_clip) lowest = std::min(lowest, 1 / p.w);
+        const ScreenGeometry geometry = geometry_of(scene);
+        for (const ScreenTriangle& t : geometry.blocks[0].triangles) {
+            ++set_up_slivers;
+            for (const float inverse_w : t.inverse_w) CHECK(inverse_w >= 0.5f * lowest);
+        }
+    }
+    CHECK(set_up_slivers > 500);
 }

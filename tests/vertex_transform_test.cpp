@@ -139,3 +139,19 @@ TEST_CASE("normals stay perpendicular to their surface under rotation and scales
         CHECK(std::abs(glm::length(glm::dvec3(v.n_view[0])) - 1) < 2e-7);
     }
 }
+
+TEST_CASE("vertices that are not numbers take their triangle away, and only theirs") {
+    const float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+    for (const float bad : {nan, inf, -inf}) {
+        for (int component = 0; component < 4; ++component) {
+            CAPTURE(bad);
+            CAPTURE(component);
+            ClipSpaceScene scene{{64, 48}, {}, {}};
+            scene.add_quad({-1, 1, 0.5, 1}, {1, 1, 0.5, 1}, {1, -1, 0.5, 1}, {-1, -1, 0.5, 1});
+            glm::vec4 p(0, 0, 0.5, 1);
+            p[component] = bad;
+            scene.add_triangle({-1, 1, 0.5, 1}, {1, 1, 0.5, 1}, p);
+            CHECK(differences(draw(scene).count, 1) == "");
+        }
+    }
+}

@@ -1,0 +1,108 @@
+// The estimator's one text in its three number types: one pixel, eight pixels, and double.
+#include <cmath>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "rasterizer/isa.h"
+#include "tests/test_scenes.h"
+
+using namespace crevice;
+
+namespace {
+
+// One texel as the kernel wants it.
+struct Point {
+    Vec3<float> p, n, random;
+};
+std::vector<Point> points_of(const PreparedStillLife& scene) {
+    const LunaKernel kernel(scene.inputs, scene.settings);
+    const RandomMap map = random_map(scene.settings.seed);
+    std::vector<Point> points;
+    const Size size = scene.inputs.size();
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+            const float z = scene.inputs.view_depth.at(x, y);
+            if (z == kInfinity) continue;
+            const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(size.width);
+            const float v = (static_cast<float>(y) + 0.5f) / static_cast<float>(size.height);
+            const glm::vec3 n = scene.inputs.normal.at(x, y);
+            points.push_back(
+                {scene.inputs.rays.p_view(u, v, z), {n.x, n.y, n.z}, kernel.random_vector<float>(map, u, v)});
+        }
+    }
+    while (points.size() % 8 != 0) points.pop_back();
+    return points;
+}
+
+Vec3<double> exact(Vec3<float> a) { return {a.x, a.y, a.z}; }
+
+}  // namespace
+
+TEST_CASE("samples in float and in double agree, unless rounding puts one across a decision") {
+    for (const TutorialMethod& method : kTutorialMethods) {
+        CAPTURE(method.name);
+        const PreparedStillLife scene(method);
+        const LunaKernel kernel(scene.inputs, scene.settings);
+        int samples = 0, across = 0;
+        double worst = 0;
+        for (const Point& point : points_of(scene)) {
+            for (const glm::vec3& offset : kernel.offsets) {
+                const double in_float = kernel.sample<float>(point.p, point.n, point.random, offset);
+                const double in_double =
+                    kernel.sample<double>(exact(point.p), exact(point.n), exact(point.random), offset);
+                const double difference = std::fabs(in_float - in_double);
+                ++samples;
+                // Beside a silhouette the depth map is so steep that a rounded screen position shows.
+                if (difference > 1e-4)
+                    ++across;
+                else
+                    worst = std::fmax(worst, difference);
+            }
+        }
+        CHECK(samples > 10000);
+        CHECK(across * 1000 < samples);
+        CHECK(worst < 1e-4);
+        CHECK(worst > 0);
+    }
+}
+
+TEST_CASE("eight lanes of the kernel give the bits of one lane eight times, on every instruction set") {
+    for (const TutorialMethod& method : kTutorialMethods) {
+        const PreparedStillLife scene(method);
+        const LunaKernel kernel(scene.inputs, scene.settings);
+        const std::vector<Point> points = points_of(scene);
+        std::vector<float> planes[9];
+        for (const Point& point : points) {
+            const float values[9] = {point.p.x, point.p.y,      point.p.z,      point.n.x,     point.n.y,
+                                     point.n.z, point.random.x, point.random.y, point.random.z};
+            for (std::size_t i = 0; i < 9; ++i) planes[i].push_back(values[i]);
+        }
+        for (const Isa isa : {Isa::baseline, Isa::avx2, Isa::avx512}) {
+            if (!isa_available(isa)) continue;
+            CAPTURE(method.name);
+            CAPTURE(std::string(isa_name(isa)));
+            std::vector<float> wide(points.size());
+            run_for_isa(
+                isa,
+                [&](auto tag) __attribute__((always_inline)) {
+                    using F = typename decltype(tag)::type;
+                    for (std::size_t i = 0; i < points.size(); i += 8) {
+                        const auto at = [&](std::size_t k) __attribute__((always_inline)) {
+                            return load<F>(planes[k].data() + i);
+                        };
+                        const Vec3<F> p = {at(0), at(1), at(2)}, n = {at(3), at(4), at(5)},
+                                      random = {at(6), at(7), at(8)};
+                        store(wide.data() + i, kernel.accessibility<F>(p, n, random));
+                    }
+                },
+                LaneTag<Wide<8>>{});
+            int unlike = 0;
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                const float one = kernel.accessibility<float>(points[i].p, points[i].n, points[i].random);
+                unlike += float_bits(one) != float_bits(wide[i]);
+            }
+            CHECK(unlike == 0);
+        }
+    }
+}
