@@ -77,7 +77,7 @@ void remarks(Notebook& book, const Scene& scene) {
         "Make `light.ambient` a third of what it is: the difference AO makes shrinks to a third as well, "
         "because AO has only the ambient term to work on.",
         "Set `settings.exponent` to 1: the shade turns pale. The tutorial's 4 is for contrast, not physics.",
-        "Set `settings.radius` to 2: shade spreads far from the contacts, and the house turns dirty.",
+        "Set `settings.radius` to 2: shade spreads far over the floor, where no contact is near.",
     });
 }
 

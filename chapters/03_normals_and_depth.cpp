@@ -130,7 +130,7 @@ void normals_and_depth(Notebook& book) {
     book.try_it({
         "Set `near_plane` to 0.1: everything moves beyond ndc depth 0.98, steps get ten times coarser.",
         "Use `sphere_mesh(0.5, 8, 8)`: the fewer the slices, the shorter interpolated normals get.",
-        "Set `eye` to 0, `target` to `{0, 0, 1}`: V has no translation, and the naive normals are right.",
+        "Set `eye` to 0, `target` to `{0, 0, 1}`: no translation in V, and seed 003 is right.",
     });
     book.errata({
         "*Seed 003:* multiplies float4(n, 0) by all of (W^-1)^T V. The 0 does not keep V's translation out.",

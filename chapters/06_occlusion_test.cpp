@@ -132,7 +132,7 @@ void occlusion_test(Notebook& book) {
                   {{"epsilon_0", ao_picture(luna_occlusion(inputs, {.epsilon = 0}, {}))},
                    {"epsilon_large", ao_picture(luna_occlusion(inputs, {.epsilon = 0.5f}, {}))}});
     book.try_it({
-        "Set `.fade_end = 10` for `ao`: what is far in front of p still counts, and columns get a halo.",
+        "Use `.fade_end = 10` for `.epsilon = 0`: what is far in front of p still counts: a halo at columns.",
         "Set the plane's `eye` to `{0, 30, -4}`: right below the eye dz stays under epsilon: no need of dp.",
         "In `without_dp`, add up `s.dp * s.occlusion`: the picture is that of the pass again.",
     });

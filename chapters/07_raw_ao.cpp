@@ -120,7 +120,7 @@ void raw_ao(Notebook& book) {
     book.show_row("Full size, and half minus full: thin lines are lost, the rest differs by noise only.",
                   {{"full_size", ao_picture(full)}, {"half_minus_full", difference_picture(change)}});
     const double mean = buffer_statistics(change).mean;
-    book.check("on average half size is as dark as full size", std::fabs(mean) < 0.01, text(mean));
+    book.check("on average half size is about as dark as full size", std::fabs(mean) < 0.03, text(mean));
 
     std::vector<Notebook::Named> powers;
     for (const float exponent : {1.0f, 2.0f, 4.0f, 6.0f}) {
@@ -129,7 +129,7 @@ void raw_ao(Notebook& book) {
     }
     book.show_row("Exponents 1, 2, 4 (seed 000) and 6 (seed 002): contrast by taste, not physics.", powers);
     book.try_it({
-        "Put `.as_published = true` before `.ao_scale = 1`: `r` is not normalised, shade gets wider.",
+        "Put `.as_published = true` before `.ao_scale = 1`: `r` is not unit: wider shade, more noise.",
         "Set `.radius = 2`: shade reaches four times as far, and so does the noise.",
         "Run with `--seed 2`: other grain at the same places.",
     });

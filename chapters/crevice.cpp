@@ -19,7 +19,8 @@ using namespace crevice;
 
 // The words of the command line, before they are looked at.
 struct Words {
-    std::string scene, size = "1280x720", ao = "xjun", ao_scale = ".5", only, isa, out = "out", a, b, html, method, which;
+    std::string scene, size = "1280x720", ao = "xjun", ao_scale = ".5", only, isa, out = "out", a, b, html,
+                       method, which;
     std::string threads = "0", lanes = "8", tile = "64", repeat = "1", chapter_size, seed = "1";
     std::vector<std::string> params;
     CameraFlags camera;
@@ -39,7 +40,9 @@ Run run_of(const Words& words) {
             run.isa = isa;
             known = true;
         }
-        if (!known) throw UsageError("--isa: no such instruction set (" + words.isa + "); give baseline, avx2 or avx512");
+        if (!known)
+            throw UsageError("--isa: no such instruction set (" + words.isa +
+                             "); give baseline, avx2 or avx512");
     }
     validate(run);
     return run;
@@ -92,52 +95,67 @@ int chapter(const Words& words) {
 }
 
 void add_render(CLI::App& app, Words& words) {
-    CLI::App* render = app.add_subcommand("render", "Draw a scene and write every buffer as NAME.npy and NAME.png, with passes.json");
-    render->add_option("SCENE", words.scene, "a built-in scene (crevice scenes) or the path of an OBJ file")->required();
+    CLI::App* render = app.add_subcommand(
+        "render", "Draw a scene and write every buffer as NAME.npy and NAME.png, with passes.json");
+    render->add_option("SCENE", words.scene, "a built-in scene (crevice scenes) or the path of an OBJ file")
+        ->required();
     render->add_option("--size", words.size, "size of the picture in pixels, WxH")->capture_default_str();
-    render->add_option("--eye", words.camera.eye, "where the camera stands, x,y,z in the scene's own coordinates");
+    render->add_option("--eye", words.camera.eye,
+                       "where the camera stands, x,y,z in the scene's own coordinates");
     render->add_option("--target", words.camera.target, "what it looks at, x,y,z");
     render->add_option("--fov-y", words.camera.fov_y, "vertical field of view, degrees");
     render->add_option("--near", words.camera.near_plane, "near plane, scene units");
     render->add_option("--far", words.camera.far_plane, "far plane, scene units");
-    render->add_option("--ortho", words.camera.ortho, "orthographic camera; height of the picture, scene units");
+    render->add_option("--ortho", words.camera.ortho,
+                       "orthographic camera; height of the picture, scene units");
     render->add_option("--ao", words.ao, "ambient-occlusion method (crevice methods)")->capture_default_str();
-    render->add_option("--param", words.params, "name=value, any number of times (crevice params METHOD)")->allow_extra_args(false);
-    render->add_option("--ao-scale", words.ao_scale, "size of the AO map: .5 or 1 times the picture")->capture_default_str();
-    render->add_option("--only", words.only, "write only these buffers, comma-separated; the rest is left out");
+    render->add_option("--param", words.params, "name=value, any number of times (crevice params METHOD)")
+        ->allow_extra_args(false);
+    render->add_option("--ao-scale", words.ao_scale, "size of the AO map: .5 or 1 times the picture")
+        ->capture_default_str();
+    render->add_option("--only", words.only,
+                       "write only these buffers, comma-separated; the rest is left out");
     render->add_flag("--keep-all", words.keep_all, "leave nothing out: the same buffers, more slowly");
     render->add_option("--threads", words.threads, "0: all; 1: a plain loop")->capture_default_str();
     render->add_option("--lanes", words.lanes, "pixels at a time, 1 or 8")->capture_default_str();
     render->add_option("--isa", words.isa, "baseline, avx2 or avx512; default: the best this CPU has");
     render->add_option("--tile", words.tile, "tile size in pixels, 8 16 32 64 or 128")->capture_default_str();
-    render->add_option("--repeat", words.repeat, "draw the frame this often; times are medians")->capture_default_str();
+    render->add_option("--repeat", words.repeat, "draw the frame this often; times are medians")
+        ->capture_default_str();
     render->add_option("--out", words.out, "the directory for the files")->capture_default_str();
 }
 
 // Fills the app; the answer is what to do with the words once they are parsed.
 int run(int argc, char** argv) {
     Words words;
-    CLI::App app("Crevice: ambient occlusion on the CPU, step by step.\n"
-                 "Try: crevice render columns --out out     and open out/lit.png");
+    CLI::App app(
+        "Crevice: ambient occlusion on the CPU, step by step.\n"
+        "Try: crevice render columns --out out     and open out/lit.png");
     app.require_subcommand(1);
     add_render(app, words);
-    CLI::App* chapter_app = app.add_subcommand("chapter", "Run a chapter, or all, and write its pictures and OUT/index.html");
+    CLI::App* chapter_app =
+        app.add_subcommand("chapter", "Run a chapter, or all, and write its pictures and OUT/index.html");
     chapter_app->add_option("WHICH", words.which, "a number such as 07, or all")->required();
-    chapter_app->add_option("--out", words.out, "the directory for pictures and pages")->capture_default_str();
+    chapter_app->add_option("--out", words.out, "the directory for pictures and pages")
+        ->capture_default_str();
     chapter_app->add_option("--size", words.chapter_size, "size of the pictures, WxH");
     chapter_app->add_option("--seed", words.seed, "seed of whatever is random")->capture_default_str();
     chapter_app->add_flag("--step", words.step, "wait for Enter after each cell");
     chapter_app->add_flag("--quiet", words.quiet, "say only which checks fail");
     CLI::App* scenes_app = app.add_subcommand("scenes", "List the built-in scenes");
     CLI::App* methods_app = app.add_subcommand("methods", "List the ambient-occlusion methods");
-    CLI::App* params_app = app.add_subcommand("params", "List a method's parameters: range, unit, default, effect");
+    CLI::App* params_app =
+        app.add_subcommand("params", "List a method's parameters: range, unit, default, effect");
     params_app->add_option("METHOD", words.method, "a method (crevice methods)")->required();
-    CLI::App* compare_app = app.add_subcommand("compare", "Compare two images (.npy or .png) or two directories of them");
+    CLI::App* compare_app =
+        app.add_subcommand("compare", "Compare two images (.npy or .png) or two directories of them");
     compare_app->add_option("A", words.a, "an image or a directory")->required();
     compare_app->add_option("B", words.b, "another")->required();
-    compare_app->add_option("--html", words.html, "write a page with both, their difference and the first pixels that differ");
+    compare_app->add_option("--html", words.html,
+                            "write a page with both, their difference and the first pixels that differ");
     std::string compare_out = ".";
-    compare_app->add_option("--out", compare_out, "the directory for the error images")->capture_default_str();
+    compare_app->add_option("--out", compare_out, "the directory for the error images")
+        ->capture_default_str();
 
     const std::string first = argc > 1 ? argv[1] : "";
     const auto is_first = [&](const CLI::App* command) { return command->get_name() == first; };
@@ -148,15 +166,18 @@ int run(int argc, char** argv) {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error);
-        const std::string command = app.get_subcommands().empty() ? "" : " " + app.get_subcommands().front()->get_name();
-        throw UsageError("crevice" + command + ": " + error.what() + "; crevice" + command + " --help tells more");
+        const std::string command =
+            app.get_subcommands().empty() ? "" : " " + app.get_subcommands().front()->get_name();
+        throw UsageError("crevice" + command + ": " + error.what() + "; crevice" + command +
+                         " --help tells more");
     }
     if (*chapter_app) return chapter(words);
     if (*scenes_app) print_scenes(std::cout);
     if (*methods_app) print_methods(std::cout);
     if (*params_app) print_parameters(std::cout, find_method(words.method));
     if (*compare_app) {
-        const auto html = words.html.empty() ? std::nullopt : std::optional<std::filesystem::path>(words.html);
+        const auto html =
+            words.html.empty() ? std::nullopt : std::optional<std::filesystem::path>(words.html);
         return compare_command({words.a, words.b, html, compare_out});
     }
     if (app.got_subcommand("render")) return render(words);

@@ -44,14 +44,15 @@ struct Samples {
 };
 
 class Stopwatch {
-   public:
+ public:
     // Runs one pass and adds its time to the samples of that name.
     template <class Pass>
     void time(const std::string& name, const Pass& pass) {
         const Clocks before = clocks();
         pass();
         const Clocks after = clocks();
-        auto at = std::find_if(samples_.begin(), samples_.end(), [&](const Samples& s) { return s.name == name; });
+        auto at =
+            std::find_if(samples_.begin(), samples_.end(), [&](const Samples& s) { return s.name == name; });
         if (at == samples_.end()) at = samples_.insert(samples_.end(), {name, {}, {}});
         at->wall_ms.push_back(after.wall_ms - before.wall_ms);
         at->cpu_ms.push_back(after.cpu_ms - before.cpu_ms);
@@ -68,7 +69,7 @@ class Stopwatch {
         return times;
     }
 
-   private:
+ private:
     std::vector<Samples> samples_;
 };
 
@@ -77,7 +78,8 @@ class Stopwatch {
 Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest& request) {
     const MethodSettings& settings = request.settings;
     const Method& method = *request.method;
-    const Needs needs = needs_of(scene, request.wanted, method.computes_ao, settings.blur.iterations, request.run.keep_all);
+    const Needs needs =
+        needs_of(scene, request.wanted, method.computes_ao, settings.blur.iterations, request.run.keep_all);
     Frame frame;
     frame.camera = camera;
     frame.camera.reversed_z = settings.reversed_z;
@@ -92,7 +94,8 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
                 GeometrySettings geometry_with = geometry_settings(settings.buffers);
                 geometry_with.with_normals = needs.normals;
                 geometry = screen_geometry(scene, frame.camera, request.size, geometry_with, request.run);
-                frame.gbuffer = normal_depth(geometry, frame.camera.reversed_z, settings.buffers, request.run);
+                frame.gbuffer =
+                    normal_depth(geometry, frame.camera.reversed_z, settings.buffers, request.run);
             });
             if (needs.ao) {
                 stopwatch.time("ao", [&] {
@@ -110,7 +113,8 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
             if (needs.lit) {
                 stopwatch.time("lit", [&] {
                     const Image<float>& ao = needs.blur ? frame.ao_blurred : frame.ao_raw;
-                    frame.lit = shade(scene, frame.camera, geometry, frame.gbuffer.depth, ao, {}, request.run);
+                    frame.lit =
+                        shade(scene, frame.camera, geometry, frame.gbuffer.depth, ao, {}, request.run);
                 });
             }
         });

@@ -46,9 +46,11 @@ const Method& find_method(const std::string& name);
 // The parameters of a method. Methods that compute no AO have only those of the buffers.
 std::vector<Parameter> parameters_of(const Method& method);
 
-// The method's defaults, their lengths times the scene's length_unit, with "name=value" words (in scene units) applied in order.
-// Throws UsageError for an unknown name (listing what there is), a value that does not read, or settings that do not fit together.
-MethodSettings settings_of(const Method& method, const std::vector<std::string>& assignments, float length_unit = 1);
+// The method's defaults, their lengths times the scene's length_unit, with "name=value" words (in scene
+// units) applied in order. Throws UsageError for an unknown name (listing what there is), a value that does
+// not read, or settings that do not fit together.
+MethodSettings settings_of(const Method& method, const std::vector<std::string>& assignments,
+                           float length_unit = 1);
 
 void print_methods(std::ostream& out);
 void print_parameters(std::ostream& out, const Method& method);

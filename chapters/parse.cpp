@@ -31,8 +31,8 @@ double parse_number(const std::string& flag, const std::string& word) {
 long long parse_whole(const std::string& flag, const std::string& word, long long lowest, long long highest) {
     long long value = 0;
     if (!reads_as(word, value) || value < lowest || value > highest) {
-        throw UsageError(flag + ": not a whole number in " + std::to_string(lowest) + ".." + std::to_string(highest) + " (" +
-                         word + "); choose one");
+        throw UsageError(flag + ": not a whole number in " + std::to_string(lowest) + ".." +
+                         std::to_string(highest) + " (" + word + "); choose one");
     }
     return value;
 }
@@ -44,9 +44,12 @@ bool parse_yes_no(const std::string& flag, const std::string& word) {
 }
 
 glm::dvec3 parse_point(const std::string& flag, const std::string& word) {
-    const std::size_t first = word.find(','), second = first == std::string::npos ? first : word.find(',', first + 1);
-    if (second == std::string::npos) throw UsageError(flag + ": not three numbers (" + word + "); write x,y,z");
-    return {parse_number(flag, word.substr(0, first)), parse_number(flag, word.substr(first + 1, second - first - 1)),
+    const std::size_t first = word.find(','),
+                      second = first == std::string::npos ? first : word.find(',', first + 1);
+    if (second == std::string::npos)
+        throw UsageError(flag + ": not three numbers (" + word + "); write x,y,z");
+    return {parse_number(flag, word.substr(0, first)),
+            parse_number(flag, word.substr(first + 1, second - first - 1)),
             parse_number(flag, word.substr(second + 1))};
 }
 
@@ -58,9 +61,11 @@ Size parse_size(const std::string& flag, const std::string& word) {
         throw UsageError(flag + ": not a size in pixels (" + word + "); write it like 1280x720");
     }
     constexpr long long kMostPixels = 1LL << 28;
-    if (width > kLargestSide || height > kLargestSide || static_cast<long long>(width) * height > kMostPixels) {
-        throw UsageError(flag + ": too large (" + word + "); a side has at most " + std::to_string(kLargestSide) +
-                         " pixels, a picture at most " + std::to_string(kMostPixels));
+    if (width > kLargestSide || height > kLargestSide ||
+        static_cast<long long>(width) * height > kMostPixels) {
+        throw UsageError(flag + ": too large (" + word + "); a side has at most " +
+                         std::to_string(kLargestSide) + " pixels, a picture at most " +
+                         std::to_string(kMostPixels));
     }
     return {width, height};
 }

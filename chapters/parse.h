@@ -1,5 +1,6 @@
-// Words of the command line as values. Each throws UsageError "FLAG: what is wrong (word); what to do" for anything that is not
-// exactly what it should be: trailing junk, NaN, infinities and numbers out of range are never accepted.
+// Words of the command line as values. Each throws UsageError "FLAG: what is wrong (word); what to do" for
+// anything that is not exactly what it should be: trailing junk, NaN, infinities and numbers out of range are
+// never accepted.
 #pragma once
 
 #include <string>

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 // Writes one buffer both ways and describes it.
 class BufferWriter {
-   public:
+ public:
     explicit BufferWriter(std::filesystem::path out) : out_(std::move(out)) {}
 
     template <class Buffer>
@@ -29,14 +29,19 @@ class BufferWriter {
         const Size size = picture.size;
         Json shape = {size.height, size.width};
         if constexpr (std::is_same_v<Buffer, Image3>) shape.push_back(3);
-        described_[name] = {{"shape", shape},     {"min", s.min}, {"max", s.max}, {"mean", s.mean},
-                            {"nan", s.nan},       {"inf", s.inf}, {"hash", content_hash(buffer)}};
+        described_[name] = {{"shape", shape},
+                            {"min", s.min},
+                            {"max", s.max},
+                            {"mean", s.mean},
+                            {"nan", s.nan},
+                            {"inf", s.inf},
+                            {"hash", content_hash(buffer)}};
         std::cout << (out_ / (name + ".png")).string() << ": " << picture.mapping << "\n";
     }
 
     Json described_ = Json::object();
 
-   private:
+ private:
     std::filesystem::path out_;
 };
 
@@ -85,7 +90,9 @@ Json passes_json(const RenderOptions& options, const Frame& frame, Json buffers)
 void try_output_directory(const std::filesystem::path& out) {
     std::error_code error;
     std::filesystem::create_directories(out, error);
-    if (error) throw OutputError(out.string() + ": cannot make this directory (" + error.message() + "); choose another --out");
+    if (error)
+        throw OutputError(out.string() + ": cannot make this directory (" + error.message() +
+                          "); choose another --out");
     const std::filesystem::path trial = out / ".crevice";
     write_file_atomically(trial, "");
     std::filesystem::remove(trial, error);
@@ -93,10 +100,11 @@ void try_output_directory(const std::filesystem::path& out) {
 
 void print_times(const Frame& frame) {
     for (const PassTime& pass : frame.passes) {
-        std::printf("%-13s %8.2f ms wall  %8.2f ms cpu  (median of %d)\n", pass.name.c_str(), pass.wall_ms, pass.cpu_ms,
-                    pass.runs);
+        std::printf("%-13s %8.2f ms wall  %8.2f ms cpu  (median of %d)\n", pass.name.c_str(), pass.wall_ms,
+                    pass.cpu_ms, pass.runs);
     }
-    for (const LeftOut& item : frame.left_out) std::printf("left out: %s, because %s\n", item.what.c_str(), item.why.c_str());
+    for (const LeftOut& item : frame.left_out)
+        std::printf("left out: %s, because %s\n", item.what.c_str(), item.why.c_str());
 }
 
 }  // namespace
@@ -114,7 +122,8 @@ void render_command(const RenderOptions& given) {
     request.settings = settings_of(*request.method, options.params, argument.scene.length_unit);
     request.settings.ao.ao_scale = ao_scale;
     try_output_directory(options.out);
-    if (triangle_count(argument.scene) == 0) std::cerr << options.scene << ": 0 triangles; only the sky will be seen\n";
+    if (triangle_count(argument.scene) == 0)
+        std::cerr << options.scene << ": 0 triangles; only the sky will be seen\n";
     const Frame frame = render_frame(argument.scene, camera, request);
     Json buffers = described_buffers(frame, options.request, options.out);
     const std::filesystem::path report = options.out / "passes.json";

@@ -17,8 +17,8 @@ struct RenderOptions {
     std::filesystem::path out = "out";
 };
 
-// Writes OUT/NAME.npy and OUT/NAME.png for each wanted buffer and OUT/passes.json, and prints one line for each. Throws InputError,
-// UsageError, OutputError; the output directory is tried before anything is drawn.
+// Writes OUT/NAME.npy and OUT/NAME.png for each wanted buffer and OUT/passes.json, and prints one line for
+// each. Throws InputError, UsageError, OutputError; the output directory is tried before anything is drawn.
 void render_command(const RenderOptions& options);
 
 }  // namespace crevice

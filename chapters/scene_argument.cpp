@@ -16,7 +16,8 @@ SceneArgument load_scene(const std::string& name_or_path, bool with_textures) {
     if (const BuiltinScene* builtin = find_builtin_scene(name_or_path)) return {builtin->make(), false};
     std::error_code ignored;
     if (!std::filesystem::exists(name_or_path, ignored)) {
-        throw InputError(name_or_path + ": neither a built-in scene nor a file; `crevice scenes` lists the scenes");
+        throw InputError(name_or_path +
+                         ": neither a built-in scene nor a file; `crevice scenes` lists the scenes");
     }
     ObjOptions options;
     options.want_textures = with_textures;
@@ -50,11 +51,13 @@ Camera chosen_camera(const SceneArgument& argument, const CameraFlags& flags) {
 }
 
 void print_scenes(std::ostream& out) {
-    out << std::left << std::setw(18) << "scene" << std::right << std::setw(10) << "triangles" << "  " << std::left
-        << std::setw(22) << "unit" << "purpose\n";
+    out << std::left << std::setw(18) << "scene" << std::right << std::setw(10) << "triangles"
+        << "  " << std::left << std::setw(22) << "unit"
+        << "purpose\n";
     for (const BuiltinScene& builtin : builtin_scenes()) {
-        out << std::left << std::setw(18) << builtin.name << std::right << std::setw(10) << triangle_count(builtin.make()) << "  "
-            << std::left << std::setw(22) << builtin.unit << builtin.purpose << "\n";
+        out << std::left << std::setw(18) << builtin.name << std::right << std::setw(10)
+            << triangle_count(builtin.make()) << "  " << std::left << std::setw(22) << builtin.unit
+            << builtin.purpose << "\n";
     }
     out << "or the path of an OBJ file\n";
 }

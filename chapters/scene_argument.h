@@ -13,7 +13,8 @@ struct SceneArgument {
     bool from_obj = false;  // its coordinates are right-handed
 };
 
-// Warnings of the OBJ loader go to stderr. `with_textures` false leaves texture files unread. Throws InputError.
+// Warnings of the OBJ loader go to stderr. `with_textures` false leaves texture files unread. Throws
+// InputError.
 SceneArgument load_scene(const std::string& name_or_path, bool with_textures = true);
 
 // The camera flags, each as it was typed; nothing means: as the scene says.
@@ -21,8 +22,8 @@ struct CameraFlags {
     std::optional<std::string> eye, target, fov_y, near_plane, far_plane, ortho;
 };
 
-// The scene's camera with the flags applied. --eye and --target are in the scene's own coordinates. A given eye looks at the middle
-// of the scene unless a target is given too. Throws UsageError.
+// The scene's camera with the flags applied. --eye and --target are in the scene's own coordinates. A given
+// eye looks at the middle of the scene unless a target is given too. Throws UsageError.
 Camera chosen_camera(const SceneArgument& scene, const CameraFlags& flags);
 
 // `crevice scenes`: the built-in scenes with triangle counts, unit and purpose.

@@ -1,5 +1,5 @@
-// Elementary functions from + - * / and square roots only: the same bits on every machine, at every width. libm gives
-// neither. Each function states its error, measured by tests/approx_math_test.cpp.
+// Elementary functions from + - * / and square roots only: the same bits on every machine, at every width.
+// libm gives neither. Each function states its error, measured by tests/approx_math_test.cpp.
 #pragma once
 
 #include "rasterizer/wide.h"
@@ -8,8 +8,9 @@ namespace crevice {
 
 inline constexpr double kPi = 3.14159265358979323846;
 
-// log2(a) for normal a > 0; absolute error below 2e-7 for a in [1/2, 2], else relative error below 2e-7. log2(1) is 0.
-// a is split into m * 2^e with m in [sqrt(1/2), sqrt(2)); log2(m) is the odd series of atanh((m-1)/(m+1)).
+// log2(a) for normal a > 0; absolute error below 2e-7 for a in [1/2, 2], else relative error below 2e-7.
+// log2(1) is 0. a is split into m * 2^e with m in [sqrt(1/2), sqrt(2)); log2(m) is the odd series of
+// atanh((m-1)/(m+1)).
 template <class F>
 CREVICE_INLINE F log2_of(F a) {
     const Int<F> bits = float_bits(a);
@@ -44,7 +45,8 @@ CREVICE_INLINE F exp2_of(F a) {
     return series * float_from_bits((whole + Int<F>(127)) << 23);
 }
 
-// a^b for a >= 0; 0 for a below the smallest normal number, 1 for a = 1. Relative error below 2e-7 * (1 + |b log2 a|).
+// a^b for a >= 0; 0 for a below the smallest normal number, 1 for a = 1. Relative error below 2e-7 * (1 + |b
+// log2 a|).
 template <class F>
 CREVICE_INLINE F power(F a, F b) {
     const auto positive = a >= F(1.17549435e-38f);
@@ -63,7 +65,8 @@ CREVICE_INLINE F linear_from_srgb(F encoded) {
     return select(encoded <= F(0.04045f), encoded / F(12.92f), curve);
 }
 
-// sin and cos of an angle in radians, |angle| < 1e5; absolute error below 1e-15. Reduced to [-pi/4, pi/4], Taylor series.
+// sin and cos of an angle in radians, |angle| < 1e5; absolute error below 1e-15. Reduced to [-pi/4, pi/4],
+// Taylor series.
 struct SineCosine {
     double sine, cosine;
 };

@@ -12,9 +12,9 @@ namespace crevice {
 enum class Projection { perspective, orthographic };
 
 struct Camera {
-    glm::dvec3 eye = glm::dvec3(0, 0, -10);    // world space
-    glm::dvec3 target = glm::dvec3(0, 0, 0);   // world space, a point in the middle of the picture
-    glm::dvec3 up = glm::dvec3(0, 1, 0);       // world space, not parallel to target - eye
+    glm::dvec3 eye = glm::dvec3(0, 0, -10);   // world space
+    glm::dvec3 target = glm::dvec3(0, 0, 0);  // world space, a point in the middle of the picture
+    glm::dvec3 up = glm::dvec3(0, 1, 0);      // world space, not parallel to target - eye
     Projection projection = Projection::perspective;
     double fov_y_rad = 1.0471975511965976;  // (0, pi); vertical field of view, perspective only
     double ortho_height = 10;               // > 0, scene units the picture is high, orthographic only
@@ -27,8 +27,8 @@ struct Camera {
 void validate(const Camera& camera);
 
 // All that a pass needs of a camera and an image size, rounded to float once, here.
-//   relative space: world axes, origin at the eye. Positions are brought there by one exact subtraction, so a scene far
-//   from the world's origin loses nothing.
+//   relative space: world axes, origin at the eye. Positions are brought there by one exact subtraction, so a
+//                   scene far from the world's origin loses nothing.
 struct CameraMatrices {
     glm::mat4 clip_from_relative;
     glm::mat4 clip_from_view;
@@ -36,9 +36,11 @@ struct CameraMatrices {
     glm::mat4 relative_from_view;  // a rotation
     glm::mat4 view_from_relative;  // its transpose
     // A view-space position at screen uv in [0,1]^2 and view depth z is
-    //   perspective:  ((2u-1) * ray_scale.x * z, (1-2v) * ray_scale.y * z, z);  orthographic: the same without z in x, y.
+    //   perspective:  ((2u-1) * ray_scale.x * z, (1-2v) * ray_scale.y * z, z);  orthographic: the same
+    //                 without z in x, y.
     glm::vec2 ray_scale;
-    // ndc_depth = depth_a + depth_b / view_depth (perspective) or depth_a + depth_b * view_depth (orthographic).
+    // ndc_depth = depth_a + depth_b / view_depth (perspective) or depth_a + depth_b * view_depth
+    // (orthographic).
     float depth_a = 0, depth_b = 0;
 };
 CameraMatrices camera_matrices(const Camera& camera, Size size);

@@ -20,12 +20,13 @@ double plane_distance(int plane, const glm::dvec4& p, Size size) {
     }
 }
 
-// Measured from the vertex nearer to the plane: a huge vertex swallows no small one, and both neighbours of an edge compute the
-// same point.
+// Measured from the vertex nearer to the plane: a huge vertex swallows no small one, and both neighbours of
+// an edge compute the same point.
 ClippedVertex crossing(const ClippedVertex& inside, double distance_inside, const ClippedVertex& outside,
                        double distance_outside, int plane) {
     const bool inside_is_nearer = distance_inside <= -distance_outside;
-    const ClippedVertex &near = inside_is_nearer ? inside : outside, &far = inside_is_nearer ? outside : inside;
+    const ClippedVertex &near = inside_is_nearer ? inside : outside,
+                        &far = inside_is_nearer ? outside : inside;
     const double t =
         (inside_is_nearer ? distance_inside : -distance_outside) / (distance_inside - distance_outside);
     ClippedVertex cut;

@@ -1,6 +1,6 @@
-// Clipping in homogeneous coordinates (Sutherland & Hodgman 1974), before the division: what is left has w > 0, depth in range
-// and screen coordinates that fit the fixed-point setup. Only triangles that cross one of these planes come here; the edges
-// of the viewport itself never clip.
+// Clipping in homogeneous coordinates (Sutherland & Hodgman 1974), before the division: what is left has w >
+// 0, depth in range and screen coordinates that fit the fixed-point setup. Only triangles that cross one of
+// these planes come here; the edges of the viewport itself never clip.
 #pragma once
 
 #include <array>
@@ -30,8 +30,8 @@ struct ClippedPolygon {
     int count = 0;  // 0, or 3 and more; convex, in the triangle's order
 };
 
-// The part of a triangle inside all planes. A vertex on a plane counts as inside. Two triangles that share an edge get the same
-// new vertices on it, to the bit.
+// The part of a triangle inside all planes. A vertex on a plane counts as inside. Two triangles that share an
+// edge get the same new vertices on it, to the bit.
 ClippedPolygon clip_triangle(const std::array<glm::vec4, 3>& p_clip, Size size);
 
 // Where a new vertex falls on the screen.

@@ -16,7 +16,8 @@ Image<float> ndc_depth(const DepthBuffer& depth, const Run& run) {
             using F = typename decltype(tag)::type;
             for (int y = first_row; y < end_row; ++y) {
                 for (int x = 0; x < result.size.width; x += kLanes<F>) {
-                    store(result.row(y) + x, depth_from_code<F>(depth.format, load<F>(depth.codes.row(y) + x)));
+                    store(result.row(y) + x,
+                          depth_from_code<F>(depth.format, load<F>(depth.codes.row(y) + x)));
                 }
             }
         });

@@ -1,5 +1,6 @@
-// The depth buffer: formats, the eight comparisons, and bias. Depths are kept and compared as integer codes that grow with
-// depth: UNORM codes, or for floats their bit pattern, which orders non-negative floats as their values.
+// The depth buffer: formats, the eight comparisons, and bias. Depths are kept and compared as integer codes
+// that grow with depth: UNORM codes, or for floats their bit pattern, which orders non-negative floats as
+// their values.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,8 @@ enum class DepthFormat { d16, d24, d32f };
 enum class DepthFunction { never, less, equal, less_equal, greater, not_equal, greater_equal, always };
 
 // D3D11.3 functional spec 15.10. Added to every depth of a triangle before it is stored or compared:
-//   d16, d24: constant / (2^n - 1) + slope * max(|dz/dx|, |dz/dy|); d32f: constant * 2^(exponent of the largest z - 23) + same.
+//   d16, d24: constant / (2^n - 1) + slope * max(|dz/dx|, |dz/dy|); d32f: constant * 2^(exponent of the
+//   largest z - 23) + same.
 struct DepthBias {
     int constant = 0;  // codes
     float slope = 0;   // per pixel of depth slope
@@ -31,8 +33,9 @@ struct DepthBuffer {
 inline constexpr double kD16Steps = 65535;
 inline constexpr double kD24Steps = 16777215;
 
-// The code of an ndc depth plus a bias, clamped to [0,1]; NaN gives 0. In double, because in float z * 16777215 + 0.5 is wrong
-// for half of all z in [1/2, 1). Rounds to nearest with halves up (spec 17.11: + 0.5 and truncate).
+// The code of an ndc depth plus a bias, clamped to [0,1]; NaN gives 0. In double, because in float z *
+// 16777215 + 0.5 is wrong for half of all z in [1/2, 1). Rounds to nearest with halves up (spec 17.11: + 0.5
+// and truncate).
 template <class F>
 CREVICE_INLINE Int<F> depth_code(DepthFormat format, F z_ndc, double bias) {
     if (format == DepthFormat::d32f) {

@@ -1,4 +1,5 @@
-// What the program answers to bad input: one line "where: what is wrong (value); what to do", and an exit code.
+// What the program answers to bad input: one line "where: what is wrong (value); what to do", and an exit
+// code.
 #pragma once
 
 #include <stdexcept>
@@ -9,7 +10,7 @@ namespace crevice {
 enum class ExitCode { done = 0, check_failed = 1, usage = 2, input = 3, output = 4 };
 
 class Error : public std::runtime_error {
-   public:
+ public:
     Error(ExitCode exit_code, const std::string& message) : std::runtime_error(message), code(exit_code) {}
     ExitCode code;
 };

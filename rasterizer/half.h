@@ -1,4 +1,5 @@
-// 16-bit floats, as the tutorials' R16G16B16A16_FLOAT targets store them: bits and values, for every lane type.
+// 16-bit floats, as the tutorials' R16G16B16A16_FLOAT targets store them: bits and values, for every lane
+// type.
 #pragma once
 
 #include "rasterizer/wide.h"
@@ -6,7 +7,7 @@
 namespace crevice {
 
 enum class HalfRounding {
-    toward_zero,   // what D3D demands (D3D11.3 functional spec 3.2.2): too large becomes 65504, never infinity
+    toward_zero,  // what D3D demands (D3D11.3 functional spec 3.2.2): too large becomes 65504, never infinity
     nearest_even,  // what IEEE 754 and most C++ conversions do: 65520 and above become infinity
 };
 
@@ -23,7 +24,8 @@ CREVICE_INLINE Int<F> half_bits(F a, HalfRounding rounding) {
     const I last_bit = (magnitude >> 13) & I(1);
     const I rounded = even ? magnitude + I(0xfff) + last_bit : magnitude;
     const I largest = I(even ? 0x7c00 : 0x7bff);
-    const I finite = select(magnitude >= I(0x47800000), largest, min_of((rounded - I(0x38000000)) >> 13, largest));
+    const I finite =
+        select(magnitude >= I(0x47800000), largest, min_of((rounded - I(0x38000000)) >> 13, largest));
 
     // Subnormal halves count steps of 2^-24; the product is exact.
     const F steps = float_from_bits(select(magnitude < I(0x38800000), magnitude, I(0))) * F(16777216.0f);

@@ -1,4 +1,5 @@
-// A picture in memory: rows from top to bottom, each padded to whole groups of eight pixels so that wide loads need no tail.
+// A picture in memory: rows from top to bottom, each padded to whole groups of eight pixels so that wide
+// loads need no tail.
 #pragma once
 
 #include <algorithm>
@@ -72,7 +73,9 @@ struct Image3 {
 
     Size size() const { return x.size; }
     bool empty() const { return x.empty(); }
-    glm::vec3 at(int column, int row) const { return {x.at(column, row), y.at(column, row), z.at(column, row)}; }
+    glm::vec3 at(int column, int row) const {
+        return {x.at(column, row), y.at(column, row), z.at(column, row)};
+    }
     void set(int column, int row, glm::vec3 value) {
         x.at(column, row) = value.x;
         y.at(column, row) = value.y;

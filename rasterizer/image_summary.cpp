@@ -48,7 +48,7 @@ BufferStatistics statistics_of(const AnyImage& image) {
 }
 
 class Fnv1a {
-   public:
+ public:
     void add(std::uint32_t word) {
         for (int shift = 0; shift < 32; shift += 8)
             hash_ = (hash_ ^ ((word >> shift) & 0xff)) * 0x100000001b3u;
@@ -60,7 +60,7 @@ class Fnv1a {
         return digits;
     }
 
-   private:
+ private:
     std::uint64_t hash_ = 0xcbf29ce484222325u;
 };
 

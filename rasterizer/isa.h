@@ -1,7 +1,8 @@
 // Calls one kernel lambda compiled for a chosen instruction set and lane count.
 //
-// Each of the three functions below only calls what it is given; `flatten` inlines the lambda into it and `target` lets the
-// compiler use that instruction set there. Nothing else in the lab names an instruction set.
+// Each of the three functions below only calls what it is given; `flatten` inlines the lambda into it and
+// `target` lets the compiler use that instruction set there. Nothing else in the lab names an instruction
+// set.
 #pragma once
 
 #include "rasterizer/run.h"
@@ -24,7 +25,8 @@ template <class Kernel, class Tag>
     kernel(tag);
 }
 template <class Kernel, class Tag>
-[[gnu::flatten, gnu::target("avx512f,avx512vl,avx512dq,avx512bw")]] void call_avx512(const Kernel& kernel, Tag tag) {
+[[gnu::flatten, gnu::target("avx512f,avx512vl,avx512dq,avx512bw")]] void call_avx512(const Kernel& kernel,
+                                                                                     Tag tag) {
     kernel(tag);
 }
 

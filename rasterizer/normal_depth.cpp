@@ -4,7 +4,9 @@
 
 namespace crevice {
 
-DepthFunction nearest_wins(bool reversed_z) { return reversed_z ? DepthFunction::greater : DepthFunction::less; }
+DepthFunction nearest_wins(bool reversed_z) {
+    return reversed_z ? DepthFunction::greater : DepthFunction::less;
+}
 
 GeometrySettings geometry_settings(const NormalDepthSettings& settings) {
     return {settings.position_order, true, settings.depth_format, settings.depth_bias};
@@ -39,7 +41,8 @@ struct NormalDepthShader {
         if (geometry.vertices.n_view.empty()) return;
         for (int y = tile.y0; y < tile.y1; ++y) {
             for (int x = tile.x0; x < tile.x1; x += kLanes<F>) {
-                float *const at_x = g.normal.x.row(y) + x, *const at_y = g.normal.y.row(y) + x, *const at_z = g.normal.z.row(y) + x;
+                float *const at_x = g.normal.x.row(y) + x, *const at_y = g.normal.y.row(y) + x,
+                             *const at_z = g.normal.z.row(y) + x;
                 const Vec3<F> n = unit_normal<F>({load<F>(at_x), load<F>(at_y), load<F>(at_z)});
                 store(at_x, stored_as(n.x, g.format));
                 store(at_y, stored_as(n.y, g.format));
@@ -53,7 +56,9 @@ struct NormalDepthShader {
 
 GBuffer normal_depth(const ScreenGeometry& geometry, bool reversed_z, const NormalDepthSettings& settings,
                      const Run& run) {
-    GBuffer g{Image3(geometry.size), Image<float>(geometry.size), {settings.depth_format, Image<std::int32_t>(geometry.size)},
+    GBuffer g{Image3(geometry.size),
+              Image<float>(geometry.size),
+              {settings.depth_format, Image<std::int32_t>(geometry.size)},
               settings.buffer_format};
     const std::int32_t clear_code = depth_code(settings.depth_format, reversed_z ? 0.0f : 1.0f, 0.0);
     rasterize(geometry, nearest_wins(reversed_z), g.depth, NormalDepthShader{geometry, g, clear_code}, run);
@@ -62,8 +67,8 @@ GBuffer normal_depth(const ScreenGeometry& geometry, bool reversed_z, const Norm
 
 GBuffer normal_depth(const Scene& scene, const Camera& camera, Size size, const NormalDepthSettings& settings,
                      const Run& run) {
-    return normal_depth(screen_geometry(scene, camera, size, geometry_settings(settings), run), camera.reversed_z, settings,
-                        run);
+    return normal_depth(screen_geometry(scene, camera, size, geometry_settings(settings), run),
+                        camera.reversed_z, settings, run);
 }
 
 GBuffer normal_depth(const Scene& scene, const Camera& camera, Size size, const Run& run) {

@@ -2,8 +2,8 @@
 // Source: seed 000 (normal/depth map in one target), seed 002 (DrawNormals).
 // In:     a scene, its camera
 // Out:    GBuffer; background: normal (0,0,0), view_depth +inf, ndc_depth 1 (reversed z: 0)
-// Differs from the tutorials: the clear values say "nothing here" instead of a plausible normal; a method that wants the
-//         tutorial's clear value replaces it where it reads. float32 by default.
+// Differs from the tutorials: the clear values say "nothing here" instead of a plausible normal; a method
+//         that wants the tutorial's clear value replaces it where it reads. float32 by default.
 // Cost:   one transform a vertex, one set-up a triangle, about 40 operations a covered pixel.
 #pragma once
 
@@ -15,7 +15,7 @@
 namespace crevice {
 
 struct GBuffer {
-    Image3 normal;            // view space, unit (interpolated vertex normal), turned to the eye on back faces
+    Image3 normal;  // view space, unit (interpolated vertex normal), turned to the eye on back faces
     Image<float> view_depth;  // view-space z, scene units
     DepthBuffer depth;
     BufferFormat format = BufferFormat::float32;  // normal and view_depth hold only values this format can

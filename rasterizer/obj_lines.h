@@ -18,7 +18,7 @@ struct LogicalLines {
     std::string_view text;
     std::size_t line = 0;
 
-   private:
+ private:
     std::string_view take_physical();
 
     std::string_view rest;

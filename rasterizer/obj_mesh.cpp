@@ -31,7 +31,7 @@ struct VertexNumbers {
         return number;
     }
 
-   private:
+ private:
     std::size_t slot_of(const VertexKey& key) const {
         std::uint64_t hash = static_cast<std::uint32_t>(key.position) * 0x9e3779b97f4a7c15u;
         hash = (hash ^ (hash >> 32) ^ static_cast<std::uint32_t>(key.texcoord)) * 0xbf58476d1ce4e5b9u;

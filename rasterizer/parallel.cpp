@@ -16,7 +16,8 @@ void parallel_for(int count, const Run& run, const std::function<void(int)>& bod
         return;
     }
     // The arena is limited to the machine's cores unless the limit is raised while it works.
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(threads));
     tbb::task_arena arena(threads);
     arena.execute([&] {
         tbb::parallel_for(
@@ -29,9 +30,8 @@ void parallel_for(int count, const Run& run, const std::function<void(int)>& bod
 }
 
 void parallel_rows(int height, const Run& run, const std::function<void(int, int)>& body) {
-    parallel_for((height + kBandRows - 1) / kBandRows, run, [&](int band) {
-        body(band * kBandRows, std::min(height, (band + 1) * kBandRows));
-    });
+    parallel_for((height + kBandRows - 1) / kBandRows, run,
+                 [&](int band) { body(band * kBandRows, std::min(height, (band + 1) * kBandRows)); });
 }
 
 }  // namespace crevice

@@ -1,4 +1,5 @@
-// Work on numbered items, on all threads. Items are independent and write only what is theirs, so the order does not matter.
+// Work on numbered items, on all threads. Items are independent and write only what is theirs, so the order
+// does not matter.
 #pragma once
 
 #include <functional>
@@ -7,7 +8,8 @@
 
 namespace crevice {
 
-// Calls body(0) ... body(count - 1), each once. With one thread it is a plain loop: the debugger's stack shows who asked.
+// Calls body(0) ... body(count - 1), each once. With one thread it is a plain loop: the debugger's stack
+// shows who asked.
 void parallel_for(int count, const Run& run, const std::function<void(int)>& body);
 
 // Rows are handed out in bands of this many.

@@ -1,5 +1,5 @@
-// Pixels of one tile: coverage, depth test, and interpolation, eight pixels of a row at a time (or one, to step through).
-// A pass gives a shader: what to do with the fragments that passed.
+// Pixels of one tile: coverage, depth test, and interpolation, eight pixels of a row at a time (or one, to
+// step through). A pass gives a shader: what to do with the fragments that passed.
 #pragma once
 
 #include <algorithm>
@@ -31,10 +31,10 @@ struct Barycentric {
 template <class F>
 struct Fragment {
     int x, y;
-    Mask<F> passed;         // inside the triangle and through the depth test
+    Mask<F> passed;  // inside the triangle and through the depth test
     Barycentric<F> here;
-    F view_depth;           // scene units
-    F b0, b1, b2;           // E_i / w_i, whose shares are the coordinates
+    F view_depth;                   // scene units
+    F b0, b1, b2;                   // E_i / w_i, whose shares are the coordinates
     const ClippedCorners* clipped;  // null: the triangle is whole
 
     // The coordinates `columns` and `rows` of pixels away, inside the triangle or not.
@@ -48,7 +48,9 @@ struct Fragment {
     }
 
     // 1 / (at0 + at1 + at2); lanes outside the triangle may meet a zero.
-    CREVICE_INLINE F inverse_sum(F at0, F at1, F at2) const { return F(1) / select(passed, at0 + at1 + at2, F(1)); }
+    CREVICE_INLINE F inverse_sum(F at0, F at1, F at2) const {
+        return F(1) / select(passed, at0 + at1 + at2, F(1));
+    }
 
     CREVICE_INLINE Barycentric<F> barycentric(F at0, F at1, F at2) const {
         return shares(at1, at2, inverse_sum(at0, at1, at2));
@@ -65,15 +67,18 @@ struct Fragment {
 template <class F>
 CREVICE_INLINE Vec3<F> view_ray_at(const ScreenGeometry& geometry, int x, int y) {
     if (!geometry.rays.perspective) return {F(0), F(0), F(1)};
-    const F u = (F(to_float(lane_index<F>() + Int<F>(x))) + F(0.5f)) / F(static_cast<float>(geometry.size.width));
+    const F u =
+        (F(to_float(lane_index<F>() + Int<F>(x))) + F(0.5f)) / F(static_cast<float>(geometry.size.width));
     const F v = F((static_cast<float>(y) + 0.5f) / static_cast<float>(geometry.size.height));
     return geometry.rays.p_view(u, v, F(1));
 }
 
-// The interpolated vertex normal of a fragment, view space, not normalised. On a back face it is turned to the eye where it points
-// away; where it does not (the rim of a smooth closed mesh), it is the better normal as it stands.
+// The interpolated vertex normal of a fragment, view space, not normalised. On a back face it is turned to
+// the eye where it points away; where it does not (the rim of a smooth closed mesh), it is the better normal
+// as it stands.
 template <class F>
-CREVICE_INLINE Vec3<F> interpolated_normal(const ScreenGeometry& geometry, const ScreenTriangle& t, const Fragment<F>& f) {
+CREVICE_INLINE Vec3<F> interpolated_normal(const ScreenGeometry& geometry, const ScreenTriangle& t,
+                                           const Fragment<F>& f) {
     const std::vector<glm::vec3>& n_view = geometry.vertices.n_view;
     const Vec3<F> n = f.here.interpolate(n_view[t.vertex[0]], n_view[t.vertex[1]], n_view[t.vertex[2]]);
     if (!t.back_facing) return n;
@@ -95,7 +100,8 @@ struct PixelRect {
 // Fills a tile's part of an image, and the row padding after it.
 template <class T>
 void fill_tile(Image<T>& image, PixelRect tile, T value) {
-    for (int y = tile.y0; y < tile.y1; ++y) std::fill(image.row(y) + tile.x0, image.row(y) + round_up(tile.x1, kRowAlignment), value);
+    for (int y = tile.y0; y < tile.y1; ++y)
+        std::fill(image.row(y) + tile.x0, image.row(y) + round_up(tile.x1, kRowAlignment), value);
 }
 
 // image = value at the fragment's pixels that passed.
@@ -104,17 +110,19 @@ CREVICE_INLINE void store_where_passed(Value* row, const Fragment<F>& f, decltyp
     store(row + f.x, select(f.passed, value, load<F>(row + f.x)));
 }
 
-// Triangles at most this wide and high evaluate their edges in 32-bit integers, larger ones in doubles, exact below 2^53. Both
-// round the same integer to float, so the choice changes no bit.
+// Triangles at most this wide and high evaluate their edges in 32-bit integers, larger ones in doubles, exact
+// below 2^53. Both round the same integer to float, so the choice changes no bit.
 inline constexpr int kSmallTriangle_px = 64;
 // Triangles wider or higher than this are tested against blocks of 8x8 pixels first.
 inline constexpr int kBlock_px = 8;
 
 // The scalar that goes with the lanes of an edge function: 32-bit integers or doubles.
 template <class E>
-using EdgeScalar = std::conditional_t<std::is_same_v<E, std::int32_t> || std::is_same_v<E, WideInt<8>>, std::int32_t, double>;
+using EdgeScalar = std::conditional_t<std::is_same_v<E, std::int32_t> || std::is_same_v<E, WideInt<8>>,
+                                      std::int32_t, double>;
 
-// One edge over groups of pixels. Its values are kept less by the threshold, so that covered means not negative.
+// One edge over groups of pixels. Its values are kept less by the threshold, so that covered means not
+// negative.
 template <class E>
 struct LaneEdge {
     Edge edge;
@@ -129,7 +137,9 @@ struct LaneEdge {
     CREVICE_INLINE std::int64_t at(int x, int y) const {
         return edge.at_origin + edge.per_column * x + edge.per_row * y - edge.threshold;
     }
-    CREVICE_INLINE E lanes(int x, int y) const { return E(static_cast<EdgeScalar<E>>(at(x, y))) + lane_offsets; }
+    CREVICE_INLINE E lanes(int x, int y) const {
+        return E(static_cast<EdgeScalar<E>>(at(x, y))) + lane_offsets;
+    }
 };
 
 // Whether all three are >= 0. Of integers one look at the joined sign bits is enough.
@@ -144,10 +154,14 @@ CREVICE_INLINE Mask<F> none_negative(E a, E b, E c) {
 
 // What the shader is told, from the edge values of a group.
 template <class F>
-CREVICE_INLINE Fragment<F> fragment_at(const ScreenGeometry& geometry, const TriangleBlock& block, const ScreenTriangle& t,
-                                       int x, int y, Mask<F> passed, F e0, F e1, F e2, F z_ndc) {
-    const ClippedCorners* clipped = t.clipped < 0 ? nullptr : &block.clipped[static_cast<std::size_t>(t.clipped)];
-    Fragment<F> f{x, y, passed, {}, F(0), e0 * F(t.inverse_w[0]), e1 * F(t.inverse_w[1]), e2 * F(t.inverse_w[2]), clipped};
+CREVICE_INLINE Fragment<F> fragment_at(const ScreenGeometry& geometry, const TriangleBlock& block,
+                                       const ScreenTriangle& t, int x, int y, Mask<F> passed, F e0, F e1,
+                                       F e2, F z_ndc) {
+    const ClippedCorners* clipped =
+        t.clipped < 0 ? nullptr : &block.clipped[static_cast<std::size_t>(t.clipped)];
+    Fragment<F> f{
+        x,      y, passed, {}, F(0), e0 * F(t.inverse_w[0]), e1 * F(t.inverse_w[1]), e2 * F(t.inverse_w[2]),
+        clipped};
     const F inverse = f.inverse_sum(f.b0, f.b1, f.b2);
     f.here = f.shares(f.b1, f.b2, inverse);
     f.view_depth = geometry.rays.perspective ? F(t.doubled_area) * inverse
@@ -157,9 +171,9 @@ CREVICE_INLINE Fragment<F> fragment_at(const ScreenGeometry& geometry, const Tri
 
 // Depth test and shading of a group of covered pixels.
 template <class F, class Depth, class Shader>
-CREVICE_INLINE void raster_group(const ScreenGeometry& geometry, const TriangleBlock& block, const ScreenTriangle& t, int x,
-                                 int y, Mask<F> covered, F e0, F e1, F e2, DepthFunction test, Depth& depth,
-                                 const Shader& shader) {
+CREVICE_INLINE void raster_group(const ScreenGeometry& geometry, const TriangleBlock& block,
+                                 const ScreenTriangle& t, int x, int y, Mask<F> covered, F e0, F e1, F e2,
+                                 DepthFunction test, Depth& depth, const Shader& shader) {
     // The small terms first: one rounding at the size of z instead of two.
     const F z_ndc = F(t.z0) + (e1 * F(t.z_per_e1) + e2 * F(t.z_per_e2));
     const Int<F> code = depth_code(depth.format, z_ndc, t.depth_bias);
@@ -172,9 +186,9 @@ CREVICE_INLINE void raster_group(const ScreenGeometry& geometry, const TriangleB
 }
 
 template <class F, class E, class Depth, class Shader>
-CREVICE_INLINE void raster_triangle(const ScreenGeometry& geometry, const TriangleBlock& block, const ScreenTriangle& t,
-                                    PixelRect rect, bool test_blocks, DepthFunction test, Depth& depth,
-                                    const Shader& shader) {
+CREVICE_INLINE void raster_triangle(const ScreenGeometry& geometry, const TriangleBlock& block,
+                                    const ScreenTriangle& t, PixelRect rect, bool test_blocks,
+                                    DepthFunction test, Depth& depth, const Shader& shader) {
     const E lane = [] {
         if constexpr (std::is_same_v<E, Int<F>>) {
             return lane_index<F>();
@@ -182,7 +196,8 @@ CREVICE_INLINE void raster_triangle(const ScreenGeometry& geometry, const Triang
             return to_double(lane_index<F>());
         }
     }();
-    const LaneEdge<E> edges[3] = {{triangle_edge(t, 0), lane}, {triangle_edge(t, 1), lane}, {triangle_edge(t, 2), lane}};
+    const LaneEdge<E> edges[3] = {
+        {triangle_edge(t, 0), lane}, {triangle_edge(t, 1), lane}, {triangle_edge(t, 2), lane}};
     const auto block_missed = [&](int x, int y) {
         for (const LaneEdge<E>& e : edges) {
             const int inner_x = x + (e.edge.per_column > 0 ? kBlock_px - 1 : 0);
@@ -197,12 +212,15 @@ CREVICE_INLINE void raster_triangle(const ScreenGeometry& geometry, const Triang
             const int first_y = std::max(block_y, rect.y0), end_y = std::min(block_y + kBlock_px, rect.y1);
             for (int x = block_x; x < block_x + kBlock_px; x += kLanes<F>) {
                 if (kLanes<F> == 1 && (x < rect.x0 || x >= rect.x1)) continue;
-                E e0 = edges[0].lanes(x, first_y), e1 = edges[1].lanes(x, first_y), e2 = edges[2].lanes(x, first_y);
+                E e0 = edges[0].lanes(x, first_y), e1 = edges[1].lanes(x, first_y),
+                  e2 = edges[2].lanes(x, first_y);
                 for (int y = first_y; y < end_y; ++y) {
                     const Mask<F> covered = none_negative<F>(e0, e1, e2);
                     if (any(covered)) {
-                        raster_group<F>(geometry, block, t, x, y, covered, F(to_float(e0 + edges[0].threshold)),
-                                     F(to_float(e1 + edges[1].threshold)), F(to_float(e2 + edges[2].threshold)), test, depth, shader);
+                        raster_group<F>(geometry, block, t, x, y, covered,
+                                        F(to_float(e0 + edges[0].threshold)),
+                                        F(to_float(e1 + edges[1].threshold)),
+                                        F(to_float(e2 + edges[2].threshold)), test, depth, shader);
                     }
                     e0 = e0 + edges[0].per_row;
                     e1 = e1 + edges[1].per_row;
@@ -215,10 +233,11 @@ CREVICE_INLINE void raster_triangle(const ScreenGeometry& geometry, const Triang
 
 // The part of the tile that a triangle's bounding box reaches.
 inline PixelRect clipped_to_tile(const ScreenTriangle& t, PixelRect tile) {
-    const PixelSpan columns = covered_centres(std::min({t.x[0], t.x[1], t.x[2]}), std::max({t.x[0], t.x[1], t.x[2]}));
+    const PixelSpan columns =
+        covered_centres(std::min({t.x[0], t.x[1], t.x[2]}), std::max({t.x[0], t.x[1], t.x[2]}));
     const PixelSpan rows = covered_centres(t.y[0], std::max(t.y[1], t.y[2]));
-    return {std::max(columns.first, tile.x0), std::max(rows.first, tile.y0), std::min(columns.last + 1, tile.x1),
-            std::min(rows.last + 1, tile.y1)};
+    return {std::max(columns.first, tile.x0), std::max(rows.first, tile.y0),
+            std::min(columns.last + 1, tile.x1), std::min(rows.last + 1, tile.y1)};
 }
 
 inline bool is_small(const ScreenTriangle& t) {
@@ -250,17 +269,20 @@ CREVICE_INLINE void raster_tile(const ScreenGeometry& geometry, int tile, DepthF
     shader.template finish_tile<F>(tile_rect);
 }
 
-// Draws all triangles, tile by tile, on all threads. Depth is DepthBuffer, or const DepthBuffer: then depths are tested but not
-// written. Shader is a class with three const members:
-//   begin_tile(rect)                  before the first triangle of a tile: fills what the pass writes, padding included
+// Draws all triangles, tile by tile, on all threads. Depth is DepthBuffer, or const DepthBuffer: then depths
+// are tested but not written. Shader is a class with three const members:
+//   begin_tile(rect)                  before the first triangle of a tile: fills what the pass writes,
+//                                     padding included
 //   fragment<F>(triangle, fragment)   writes only where fragment.passed holds
 //   finish_tile<F>(rect)              after the last triangle of a tile
 template <class Depth, class Shader>
-void rasterize(const ScreenGeometry& geometry, DepthFunction test, Depth& depth, const Shader& shader, const Run& run) {
+void rasterize(const ScreenGeometry& geometry, DepthFunction test, Depth& depth, const Shader& shader,
+               const Run& run) {
     parallel_for(geometry.tiles.width * geometry.tiles.height, run, [&](int tile) {
-        run_kernel(run, [&](auto tag) __attribute__((always_inline)) {
-            raster_tile<typename decltype(tag)::type>(geometry, tile, test, depth, shader);
-        });
+        run_kernel(
+            run, [&](auto tag) __attribute__((always_inline)) {
+                raster_tile<typename decltype(tag)::type>(geometry, tile, test, depth, shader);
+            });
     });
 }
 

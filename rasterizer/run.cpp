@@ -55,9 +55,11 @@ void validate(const Run& run) {
     const auto refuse = [](const std::string& what, int value, const char* advice) {
         throw UsageError("run: " + what + " (" + std::to_string(value) + "); " + advice);
     };
-    if (run.threads < 0 || run.threads > 1024) refuse("--threads must lie in 0..1024", run.threads, "0 means all");
+    if (run.threads < 0 || run.threads > 1024)
+        refuse("--threads must lie in 0..1024", run.threads, "0 means all");
     if (run.lanes != 1 && run.lanes != 8) refuse("--lanes must be 1 or 8", run.lanes, "8 is the fast one");
-    if (run.tile_size < 8 || run.tile_size > 128 || !std::has_single_bit(static_cast<unsigned>(run.tile_size))) {
+    if (run.tile_size < 8 || run.tile_size > 128 ||
+        !std::has_single_bit(static_cast<unsigned>(run.tile_size))) {
         refuse("--tile must be a power of two in 8..128", run.tile_size, "64 is the default");
     }
     if (!isa_available(run.isa)) {

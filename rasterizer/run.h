@@ -1,4 +1,5 @@
-// How a pass is executed. Nothing here changes a bit of any result; tests/same_bits_test.cpp holds every pass to that.
+// How a pass is executed. Nothing here changes a bit of any result; tests/same_bits_test.cpp holds every pass
+// to that.
 #pragma once
 
 namespace crevice {
@@ -12,11 +13,11 @@ bool isa_available(Isa isa);
 const char* isa_name(Isa isa);
 
 struct Run {
-    int threads = 0;         // 0: as many as the machine has; 1: a plain loop that never enters the thread library
-    int lanes = 8;           // 1 (plain floats, to step through) or 8 pixels at a time
-    Isa isa = best_isa();    // which of the three compiled forms of each kernel
-    int tile_size = 64;      // pixels, a power of two in 8..128
-    bool keep_all = false;   // do also the work that cannot change a pixel
+    int threads = 0;  // 0: as many as the machine has; 1: a plain loop that never enters the thread library
+    int lanes = 8;    // 1 (plain floats, to step through) or 8 pixels at a time
+    Isa isa = best_isa();   // which of the three compiled forms of each kernel
+    int tile_size = 64;     // pixels, a power of two in 8..128
+    bool keep_all = false;  // do also the work that cannot change a pixel
 };
 
 // Throws UsageError when a member is out of its range or `isa` is not available here.

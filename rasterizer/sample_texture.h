@@ -29,8 +29,9 @@ inline glm::vec3 sample_bilinear(const Image3& level, glm::vec2 uv) {
     return crevice::mix(above, below, glm::vec3(fy));
 }
 
-// Colour at uv; `duv_dx` and `duv_dy` say how far uv moves from this pixel to the next in x and in y. The mip level is that
-// whose texels are as wide as the longer of the two (D3D11.3 functional spec 7.18.11, without anisotropy).
+// Colour at uv; `duv_dx` and `duv_dy` say how far uv moves from this pixel to the next in x and in y. The mip
+// level is that whose texels are as wide as the longer of the two (D3D11.3 functional spec 7.18.11, without
+// anisotropy).
 inline glm::vec3 sample_trilinear(const Texture& texture, glm::vec2 uv, glm::vec2 duv_dx, glm::vec2 duv_dy) {
     const Size size = texture.mips.front().size();
     const glm::vec2 texels(static_cast<float>(size.width), static_cast<float>(size.height));

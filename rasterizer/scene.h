@@ -1,5 +1,5 @@
-// What is drawn: meshes, where they stand, what they are made of, and the light on them. All in the tutorial's left-handed
-// world (see spaces.h); lengths in scene units.
+// What is drawn: meshes, where they stand, what they are made of, and the light on them. All in the
+// tutorial's left-handed world (see spaces.h); lengths in scene units.
 #pragma once
 
 #include <array>
@@ -23,27 +23,28 @@ struct MeshPart {
     int material = 0;  // index into Scene::materials
 };
 
-// Triangles are clockwise seen from their front (the D3D rule). Every vertex has a position and a unit normal.
+// Triangles are clockwise seen from their front (the D3D rule). Every vertex has a position and a unit
+// normal.
 struct Mesh {
-    std::vector<glm::vec3> positions;                  // object space
-    std::vector<glm::vec3> normals;                    // object space, unit, one a position
-    std::vector<glm::vec2> texcoords;                  // one a position, v = 0 at the top row; empty: untextured
+    std::vector<glm::vec3> positions;  // object space
+    std::vector<glm::vec3> normals;    // object space, unit, one a position
+    std::vector<glm::vec2> texcoords;  // one a position, v = 0 at the top row; empty: untextured
     std::vector<std::array<std::uint32_t, 3>> triangles;  // indices into the three above
-    std::vector<MeshPart> parts;                       // cover all triangles in order
+    std::vector<MeshPart> parts;                          // cover all triangles in order
 };
 
 struct Instance {
-    int mesh = 0;                               // index into Scene::meshes
+    int mesh = 0;                                   // index into Scene::meshes
     glm::mat4 world_from_object = glm::mat4(1.0f);  // affine
 };
 
 // Both tutorials' parameters, all in linear light; Scene::lighting says which of them are used.
 struct Material {
     std::string name;
-    glm::vec3 diffuse = glm::vec3(0.8f);   // 000: diffuse reflectance; 002: diffuse albedo
-    glm::vec3 ambient = glm::vec3(0.8f);   // 000 only: ambient reflectance (002 uses the albedo)
-    glm::vec3 specular = glm::vec3(0.2f);  // 000: specular reflectance; 002: Fresnel R0
-    float shininess = 16;                  // Phong exponent (000), 256 * (1 - roughness) (002)
+    glm::vec3 diffuse = glm::vec3(0.8f);     // 000: diffuse reflectance; 002: diffuse albedo
+    glm::vec3 ambient = glm::vec3(0.8f);     // 000 only: ambient reflectance (002 uses the albedo)
+    glm::vec3 specular = glm::vec3(0.2f);    // 000: specular reflectance; 002: Fresnel R0
+    float shininess = 16;                    // Phong exponent (000), 256 * (1 - roughness) (002)
     std::shared_ptr<const Texture> texture;  // multiplies diffuse and ambient; null: none
 };
 
@@ -55,8 +56,8 @@ struct DirectionalLight {
 };
 
 enum class LightingModel {
-    phong,           // seed 000: ambient and diffuse and Phong specular of every light
-    blinn_schlick,   // seed 002: one ambient term, Blinn-Phong with the Schlick Fresnel approximation
+    phong,          // seed 000: ambient and diffuse and Phong specular of every light
+    blinn_schlick,  // seed 002: one ambient term, Blinn-Phong with the Schlick Fresnel approximation
 };
 
 struct Scene {
@@ -70,21 +71,23 @@ struct Scene {
     glm::vec3 sky = glm::vec3(0.69f, 0.77f, 0.87f);  // linear light, behind everything
     bool two_sided = false;  // draw back faces, with their normals turned to the eye; else they are culled
     Camera camera;           // the view the scene is meant to be seen from
-    // How many scene units make one unit of the tutorials: the AO methods' default lengths are multiples of it.
+    // How many scene units make one unit of the tutorials: the AO methods' default lengths are multiples of
+    // it.
     float length_unit = 1;
 };
 
 std::size_t triangle_count(const Scene& scene);
 
-// The smallest axis-aligned box around all vertices of all instances, world space. `empty` when there are none.
+// The smallest axis-aligned box around all vertices of all instances, world space. `empty` when there are
+// none.
 struct Bounds {
     glm::dvec3 low = glm::dvec3(0), high = glm::dvec3(0);
     bool empty = true;
 };
 Bounds world_bounds(const Scene& scene);
 
-// A length unit that makes a scene of these bounds about as large as the tutorials' (kTutorialRadius): a power of two, so that the
-// same scene in other units gives the same bits. 1 when empty.
+// A length unit that makes a scene of these bounds about as large as the tutorials' (kTutorialRadius): a
+// power of two, so that the same scene in other units gives the same bits. 1 when empty.
 inline constexpr double kTutorialRadius = 18.03;  // units; bounding sphere of seed 002's scene
 float length_unit_of(const Bounds& bounds);
 

@@ -26,7 +26,7 @@ struct BlockSource {
 
 // Appends triangles to a block, then sorts their indices by tile.
 class BlockBuilder {
-   public:
+ public:
     BlockBuilder(const ScreenGeometry& geometry, const SetupSettings& setup, TriangleBlock& block)
         : geometry_(geometry), setup_(setup), block_(block) {}
 
@@ -57,7 +57,7 @@ class BlockBuilder {
         for (const Entry& entry : entries_) block_.triangle_of_tile[next[entry.tile]++] = entry.triangle;
     }
 
-   private:
+ private:
     struct Entry {
         std::uint32_t tile, triangle;
     };
@@ -69,10 +69,11 @@ class BlockBuilder {
         const ClippedPolygon polygon = clip_triangle(p_clip, geometry_.size);
         std::array<ProjectedVertex, kMaxClippedVertices> projected;
         for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.count); ++i) {
-            // A vertex inside all planes keeps the position its unclipped neighbours use. (One on the guard band may be outside
-            // in float and not be moved in double: it has no position yet.)
+            // A vertex inside all planes keeps the position its unclipped neighbours use. (One on the guard
+            // band may be outside in float and not be moved in double: it has no position yet.)
             const ClippedVertex& v = polygon.vertices[i];
-            const ProjectedVertex* corner = v.original >= 0 ? corners[static_cast<std::size_t>(v.original)] : nullptr;
+            const ProjectedVertex* corner =
+                v.original >= 0 ? corners[static_cast<std::size_t>(v.original)] : nullptr;
             const bool keeps = corner != nullptr && (corner->outside & kNeedsClipping) == 0;
             projected[i] = keeps ? *corner : project_clipped(v, geometry_.size);
         }
@@ -83,7 +84,8 @@ class BlockBuilder {
                 lambdas.lambda1[k] = static_cast<float>(polygon.vertices[piece[k]].lambda1);
                 lambdas.lambda2[k] = static_cast<float>(polygon.vertices[piece[k]].lambda2);
             }
-            append(source, index, {&projected[piece[0]], &projected[piece[1]], &projected[piece[2]]}, &lambdas);
+            append(source, index, {&projected[piece[0]], &projected[piece[1]], &projected[piece[2]]},
+                   &lambdas);
         }
     }
 
@@ -112,11 +114,13 @@ class BlockBuilder {
     }
 
     void enter_into_tiles(const ScreenTriangle& t) {
-        const PixelSpan columns = covered_centres(std::min({t.x[0], t.x[1], t.x[2]}), std::max({t.x[0], t.x[1], t.x[2]}));
+        const PixelSpan columns =
+            covered_centres(std::min({t.x[0], t.x[1], t.x[2]}), std::max({t.x[0], t.x[1], t.x[2]}));
         const PixelSpan rows = covered_centres(t.y[0], std::max(t.y[1], t.y[2]));
         const int size = geometry_.tile_size;
         const int left = std::max(columns.first, 0) / size, top = std::max(rows.first, 0) / size;
-        const int right = std::min(columns.last, geometry_.size.width - 1), bottom = std::min(rows.last, geometry_.size.height - 1);
+        const int right = std::min(columns.last, geometry_.size.width - 1),
+                  bottom = std::min(rows.last, geometry_.size.height - 1);
         if (columns.last < 0 || rows.last < 0 || columns.first >= geometry_.size.width ||
             rows.first >= geometry_.size.height) {
             return;
@@ -153,17 +157,19 @@ ScreenGeometry empty_geometry(Size size, const Run& run) {
     constexpr int largest = static_cast<int>(kGuardBand_px);
     if (size.width < 1 || size.height < 1 || size.width > largest || size.height > largest) {
         throw UsageError("image size: width and height must lie in 1.." + std::to_string(largest) + " (" +
-                         std::to_string(size.width) + "x" + std::to_string(size.height) + "); give another --size");
+                         std::to_string(size.width) + "x" + std::to_string(size.height) +
+                         "); give another --size");
     }
     ScreenGeometry geometry;
     geometry.size = size;
     geometry.tile_size = run.tile_size;
-    geometry.tiles = {(size.width + run.tile_size - 1) / run.tile_size, (size.height + run.tile_size - 1) / run.tile_size};
+    geometry.tiles = {(size.width + run.tile_size - 1) / run.tile_size,
+                      (size.height + run.tile_size - 1) / run.tile_size};
     return geometry;
 }
 
-void build_blocks(ScreenGeometry& geometry, const std::vector<BlockSource>& sources, const SetupSettings& setup,
-                  const Run& run) {
+void build_blocks(ScreenGeometry& geometry, const std::vector<BlockSource>& sources,
+                  const SetupSettings& setup, const Run& run) {
     geometry.blocks.resize(sources.size());
     parallel_for(static_cast<int>(sources.size()), run, [&](int i) {
         const BlockSource& source = sources[static_cast<std::size_t>(i)];
@@ -186,8 +192,8 @@ void append_sources(std::vector<BlockSource>& sources, BlockSource whole) {
 
 }  // namespace
 
-ScreenGeometry screen_geometry(const Scene& scene, const Camera& camera, Size size, const GeometrySettings& settings,
-                               const Run& run) {
+ScreenGeometry screen_geometry(const Scene& scene, const Camera& camera, Size size,
+                               const GeometrySettings& settings, const Run& run) {
     ScreenGeometry geometry = empty_geometry(size, run);
     const CameraMatrices matrices = camera_matrices(camera, size);
     geometry.rays = {matrices.ray_scale, size, camera.projection == Projection::perspective};
@@ -201,9 +207,10 @@ ScreenGeometry screen_geometry(const Scene& scene, const Camera& camera, Size si
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(scene.instances[i].mesh)];
         const bool mirrored = glm::determinant(glm::mat3(scene.instances[i].world_from_object)) < 0;
         for (const MeshPart& part : mesh.parts) {
-            append_sources(sources,
-                           {std::span(mesh.triangles).subspan(part.first_triangle, part.triangle_count),
-                            geometry.vertices.first_vertex[i], static_cast<std::uint32_t>(i), part.material, mirrored});
+            append_sources(
+                sources,
+                {std::span(mesh.triangles).subspan(part.first_triangle, part.triangle_count),
+                 geometry.vertices.first_vertex[i], static_cast<std::uint32_t>(i), part.material, mirrored});
         }
     }
     const SetupSettings setup{!scene.two_sided, settings.depth_format, settings.depth_bias};

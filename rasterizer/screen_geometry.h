@@ -1,5 +1,6 @@
-// Everything of a draw that is known before the first pixel: transformed vertices, set-up triangles, and for every tile of the
-// picture the list of triangles that may touch it, in submission order. Passes over the same view can share one.
+// Everything of a draw that is known before the first pixel: transformed vertices, set-up triangles, and for
+// every tile of the picture the list of triangles that may touch it, in submission order. Passes over the
+// same view can share one.
 #pragma once
 
 #include <array>
@@ -19,7 +20,8 @@ namespace crevice {
 struct TriangleBlock {
     std::vector<ScreenTriangle> triangles;
     std::vector<ClippedCorners> clipped;
-    std::vector<std::uint32_t> first_of_tile;     // one a tile and one more: where its list starts in triangle_of_tile
+    std::vector<std::uint32_t>
+        first_of_tile;  // one a tile and one more: where its list starts in triangle_of_tile
     std::vector<std::uint32_t> triangle_of_tile;  // indices into `triangles`
 };
 
@@ -47,6 +49,7 @@ ScreenGeometry screen_geometry(const Scene& scene, const Camera& camera, Size si
 // The same from positions already in clip space (any w): one instance, vertex normals zero, back faces kept.
 ScreenGeometry screen_geometry_from_clip(std::span<const glm::vec4> p_clip,
                                          std::span<const std::array<std::uint32_t, 3>> triangles, Size size,
-                                         const SetupSettings& setup = {.cull_back_faces = false}, const Run& run = {});
+                                         const SetupSettings& setup = {.cull_back_faces = false},
+                                         const Run& run = {});
 
 }  // namespace crevice

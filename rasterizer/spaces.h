@@ -1,18 +1,23 @@
-// Read first: the spaces a point walks through, and their conventions. Everything else in the lab refers to this page.
+// Read first: the spaces a point walks through, and their conventions. Everything else in the lab refers to
+// this page.
 //
 //   object    as modelled
 //   world     left-handed, y up. An OBJ file is right-handed: loading negates z and reverses the winding
 //   relative  world axes, origin at the eye
-//   view      left-handed: x right, y up, +z the viewing direction. view_depth = z_view, positive in front of the eye
+//   view      left-handed: x right, y up, +z the viewing direction. view_depth = z_view, positive in front of
+//             the eye
 //   clip      homogeneous; visible where w > 0, |x| <= w, |y| <= w, 0 <= z <= w
-//   ndc       clip / w: x right, y up, both in [-1,1]; ndc_depth = z in [0,1], near at 0 (reversed z: near at 1)
-//   screen    pixels, x right, y DOWN, the centre of pixel (i, j) at (i + 0.5, j + 0.5); row 0 of an image is its top row
+//   ndc       clip / w: x right, y up, both in [-1,1]; ndc_depth = z in [0,1], near at 0 (reversed z: near at
+//             1)
+//   screen    pixels, x right, y DOWN, the centre of pixel (i, j) at (i + 0.5, j + 0.5); row 0 of an image is
+//             its top row
 //   uv        screen / size, in [0,1]^2, (0,0) the top-left corner of the picture
 //
-// The suffix of a name tells its space (p_view, n_view, p_ndc); a matrix is named target_from_source (clip_from_view), so that
-// equal names touch in a product. Vectors are columns. A variable never changes its space.
-// Front faces are clockwise on the screen. A pixel is covered when its centre is inside the triangle, or on a top edge or a
-// left edge. Lengths are scene units, angles radians, times ms. AO images hold accessibility: 1 open, 0 closed.
+// The suffix of a name tells its space (p_view, n_view, p_ndc); a matrix is named target_from_source
+// (clip_from_view), so that equal names touch in a product. Vectors are columns. A variable never changes its
+// space. Front faces are clockwise on the screen. A pixel is covered when its centre is inside the triangle,
+// or on a top edge or a left edge. Lengths are scene units, angles radians, times ms. AO images hold
+// accessibility: 1 open, 0 closed.
 #pragma once
 
 #include <glm/vec2.hpp>

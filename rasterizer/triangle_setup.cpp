@@ -35,17 +35,20 @@ struct Plane {
     std::array<float, 3> at_corner;
 };
 
-Plane plane_through(const std::array<const ProjectedVertex*, 3>& corners, const std::array<std::uint8_t, 3>& order,
-                    float ProjectedVertex::*quantity, double doubled_area) {
+Plane plane_through(const std::array<const ProjectedVertex*, 3>& corners,
+                    const std::array<std::uint8_t, 3>& order, float ProjectedVertex::*quantity,
+                    double doubled_area) {
     const ProjectedVertex &a = *corners[order[0]], &b = *corners[order[1]], &c = *corners[order[2]];
     const double low = std::min({a.*quantity, b.*quantity, c.*quantity});
     const double high = std::max({a.*quantity, b.*quantity, c.*quantity});
-    const double to_b = static_cast<double>(b.*quantity) - a.*quantity, to_c = static_cast<double>(c.*quantity) - a.*quantity;
+    const double to_b = static_cast<double>(b.*quantity) - a.*quantity,
+                 to_c = static_cast<double>(c.*quantity) - a.*quantity;
     Plane plane;
     plane.per_x = (to_b * (c.y - a.y) - to_c * (b.y - a.y)) / doubled_area;
     plane.per_y = (to_c * (b.x - a.x) - to_b * (c.x - a.x)) / doubled_area;
     for (std::size_t i = 0; i < 3; ++i) {
-        // Slivers have wild slopes: their corners keep near the range of the triangle, and on their side of zero.
+        // Slivers have wild slopes: their corners keep near the range of the triangle, and on their side of
+        // zero.
         const ProjectedVertex& corner = *corners[order[i]];
         const double reach = kSnapReach * (high - low);
         const double shift = -(plane.per_x * corner.x_rest + plane.per_y * corner.y_rest);
@@ -60,7 +63,8 @@ Plane plane_through(const std::array<const ProjectedVertex*, 3>& corners, const 
 std::optional<SetUpTriangle> set_up_triangle(const std::array<const ProjectedVertex*, 3>& corners,
                                              const SetupSettings& settings) {
     const ProjectedVertex &a = *corners[0], &b = *corners[1], &c = *corners[2];
-    const std::int64_t doubled_area = std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{c.x - a.x} * (b.y - a.y);
+    const std::int64_t doubled_area =
+        std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{c.x - a.x} * (b.y - a.y);
     if (doubled_area == 0) return std::nullopt;
     if (doubled_area < 0 && settings.cull_back_faces) return std::nullopt;
     const PixelSpan columns = covered_centres(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}));

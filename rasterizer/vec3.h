@@ -1,4 +1,5 @@
-// Three components in one lane type: the vector the kernels compute with (glm::vec3 is for whole values outside them).
+// Three components in one lane type: the vector the kernels compute with (glm::vec3 is for whole values
+// outside them).
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -30,8 +31,8 @@ CREVICE_INLINE Vec3<F> select(Mask<F> m, Vec3<F> a, Vec3<F> b) {
     return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
 }
 
-// Below this squared length a vector has no direction worth keeping: normals and random vectors are unit, so it is
-// absolute; vectors in scene units must be brought to order 1 before.
+// Below this squared length a vector has no direction worth keeping: normals and random vectors are unit, so
+// it is absolute; vectors in scene units must be brought to order 1 before.
 inline constexpr float kTinySquaredLength = 1e-12f;
 
 // a / |a|, or `fallback` where a is (nearly) zero or not a number.
@@ -43,8 +44,8 @@ CREVICE_INLINE Vec3<F> normalize_or(Vec3<F> a, Vec3<F> fallback) {
     return select<F>(usable, inverse * a, fallback);
 }
 
-// a / |a| for vectors of any length: the largest component is brought to 1 first, so that the squares neither overflow nor
-// vanish. Zero and NaN vectors become zero.
+// a / |a| for vectors of any length: the largest component is brought to 1 first, so that the squares neither
+// overflow nor vanish. Zero and NaN vectors become zero.
 template <class F>
 CREVICE_INLINE Vec3<F> normalize_any_length(Vec3<F> a) {
     const F largest = max_of(absolute(a.x), max_of(absolute(a.y), absolute(a.z)));

@@ -22,8 +22,8 @@ struct PositionTransform {
     glm::mat4 after;
 };
 
-PositionTransform position_transform(const glm::mat4& world_from_object, const Camera& camera, const CameraMatrices& m,
-                                     PositionOrder order) {
+PositionTransform position_transform(const glm::mat4& world_from_object, const Camera& camera,
+                                     const CameraMatrices& m, PositionOrder order) {
     switch (order) {
         case PositionOrder::relative: {
             glm::mat4 relative_from_object = world_from_object;
@@ -33,8 +33,7 @@ PositionTransform position_transform(const glm::mat4& world_from_object, const C
         }
         case PositionOrder::premultiplied:
             return {m.clip_from_view * m.view_from_world * world_from_object, glm::mat4(1)};
-        case PositionOrder::view_first:
-            return {m.view_from_world * world_from_object, m.clip_from_view};
+        case PositionOrder::view_first: return {m.view_from_world * world_from_object, m.clip_from_view};
     }
     return {};
 }
@@ -86,13 +85,9 @@ CREVICE_INLINE ProjectedLanes<F> project(Vec4<F> clip, Size size) {
     const F steps = F(static_cast<float>(kSubpixelSteps));
     const F x_steps = select(in_band, x, F(0)) * steps, y_steps = select(in_band, y, F(0)) * steps;
     const I x_snapped = round_half_even(x_steps), y_snapped = round_half_even(y_steps);
-    return {x_snapped,
-            y_snapped,
-            outside,
-            x_steps - F(to_float(x_snapped)),
-            y_steps - F(to_float(y_snapped)),
-            clip.z / w,
-            F(1) / w};
+    return {
+        x_snapped,  y_snapped, outside, x_steps - F(to_float(x_snapped)), y_steps - F(to_float(y_snapped)),
+        clip.z / w, F(1) / w};
 }
 
 template <class T>
@@ -117,8 +112,8 @@ struct VertexBlock {
     const Mesh* mesh;
     PositionTransform positions;
     glm::mat3 normals;
-    int first, count;       // in the mesh
-    std::size_t output;     // index of `first` in TransformedVertices
+    int first, count;    // in the mesh
+    std::size_t output;  // index of `first` in TransformedVertices
 };
 
 void transform_block(const VertexBlock& block, Size size, TransformedVertices& out, const Run& run) {
@@ -136,9 +131,12 @@ void transform_block(const VertexBlock& block, Size size, TransformedVertices& o
                 const std::size_t at = index + static_cast<std::size_t>(lane);
                 out.p_clip[at] = {element(clip.x, lane), element(clip.y, lane), element(clip.z, lane),
                                   element(clip.w, lane)};
-                out.projected[at] = {element(projected.x, lane), element(projected.y, lane),
-                                     element(projected.x_rest, lane), element(projected.y_rest, lane),
-                                     element(projected.z_ndc, lane), element(projected.inverse_w, lane),
+                out.projected[at] = {element(projected.x, lane),
+                                     element(projected.y, lane),
+                                     element(projected.x_rest, lane),
+                                     element(projected.y_rest, lane),
+                                     element(projected.z_ndc, lane),
+                                     element(projected.inverse_w, lane),
                                      static_cast<std::uint32_t>(element(projected.outside, lane))};
             }
             if (out.n_view.empty()) continue;
@@ -149,8 +147,8 @@ void transform_block(const VertexBlock& block, Size size, TransformedVertices& o
                                     F(m[0][2]) * n.x + F(m[1][2]) * n.y + F(m[2][2]) * n.z};
             const Vec3<F> n_view = normalize_any_length<F>(turned);
             for (int lane = 0; lane < filled; ++lane) {
-                out.n_view[index + static_cast<std::size_t>(lane)] = {element(n_view.x, lane), element(n_view.y, lane),
-                                                                      element(n_view.z, lane)};
+                out.n_view[index + static_cast<std::size_t>(lane)] = {
+                    element(n_view.x, lane), element(n_view.y, lane), element(n_view.z, lane)};
             }
         }
     });
@@ -178,8 +176,8 @@ glm::dmat3 normal_matrix(const glm::dmat3& m) {
     return glm::determinant(m) < 0 ? -cofactors : cofactors;
 }
 
-TransformedVertices transform_vertices(const Scene& scene, const Camera& camera, Size size, PositionOrder order,
-                                       bool with_normals, const Run& run) {
+TransformedVertices transform_vertices(const Scene& scene, const Camera& camera, Size size,
+                                       PositionOrder order, bool with_normals, const Run& run) {
     const CameraMatrices matrices = camera_matrices(camera, size);
     TransformedVertices result;
     std::vector<VertexBlock> blocks;
@@ -201,8 +199,9 @@ TransformedVertices transform_vertices(const Scene& scene, const Camera& camera,
     result.p_clip.resize(total);
     result.projected.resize(total);
     if (with_normals) result.n_view.resize(total);
-    parallel_for(static_cast<int>(blocks.size()), run,
-                 [&](int block) { transform_block(blocks[static_cast<std::size_t>(block)], size, result, run); });
+    parallel_for(static_cast<int>(blocks.size()), run, [&](int block) {
+        transform_block(blocks[static_cast<std::size_t>(block)], size, result, run);
+    });
     return result;
 }
 

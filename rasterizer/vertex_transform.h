@@ -1,5 +1,6 @@
-// Vertices on their way to the screen. One position transform serves every pass, so that a second pass with EQUAL finds its own
-// depths; the other two orders of the same product exist to show what happens when passes differ (chapter 10).
+// Vertices on their way to the screen. One position transform serves every pass, so that a second pass with
+// EQUAL finds its own depths; the other two orders of the same product exist to show what happens when passes
+// differ (chapter 10).
 #pragma once
 
 #include <cstdint>
@@ -20,7 +21,7 @@ namespace crevice {
 enum class PositionOrder {
     relative,       // clip_from_relative * (world_from_object * p - eye): what every pass uses
     premultiplied,  // (clip_from_world * world_from_object) * p: seed 000's BasicEffect, x(WVP)
-    view_first,     // clip_from_view * ((view_from_world * world_from_object) * p): seed 000's normal pass, (x(WV))P
+    view_first,  // clip_from_view * ((view_from_world * world_from_object) * p): its normal pass, (x(WV))P
 };
 
 // What is wrong with a vertex for the clipper; see clip.h. Bits of ProjectedVertex::outside.
@@ -39,14 +40,14 @@ inline constexpr std::uint32_t kNeedsClipping = kOutsideNear | kOutsideFar | kOu
 inline constexpr std::uint32_t kOutsideOneSide =
     kOutsideNear | kOutsideFar | kOutsideEye | kOutsideLeft | kOutsideRight | kOutsideTop | kOutsideBottom;
 
-// Screen coordinates reach this far without clipping: to the last edge of the largest picture, one pixel further than D3D11.3
-// functional spec 15.6.1.
+// Screen coordinates reach this far without clipping: to the last edge of the largest picture, one pixel
+// further than D3D11.3 functional spec 15.6.1.
 inline constexpr float kGuardBand_px = 32768;
 
 // A vertex ready for triangle setup. The screen position is meaningful when no bit of kNeedsClipping is set.
 struct ProjectedVertex {
-    std::int32_t x = 0, y = 0;       // screen, in 1/256 pixel, rounded to nearest with ties to even
-    float x_rest = 0, y_rest = 0;    // what the rounding took away, in [-1/2, 1/2] of 1/256 pixel
+    std::int32_t x = 0, y = 0;     // screen, in 1/256 pixel, rounded to nearest with ties to even
+    float x_rest = 0, y_rest = 0;  // what the rounding took away, in [-1/2, 1/2] of 1/256 pixel
     float z_ndc = 0;
     float inverse_w = 0;
     std::uint32_t outside = 0;  // OutsideBits
@@ -56,18 +57,19 @@ struct ProjectedVertex {
 struct TransformedVertices {
     std::vector<glm::vec4> p_clip;
     std::vector<ProjectedVertex> projected;
-    std::vector<glm::vec3> n_view;             // unit; empty when not asked for
-    std::vector<std::uint32_t> first_vertex;   // of each instance
+    std::vector<glm::vec3> n_view;            // unit; empty when not asked for
+    std::vector<std::uint32_t> first_vertex;  // of each instance
 };
 
 ProjectedVertex project_vertex(glm::vec4 p_clip, Size size);
 
-TransformedVertices transform_vertices(const Scene& scene, const Camera& camera, Size size, PositionOrder order,
-                                       bool with_normals, const Run& run);
+TransformedVertices transform_vertices(const Scene& scene, const Camera& camera, Size size,
+                                       PositionOrder order, bool with_normals, const Run& run);
 
-// The matrix that turns object-space normals into view space: the cofactors of the upper 3x3 of view_from_object, which is the
-// inverse transpose up to a positive factor, exists for singular matrices too, and knows nothing of the translation
-// (ao_methods: seed 000's InverseTranspose must erase it by hand). Its sign follows the determinant.
+// The matrix that turns object-space normals into view space: the cofactors of the upper 3x3 of
+// view_from_object, which is the inverse transpose up to a positive factor, exists for singular matrices too,
+// and knows nothing of the translation (ao_methods: seed 000's InverseTranspose must erase it by hand). Its
+// sign follows the determinant.
 glm::dmat3 normal_matrix(const glm::dmat3& view_from_object);
 
 }  // namespace crevice

@@ -1,11 +1,12 @@
 // Eight pixels as one value: arithmetic, comparison, select and gather over the compiler's vector extensions.
 //
-// A kernel is written once as `template <class F>` and runs with F = float (one pixel, to step through), Wide<8> (eight
-// pixels, to be fast) or double (truth for rounding error). The functions below exist under the same names for all three.
-// Every operation is the IEEE one lane by lane, so the lane count never changes a bit.
+// A kernel is written once as `template <class F>` and runs with F = float (one pixel, to step through),
+// Wide<8> (eight pixels, to be fast) or double (truth for rounding error). The functions below exist under
+// the same names for all three. Every operation is the IEEE one lane by lane, so the lane count never changes
+// a bit.
 //
-// Everything that takes a Wide by value is CREVICE_INLINE: passed to a function that is not inlined, a Wide would change
-// its calling convention with the instruction set. In gdb: `skip -gfi *wide.h`.
+// Everything that takes a Wide by value is CREVICE_INLINE: passed to a function that is not inlined, a Wide
+// would change its calling convention with the instruction set. In gdb: `skip -gfi *wide.h`.
 #pragma once
 
 #include <bit>
@@ -120,7 +121,7 @@ using Mask = typename LaneTypes<F>::Mask;
 template <class F>
 inline constexpr int kLanes = LaneTypes<F>::kLanes;
 
-// ---- one lane -------------------------------------------------------------------------------------------------------
+// ---- one lane
 
 CREVICE_INLINE bool any(bool m) { return m; }
 CREVICE_INLINE std::int32_t largest_of(std::int32_t a) { return a; }
@@ -166,7 +167,7 @@ CREVICE_INLINE std::int32_t lane_index() {
     return 0;
 }
 
-// ---- N lanes --------------------------------------------------------------------------------------------------------
+// ---- N lanes
 
 CREVICE_INLINE bool any(WideMask<8> m) {
     typedef std::int64_t Quads __attribute__((vector_size(32)));
@@ -185,7 +186,8 @@ CREVICE_INLINE WideOf<T, N> select(WideMask<N> m, WideOf<T, N> a, WideOf<T, N> b
     if constexpr (sizeof(T) == sizeof(std::int32_t)) {
         return WideOf<T, N>(m.v ? a.v : b.v);
     } else {
-        return WideOf<T, N>(__builtin_convertvector(m.v, typename VectorOf<std::int64_t, N>::type) ? a.v : b.v);
+        using Long = typename VectorOf<std::int64_t, N>::type;
+        return WideOf<T, N>(__builtin_convertvector(m.v, Long) ? a.v : b.v);
     }
 }
 template <int N>
@@ -261,9 +263,10 @@ CREVICE_INLINE Int<F> lane_index() {
     return r;
 }
 
-// ---- the same text for every lane type ------------------------------------------------------------------------------
+// ---- the same text for every lane type
 
-// A NaN in the first place gives the second operand, so min_of(max_of(NaN, 0), 1) is 0; in the second place it stays.
+// A NaN in the first place gives the second operand, so min_of(max_of(NaN, 0), 1) is 0; in the second place
+// it stays.
 template <class A>
 CREVICE_INLINE A max_of(A a, A b) {
     return select(a > b, a, b);

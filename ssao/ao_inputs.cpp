@@ -21,14 +21,16 @@ CREVICE_INLINE F view_from_ndc(const AoInputs& inputs, F ndc) {
     return inputs.rays.perspective ? b / (ndc - a) : (ndc - a) / b;
 }
 
-// Seed 000's clear depth as its 16-bit buffer keeps it: D3D truncates to the largest half. Rounding to nearest makes it infinite,
-// and every filter that touches it NaN; only the tutorial as published gets that.
+// Seed 000's clear depth as its 16-bit buffer keeps it: D3D truncates to the largest half. Rounding to
+// nearest makes it infinite, and every filter that touches it NaN; only the tutorial as published gets that.
 float stored_background(BufferFormat format, const Camera& camera, bool as_published) {
-    const float value = static_cast<float>(kBackgroundOverFar * camera.far_plane), stored = stored_as(value, format);
+    const float value = static_cast<float>(kBackgroundOverFar * camera.far_plane),
+                stored = stored_as(value, format);
     return stored < kInfinity || as_published ? stored : stored_as(value, BufferFormat::float16_toward_zero);
 }
 
-Image<float> bordered_depth(const GBuffer& gbuffer, const AoInputs& inputs, const Camera& camera, const Run& run) {
+Image<float> bordered_depth(const GBuffer& gbuffer, const AoInputs& inputs, const Camera& camera,
+                            const Run& run) {
     const Size size = gbuffer.depth.size();
     const bool from_view = inputs.fetch.depth == DepthSource::view_depth;
     const float far_value = from_view ? stored_background(gbuffer.format, camera, inputs.fetch.as_published)
@@ -49,7 +51,8 @@ Image<float> bordered_depth(const GBuffer& gbuffer, const AoInputs& inputs, cons
     return map;
 }
 
-// Pixels whose normals agree less, or that lie further from the plane of the nearest one, show another surface.
+// Pixels whose normals agree less, or that lie further from the plane of the nearest one, show another
+// surface.
 constexpr float kSameSurfaceCosine = 0.8f;
 constexpr float kSameSurface_px = 2;  // times the size of a pixel at that depth
 // A surface seen at a steeper angle than this is not carried from a pixel's centre to the texel's.
@@ -88,7 +91,8 @@ struct TexelFetch {
                 surface};
     }
 
-    // The covered pixel nearest to the eye; the first of equals. One of weight 0 is outside the texel: it does not count.
+    // The covered pixel nearest to the eye; the first of equals. One of weight 0 is outside the texel: it
+    // does not count.
     CREVICE_INLINE Tap<F> nearest() const {
         Tap<F> result = taps[0];
         for (int i = 1; i < 4; ++i) {
@@ -108,7 +112,8 @@ struct TexelFetch {
         Mask<F> same = reference.surface;
         for (const Tap<F>& other : taps) {
             const F distance = absolute(dot(reference.n, other.p - reference.p));
-            const auto agrees = (dot(reference.n, other.n) >= F(kSameSurfaceCosine)) & (distance <= tolerance);
+            const auto agrees =
+                (dot(reference.n, other.n) >= F(kSameSurfaceCosine)) & (distance <= tolerance);
             same = same & ((other.surface & agrees) | (other.weight == F(0)));
         }
         return same;
@@ -127,7 +132,9 @@ struct TexelFetch {
     }
 
     // Seed 000 clears its normals to (0, 0, -1), seed 002 to (0, 0, 1).
-    CREVICE_INLINE F cleared_normal_z() const { return F(inputs.fetch.depth == DepthSource::view_depth ? -1.0f : 1.0f); }
+    CREVICE_INLINE F cleared_normal_z() const {
+        return F(inputs.fetch.depth == DepthSource::view_depth ? -1.0f : 1.0f);
+    }
 
     // The sampler's plain mean, the sky's clear values included.
     CREVICE_INLINE void mean(Vec3<F>& normal, F& stored) const {
@@ -140,13 +147,15 @@ struct TexelFetch {
     }
 };
 
-// Whether any of the pixels that a group of texels reads holds a surface; without one the texels keep what they start with.
+// Whether any of the pixels that a group of texels reads holds a surface; without one the texels keep what
+// they start with.
 template <class F>
 CREVICE_INLINE bool any_surface(const GBuffer& gbuffer, Int<F> column0, Int<F> column1, int row0, int row1) {
     const auto at = [&](int row, Int<F> column) __attribute__((always_inline)) {
         return F(gather(gbuffer.view_depth.row(row), column));
     };
-    const F nearest = min_of(min_of(at(row0, column0), at(row0, column1)), min_of(at(row1, column0), at(row1, column1)));
+    const F nearest =
+        min_of(min_of(at(row0, column0), at(row0, column1)), min_of(at(row1, column0), at(row1, column1)));
     return any(nearest < F(kInfinity));
 }
 
@@ -155,7 +164,8 @@ CREVICE_INLINE bool any_surface(const GBuffer& gbuffer, Int<F> column0, Int<F> c
 Size ao_map_size(Size picture, float scale) {
     if (scale == 1.0f) return picture;
     if (scale != 0.5f) {
-        throw UsageError("--ao-scale: the AO map is half or full size (" + std::to_string(scale) + "); give .5 or 1");
+        throw UsageError("--ao-scale: the AO map is half or full size (" + std::to_string(scale) +
+                         "); give .5 or 1");
     }
     return {(picture.width + 1) / 2, (picture.height + 1) / 2};
 }
@@ -176,51 +186,55 @@ AoInputs ao_inputs(const GBuffer& gbuffer, const Camera& camera, const AoFetch& 
     const LinearTaps columns(size.width, picture.width), rows(size.height, picture.height);
 
     parallel_rows(size.height, run, [&](int first_row, int end_row) {
-        run_kernel(run, [&](auto tag) __attribute__((always_inline)) {
-            using F = typename decltype(tag)::type;
-            for (int y = first_row; y < end_row; ++y) {
-                const auto row = static_cast<std::size_t>(y);
-                const int row0 = rows.first[row], row1 = rows.second[row];
-                const F fy = F(rows.weight_of_second[row]);
-                for (int x = 0; x < size.width; x += kLanes<F>) {
-                    const Int<F> column0 = load<F>(columns.first.data() + x), column1 = load<F>(columns.second.data() + x);
-                    const F fx = load<F>(columns.weight_of_second.data() + x), one = F(1);
-                    if (!fetch.as_published && !any_surface<F>(gbuffer, column0, column1, row0, row1)) continue;
-                    const F u = (F(to_float(lane_index<F>() + Int<F>(x))) + F(0.5f)) / F(static_cast<float>(size.width));
-                    const F v = F((static_cast<float>(y) + 0.5f) / static_cast<float>(size.height));
-                    TexelFetch<F> texel{gbuffer, inputs, u, v, {}};
-                    texel.taps[0] = texel.tap(column0, row0, (one - fx) * (one - fy));
-                    texel.taps[1] = texel.tap(column1, row0, fx * (one - fy));
-                    texel.taps[2] = texel.tap(column0, row1, (one - fx) * fy);
-                    texel.taps[3] = texel.tap(column1, row1, fx * fy);
+        run_kernel(
+            run, [&](auto tag) __attribute__((always_inline)) {
+                using F = typename decltype(tag)::type;
+                for (int y = first_row; y < end_row; ++y) {
+                    const auto row = static_cast<std::size_t>(y);
+                    const int row0 = rows.first[row], row1 = rows.second[row];
+                    const F fy = F(rows.weight_of_second[row]);
+                    for (int x = 0; x < size.width; x += kLanes<F>) {
+                        const Int<F> column0 = load<F>(columns.first.data() + x),
+                                     column1 = load<F>(columns.second.data() + x);
+                        const F fx = load<F>(columns.weight_of_second.data() + x), one = F(1);
+                        if (!fetch.as_published && !any_surface<F>(gbuffer, column0, column1, row0, row1))
+                            continue;
+                        const F u = (F(to_float(lane_index<F>() + Int<F>(x))) + F(0.5f)) /
+                                    F(static_cast<float>(size.width));
+                        const F v = F((static_cast<float>(y) + 0.5f) / static_cast<float>(size.height));
+                        TexelFetch<F> texel{gbuffer, inputs, u, v, {}};
+                        texel.taps[0] = texel.tap(column0, row0, (one - fx) * (one - fy));
+                        texel.taps[1] = texel.tap(column1, row0, fx * (one - fy));
+                        texel.taps[2] = texel.tap(column0, row1, (one - fx) * fy);
+                        texel.taps[3] = texel.tap(column1, row1, fx * fy);
 
-                    Vec3<F> normal;
-                    F stored;
-                    texel.mean(normal, stored);
-                    F z = fetch.depth == DepthSource::ndc_depth ? view_from_ndc(inputs, stored) : stored;
-                    if (fetch.point_normals) {
-                        // The pixel whose cell holds the texel's centre: the second one from 1/2 on.
-                        const Int<F> column = select(fx >= F(0.5f), column1, column0);
-                        const int row_of = rows.weight_of_second[row] >= 0.5f ? row1 : row0;
-                        const Vec3<F> cleared = {F(0), F(0), texel.cleared_normal_z()};
-                        normal = normalize_or<F>(texel.tap(column, row_of, one).n, cleared);
+                        Vec3<F> normal;
+                        F stored;
+                        texel.mean(normal, stored);
+                        F z = fetch.depth == DepthSource::ndc_depth ? view_from_ndc(inputs, stored) : stored;
+                        if (fetch.point_normals) {
+                            // The pixel whose cell holds the texel's centre: the second one from 1/2 on.
+                            const Int<F> column = select(fx >= F(0.5f), column1, column0);
+                            const int row_of = rows.weight_of_second[row] >= 0.5f ? row1 : row0;
+                            const Vec3<F> cleared = {F(0), F(0), texel.cleared_normal_z()};
+                            normal = normalize_or<F>(texel.tap(column, row_of, one).n, cleared);
+                        }
+                        auto surface = z < F(kInfinity);
+                        if (!fetch.as_published) {
+                            const Tap<F> nearest = texel.nearest();
+                            const auto mixed = !texel.one_surface(nearest);
+                            surface = nearest.surface;
+                            z = select(mixed & surface, texel.carried_depth(nearest), z);
+                            normal = select<F>(mixed & surface, nearest.n, normal);
+                        }
+                        const F zero = F(0);
+                        store(inputs.normal.x.row(y) + x, select(surface, normal.x, zero));
+                        store(inputs.normal.y.row(y) + x, select(surface, normal.y, zero));
+                        store(inputs.normal.z.row(y) + x, select(surface, normal.z, zero));
+                        store(inputs.view_depth.row(y) + x, select(surface, z, F(kInfinity)));
                     }
-                    auto surface = z < F(kInfinity);
-                    if (!fetch.as_published) {
-                        const Tap<F> nearest = texel.nearest();
-                        const auto mixed = !texel.one_surface(nearest);
-                        surface = nearest.surface;
-                        z = select(mixed & surface, texel.carried_depth(nearest), z);
-                        normal = select<F>(mixed & surface, nearest.n, normal);
-                    }
-                    const F zero = F(0);
-                    store(inputs.normal.x.row(y) + x, select(surface, normal.x, zero));
-                    store(inputs.normal.y.row(y) + x, select(surface, normal.y, zero));
-                    store(inputs.normal.z.row(y) + x, select(surface, normal.z, zero));
-                    store(inputs.view_depth.row(y) + x, select(surface, z, F(kInfinity)));
                 }
-            }
-        });
+            });
     });
     return inputs;
 }

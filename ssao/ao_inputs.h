@@ -1,11 +1,13 @@
-// What an AO map's texel sees of the G-buffer: one normal and one depth, fetched the way the tutorial's samplers fetch them, and the
-// depth map its samples are compared with.
-// Source: seed 000 (normals and view depth, linear, border), seed 002 (normals point and renormalised, NDC depth linear, border far).
+// What an AO map's texel sees of the G-buffer: one normal and one depth, fetched the way the tutorial's
+// samplers fetch them, and the depth map its samples are compared with.
+// Source: seed 000 (normals and view depth, linear, border), seed 002 (normals point and renormalised, NDC
+//         depth linear, border far).
 // In:     GBuffer
 // Out:    AoInputs; background: normal (0,0,0), view_depth +inf
-// Differs from the tutorials: a texel whose four pixels show more than one surface takes the nearest one, carried along its plane to
-//         the texel's centre; the tutorials mix normals and depths (the sky's too) into a surface that is not there, which
-//         the blur then leaves as dark dots along every crease. `as_published` does as they do.
+// Differs from the tutorials: a texel whose four pixels show more than one surface takes the nearest one,
+//         carried along its plane to the texel's centre; the tutorials mix normals and depths (the sky's too)
+//         into a surface that is not there, which the blur then leaves as dark dots along every crease.
+//         `as_published` does as they do.
 #pragma once
 
 #include "rasterizer/camera.h"
@@ -28,12 +30,13 @@ struct AoFetch {
 
 struct AoInputs {
     AoFetch fetch;
-    Size picture;            // of the G-buffer
-    Image3 normal;           // view space, AO map size
-    Image<float> view_depth; // scene units, AO map size
+    Size picture;             // of the G-buffer
+    Image3 normal;            // view space, AO map size
+    Image<float> view_depth;  // scene units, AO map size
 
-    // Seed 000: view depth, background and border kBackgroundOverFar * far; seed 002: ndc depth, background and border the far
-    // plane. Pixel (x, y) of the picture is at (x + 1, y + 1); one column and row of border before, two after.
+    // Seed 000: view depth, background and border kBackgroundOverFar * far; seed 002: ndc depth, background
+    // and border the far plane. Pixel (x, y) of the picture is at (x + 1, y + 1); one column and row of
+    // border before, two after.
     Image<float> depth_map;
     float depth_a = 0, depth_b = 0;         // CameraMatrices, to turn ndc depth into view depth
     ViewRays rays{glm::vec2(1), {}, true};  // of the picture

@@ -1,10 +1,13 @@
-// The edge-preserving blur of both tutorials: separable, radius 5, horizontal then vertical, a number of times.
+// The edge-preserving blur of both tutorials: separable, radius 5, horizontal then vertical, a number of
+// times.
 // Source: seed 000 (SSAO_Blur_PS), seed 002 (SsaoBlur.hlsl).
 // In:     an AO map; the AoInputs it was computed from (normals, view depth, same size)
 // Out:    the blurred AO map; background 1. Where all taps are 1 the result is exactly 1
 // Reach:  5 texels in x and in y for each iteration
-// Differs from the tutorials: a tap outside the map is rejected (as seeds 002 and 003; seed 000 repeats the edge texel).
-// Cost:   normals and depths do not change between iterations: which taps count is decided once, into ten bits a direction.
+// Differs from the tutorials: a tap outside the map is rejected (as seeds 002 and 003; seed 000 repeats the
+//         edge texel).
+// Cost:   normals and depths do not change between iterations: which taps count is decided once, into ten
+//         bits a direction.
 #pragma once
 
 #include <array>
@@ -19,14 +22,15 @@ using BlurWeights = std::array<float, 2 * kBlurRadius + 1>;
 // Seed 000: written out in its listing.
 inline constexpr BlurWeights kXjunBlurWeights = {.05f, .05f, .1f, .1f, .1f, .2f, .1f, .1f, .1f, .05f, .05f};
 // Seed 002: Gaussian with sigma = 2.5, normalised.
-inline constexpr BlurWeights kLunaBlurWeights = {.022190548f, .045589000f, .079811408f, .119064630f, .151360810f, .163967208f,
-                                                 .151360810f, .119064630f, .079811408f, .045589000f, .022190548f};
+inline constexpr BlurWeights kLunaBlurWeights = {.022190548f, .045589000f, .079811408f, .119064630f,
+                                                 .151360810f, .163967208f, .151360810f, .119064630f,
+                                                 .079811408f, .045589000f, .022190548f};
 
 struct BlurSettings {
     BlurWeights weights = kXjunBlurWeights;  // each > 0; their sum does not matter
-    int iterations = 4;             // [0, 64] times horizontal + vertical; 0 leaves the map as it is
-    float normal_threshold = 0.8f;  // [-1, 1]; taps count when n_c . n_i is at least this
-    float depth_threshold = 0.2f;   // [0, inf) scene units; ... and |z_c - z_i| at most this
+    int iterations = 4;                      // [0, 64] times horizontal + vertical; 0 leaves the map as it is
+    float normal_threshold = 0.8f;           // [-1, 1]; taps count when n_c . n_i is at least this
+    float depth_threshold = 0.2f;            // [0, inf) scene units; ... and |z_c - z_i| at most this
     BufferFormat format = BufferFormat::float32;  // of the maps between the passes
 };
 inline constexpr BlurSettings kXjunBlur{};
@@ -35,10 +39,11 @@ inline constexpr BlurSettings kLunaBlur{.weights = kLunaBlurWeights, .iterations
 // Throws UsageError naming the first member out of its range.
 void validate(const BlurSettings& settings);
 
-Image<float> bilateral_blur(const Image<float>& ao, const AoInputs& inputs, const BlurSettings& settings = kXjunBlur,
-                            const Run& run = {});
-// The same with the inputs fetched anew from the G-buffer.
-Image<float> bilateral_blur(const Image<float>& ao, const GBuffer& gbuffer, const Camera& camera, const AoFetch& fetch,
+Image<float> bilateral_blur(const Image<float>& ao, const AoInputs& inputs,
                             const BlurSettings& settings = kXjunBlur, const Run& run = {});
+// The same with the inputs fetched anew from the G-buffer.
+Image<float> bilateral_blur(const Image<float>& ao, const GBuffer& gbuffer, const Camera& camera,
+                            const AoFetch& fetch, const BlurSettings& settings = kXjunBlur,
+                            const Run& run = {});
 
 }  // namespace crevice

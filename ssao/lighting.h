@@ -1,4 +1,5 @@
-// The two tutorials' lighting models, for one pixel or eight. All vectors in view space, all colours in linear light.
+// The two tutorials' lighting models, for one pixel or eight. All vectors in view space, all colours in
+// linear light.
 #pragma once
 
 #include <vector>
@@ -30,16 +31,17 @@ CREVICE_INLINE Vec3<F> phong(const SurfacePoint<F>& s, const Material& material,
         diffuse = diffuse + max_of(facing, zero) * spread<F>(light.diffuse * material.diffuse);
         const Vec3<F> mirrored = F(2) * facing * s.n - to_light;
         const F highlight = power(max_of(dot(mirrored, s.to_eye), zero), F(material.shininess));
-        specular = specular + select(facing > zero, highlight, zero) * spread<F>(light.specular * material.specular);
+        specular =
+            specular + select(facing > zero, highlight, zero) * spread<F>(light.specular * material.specular);
     }
     return s.texture_colour * (s.accessibility * ambient + diffuse) + specular;
 }
 
-// Seed 002: one ambient term; each light's diffuse albedo plus a Blinn-Phong highlight, normalised, times Schlick's Fresnel term and
-// brought into [0,1) for a low dynamic range.
+// Seed 002: one ambient term; each light's diffuse albedo plus a Blinn-Phong highlight, normalised, times
+// Schlick's Fresnel term and brought into [0,1) for a low dynamic range.
 template <class F>
-CREVICE_INLINE Vec3<F> blinn_schlick(const SurfacePoint<F>& s, const Material& material, const ViewLights& lights,
-                                     const glm::vec3& ambient_light) {
+CREVICE_INLINE Vec3<F> blinn_schlick(const SurfacePoint<F>& s, const Material& material,
+                                     const ViewLights& lights, const glm::vec3& ambient_light) {
     const F zero = F(0), one = F(1);
     const Vec3<F> albedo = s.texture_colour * spread<F>(material.diffuse), ones{one, one, one};
     const Vec3<F> r0 = spread<F>(material.specular);

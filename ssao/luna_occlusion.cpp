@@ -12,13 +12,16 @@ namespace crevice {
 
 void validate(const LunaSettings& s) {
     const auto require = [](bool holds, const std::string& name, double value, const std::string& range) {
-        if (!holds) throw UsageError(name + ": must lie in " + range + " (" + std::to_string(value) + "); choose another value");
+        if (!holds)
+            throw UsageError(name + ": must lie in " + range + " (" + std::to_string(value) +
+                             "); choose another value");
     };
     const auto length = [](float a) { return a >= 0 && std::isfinite(a); };
     require(s.samples >= 1 && s.samples <= kCubeVectors, "samples", s.samples, "1..14");
     require(length(s.radius), "radius", s.radius, "[0, inf)");
     require(length(s.fade_start), "fade_start", s.fade_start, "[0, inf)");
-    require(std::isfinite(s.fade_end) && s.fade_end >= s.fade_start, "fade_end", s.fade_end, "[fade_start, inf)");
+    require(std::isfinite(s.fade_end) && s.fade_end >= s.fade_start, "fade_end", s.fade_end,
+            "[fade_start, inf)");
     require(length(s.epsilon), "epsilon", s.epsilon, "[0, inf)");
     require(s.exponent >= 0 && s.exponent <= 64, "exponent", s.exponent, "[0, 64]");
 }
@@ -30,24 +33,27 @@ Image<float> luna_occlusion(const AoInputs& inputs, const LunaSettings& settings
     const Size size = inputs.size();
     Image<float> ao(size, 1.0f);
     parallel_rows(size.height, run, [&](int first_row, int end_row) {
-        run_kernel(run, [&](auto tag) __attribute__((always_inline)) {
-            using F = typename decltype(tag)::type;
-            for (int y = first_row; y < end_row; ++y) {
-                const F v = F((static_cast<float>(y) + 0.5f) / static_cast<float>(size.height));
-                for (int x = 0; x < size.width; x += kLanes<F>) {
-                    const F z = load<F>(inputs.view_depth.row(y) + x);
-                    const auto surface = z < F(std::numeric_limits<float>::infinity());
-                    if (!any(surface)) continue;
-                    const F u = (F(to_float(lane_index<F>() + Int<F>(x))) + F(0.5f)) / F(static_cast<float>(size.width));
-                    const Vec3<F> n = {load<F>(inputs.normal.x.row(y) + x), load<F>(inputs.normal.y.row(y) + x),
-                                       load<F>(inputs.normal.z.row(y) + x)};
-                    const Vec3<F> p = inputs.rays.p_view(u, v, select(surface, z, F(1)));
-                    const F access = kernel.accessibility(p, n, kernel.random_vector(map, u, v));
-                    const F contrast = saturate(power(max_of(access, F(0)), F(settings.exponent)));
-                    store(ao.row(y) + x, select(surface, stored_as(contrast, settings.format), F(1)));
+        run_kernel(
+            run, [&](auto tag) __attribute__((always_inline)) {
+                using F = typename decltype(tag)::type;
+                for (int y = first_row; y < end_row; ++y) {
+                    const F v = F((static_cast<float>(y) + 0.5f) / static_cast<float>(size.height));
+                    for (int x = 0; x < size.width; x += kLanes<F>) {
+                        const F z = load<F>(inputs.view_depth.row(y) + x);
+                        const auto surface = z < F(std::numeric_limits<float>::infinity());
+                        if (!any(surface)) continue;
+                        const F u = (F(to_float(lane_index<F>() + Int<F>(x))) + F(0.5f)) /
+                                    F(static_cast<float>(size.width));
+                        const Vec3<F> n = {load<F>(inputs.normal.x.row(y) + x),
+                                           load<F>(inputs.normal.y.row(y) + x),
+                                           load<F>(inputs.normal.z.row(y) + x)};
+                        const Vec3<F> p = inputs.rays.p_view(u, v, select(surface, z, F(1)));
+                        const F access = kernel.accessibility(p, n, kernel.random_vector(map, u, v));
+                        const F contrast = saturate(power(max_of(access, F(0)), F(settings.exponent)));
+                        store(ao.row(y) + x, select(surface, stored_as(contrast, settings.format), F(1)));
+                    }
                 }
-            }
-        });
+            });
     });
     return ao;
 }

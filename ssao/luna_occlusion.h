@@ -1,10 +1,13 @@
-// The estimator that both tutorials share: up to 14 points around p, each compared with what the depth map shows there.
-// Source: Luna 2016, ch. 21 (seed 002); Shen's X_Jun port (seed 000); formulas and traps in the order of the seeds' listings.
+// The estimator that both tutorials share: up to 14 points around p, each compared with what the depth map
+// shows there.
+// Source: Luna 2016, ch. 21 (seed 002); Shen's X_Jun port (seed 000); formulas and traps in the order of the
+//         seeds' listings.
 // Out:    accessibility in [0,1]: 1 - (1/N) sum of dp * occlusion(p_z - r_z), to the power `exponent`
 // Reach:  radius (as_published: up to 5 radius, the random vector is not unit) in view space around p
-// Differs from the tutorials: the random vector is normalised; a point q in front of the near plane is rejected; sign(0) is +1;
-//         r = p counts nothing; fade_end = fade_start is a step. `as_published` restores the first and third.
-//         It is a weighted vote, not cosine-weighted visibility: it does not converge to ray-cast AO.
+// Differs from the tutorials: the random vector is normalised; a point q in front of the near plane is
+//         rejected; sign(0) is +1; r = p counts nothing; fade_end = fade_start is a step. `as_published`
+//         restores the first and third. It is a weighted vote, not cosine-weighted visibility: it does not
+//         converge to ray-cast AO.
 // Cost:   about 70 operations and four depth reads a sample.
 #pragma once
 
@@ -19,15 +22,16 @@
 namespace crevice {
 
 struct LunaSettings {
-    int samples = 14;          // [1, 14]; fewer is faster and noisier
-    float radius = 0.5f;       // [0, inf) scene units; how far from p the samples lie
-    float fade_start = 0.2f;   // [0, inf) scene units; occluders up to this far in front of p count fully
-    float fade_end = 2.0f;     // [fade_start, inf) scene units; occluders further in front of p than this do not count
-    float epsilon = 0.05f;     // [0, inf) scene units; occluders less than this in front of p do not count
-    float exponent = 4;        // [0, 64]; contrast: accessibility is raised to it
-    std::uint32_t seed = 1;    // of the offset lengths and the random map
+    int samples = 14;         // [1, 14]; fewer is faster and noisier
+    float radius = 0.5f;      // [0, inf) scene units; how far from p the samples lie
+    float fade_start = 0.2f;  // [0, inf) scene units; occluders up to this far in front of p count fully
+    float fade_end =
+        2.0f;  // [fade_start, inf) scene units; occluders further in front of p than this do not count
+    float epsilon = 0.05f;      // [0, inf) scene units; occluders less than this in front of p do not count
+    float exponent = 4;         // [0, 64]; contrast: accessibility is raised to it
+    std::uint32_t seed = 1;     // of the offset lengths and the random map
     bool as_published = false;  // the tutorial's text, traps included
-    float ao_scale = 0.5f;     // 0.5 or 1; AO map size over picture size
+    float ao_scale = 0.5f;      // 0.5 or 1; AO map size over picture size
     BufferFormat format = BufferFormat::float32;  // of the AO map
 };
 
@@ -37,7 +41,7 @@ void validate(const LunaSettings& settings);
 // One AO map of what `inputs` see. 1 where there is no surface.
 Image<float> luna_occlusion(const AoInputs& inputs, const LunaSettings& settings, const Run& run);
 
-// ---- the kernel, for one texel or eight -----------------------------------------------------------------------------
+// ---- the kernel, for one texel or eight
 
 struct LunaKernel {
     const AoInputs& inputs;
@@ -55,12 +59,15 @@ struct LunaKernel {
     template <class F>
     CREVICE_INLINE F depth_at(Screen2<F> p_screen) const {
         const Image<float>& map = inputs.depth_map;
-        const F width = F(static_cast<float>(inputs.picture.width)), height = F(static_cast<float>(inputs.picture.height));
-        const F x = min_of(max_of(p_screen.x - F(0.5f), F(-1)), width), y = min_of(max_of(p_screen.y - F(0.5f), F(-1)), height);
+        const F width = F(static_cast<float>(inputs.picture.width)),
+                height = F(static_cast<float>(inputs.picture.height));
+        const F x = min_of(max_of(p_screen.x - F(0.5f), F(-1)), width),
+                y = min_of(max_of(p_screen.y - F(0.5f), F(-1)), height);
         const Int<F> x0 = floor_to_int(x), y0 = floor_to_int(y);
         const F fx = x - F(to_float(x0)), fy = y - F(to_float(y0));
         const Int<F> at = (y0 + Int<F>(1)) * Int<F>(map.stride) + x0 + Int<F>(1);
-        const auto upper = gather_pair(map.pixels.data(), at), lower = gather_pair(map.pixels.data() + map.stride, at);
+        const auto upper = gather_pair(map.pixels.data(), at),
+                   lower = gather_pair(map.pixels.data() + map.stride, at);
         const F top = mix(F(upper.first), F(upper.second), fx);
         const F bottom = mix(F(lower.first), F(lower.second), fx);
         const F depth = mix(top, bottom, fy);
@@ -104,7 +111,8 @@ struct LunaKernel {
     template <class F>
     CREVICE_INLINE F accessibility(Vec3<F> p, Vec3<F> n, Vec3<F> random) const {
         F sum = F(0);
-        for (int i = 0; i < settings.samples; ++i) sum = sum + sample(p, n, random, offsets[static_cast<std::size_t>(i)]);
+        for (int i = 0; i < settings.samples; ++i)
+            sum = sum + sample(p, n, random, offsets[static_cast<std::size_t>(i)]);
         return F(1) - sum / F(static_cast<float>(settings.samples));
     }
 

@@ -6,7 +6,8 @@ AoFetch luna_fetch(const LunaSettings& settings) {
     return {DepthSource::ndc_depth, true, settings.ao_scale, settings.as_published};
 }
 
-Image<float> luna_ssao(const GBuffer& gbuffer, const Camera& camera, const LunaSettings& settings, const Run& run) {
+Image<float> luna_ssao(const GBuffer& gbuffer, const Camera& camera, const LunaSettings& settings,
+                       const Run& run) {
     return luna_occlusion(ao_inputs(gbuffer, camera, luna_fetch(settings), run), settings, run);
 }
 

@@ -4,7 +4,8 @@ namespace crevice {
 
 WantedBuffers all_buffers() { return {std::begin(kBufferNames), std::end(kBufferNames)}; }
 
-Needs needs_of(const Scene& scene, const WantedBuffers& wanted, bool ao_on, int blur_iterations, bool keep_all) {
+Needs needs_of(const Scene& scene, const WantedBuffers& wanted, bool ao_on, int blur_iterations,
+               bool keep_all) {
     const auto asked = [&](const char* name) { return wanted.contains(name); };
     Needs needs;
     const auto leave_out = [&](bool& pass, const char* what, const char* why) {
@@ -31,7 +32,8 @@ Needs needs_of(const Scene& scene, const WantedBuffers& wanted, bool ao_on, int 
         leave_out(needs.blur, "blur", "neither the blurred map nor the lit image was asked for");
     }
     if (!needs.ao && !needs.lit && !asked("normal")) {
-        leave_out(needs.normals, "normals", "neither the normals nor anything computed from them was asked for");
+        leave_out(needs.normals, "normals",
+                  "neither the normals nor anything computed from them was asked for");
     }
     needs.left_out.push_back({"shadow", "no light of this scene casts a shadow"});
     needs.left_out.push_back({"sky", "the sky is one colour: the lit image starts with it"});

@@ -1,5 +1,5 @@
-// What a frame of this scene needs, derived from the scene and from the buffers that somebody asked for. Passes take the answers as
-// plain values; nothing left out changes a bit of what remains.
+// What a frame of this scene needs, derived from the scene and from the buffers that somebody asked for.
+// Passes take the answers as plain values; nothing left out changes a bit of what remains.
 #pragma once
 
 #include <set>
@@ -11,7 +11,8 @@
 namespace crevice {
 
 // The buffers a frame can produce, by the names of their files.
-inline constexpr const char* kBufferNames[] = {"normal", "view_depth", "ndc_depth", "ao_raw", "ao_blurred", "lit"};
+inline constexpr const char* kBufferNames[] = {"normal", "view_depth", "ndc_depth",
+                                               "ao_raw", "ao_blurred", "lit"};
 using WantedBuffers = std::set<std::string>;
 WantedBuffers all_buffers();
 
@@ -28,8 +29,9 @@ struct Needs {
     std::vector<LeftOut> left_out;  // a reason for every "no", and for the passes that no scene has yet
 };
 
-// `ao_on` is false for the method `none`; `blur_iterations` 0 asks for no blur. With `keep_all` every pass runs that can run, and
-// the result is the same.
-Needs needs_of(const Scene& scene, const WantedBuffers& wanted, bool ao_on, int blur_iterations, bool keep_all);
+// `ao_on` is false for the method `none`; `blur_iterations` 0 asks for no blur. With `keep_all` every pass
+// runs that can run, and the result is the same.
+Needs needs_of(const Scene& scene, const WantedBuffers& wanted, bool ao_on, int blur_iterations,
+               bool keep_all);
 
 }  // namespace crevice

@@ -17,7 +17,8 @@ constexpr glm::vec3 kCubeDirections[kCubeVectors] = {
 
 std::uint32_t hash_of(std::uint32_t seed, std::uint32_t a, std::uint32_t b) {
     constexpr std::uint32_t kMultiplier = 1664525u, kIncrement = 1013904223u;
-    std::uint32_t x = seed * kMultiplier + kIncrement, y = a * kMultiplier + kIncrement, z = b * kMultiplier + kIncrement;
+    std::uint32_t x = seed * kMultiplier + kIncrement, y = a * kMultiplier + kIncrement,
+                  z = b * kMultiplier + kIncrement;
     for (int round = 0; round < 2; ++round) {
         x += y * z;
         y += z * x;

@@ -30,7 +30,8 @@ template <class F>
 CREVICE_INLINE Vec3<F> texture_colour(const Texture& texture, const Mesh& mesh, std::uint32_t first_vertex,
                                       const ScreenTriangle& t, const Fragment<F>& f) {
     const auto uv_at = [&](const Barycentric<F>& b) __attribute__((always_inline)) {
-        const glm::vec2 &uv0 = mesh.texcoords[t.vertex[0] - first_vertex], &uv1 = mesh.texcoords[t.vertex[1] - first_vertex],
+        const glm::vec2 &uv0 = mesh.texcoords[t.vertex[0] - first_vertex],
+                        &uv1 = mesh.texcoords[t.vertex[1] - first_vertex],
                         &uv2 = mesh.texcoords[t.vertex[2] - first_vertex];
         return Vec3<F>{b.interpolate(uv0.x, uv1.x, uv2.x), b.interpolate(uv0.y, uv1.y, uv2.y), F(0)};
     };
@@ -55,11 +56,12 @@ CREVICE_INLINE Vec3<F> texture_colour(const Texture& texture, const Mesh& mesh, 
 }
 
 bool any_texture(const Scene& scene) {
-    return std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& m) { return m.texture != nullptr; });
+    return std::any_of(scene.materials.begin(), scene.materials.end(),
+                       [](const Material& m) { return m.texture != nullptr; });
 }
 
-// Fragments only note what a pixel shows; the pixels are lit when the tile is complete, eight at a time whatever the size of the
-// triangles. Until then a pixel of `lit` holds its normal.
+// Fragments only note what a pixel shows; the pixels are lit when the tile is complete, eight at a time
+// whatever the size of the triangles. Until then a pixel of `lit` holds its normal.
 struct LitShader {
     const Scene& scene;
     const ScreenGeometry& geometry;
@@ -86,7 +88,8 @@ struct LitShader {
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(scene.instances[t.instance].mesh)];
         Vec3<F> colour{F(1), F(1), F(1)};
         if (material.texture != nullptr && !mesh.texcoords.empty()) {
-            colour = texture_colour(*material.texture, mesh, geometry.vertices.first_vertex[t.instance], t, f);
+            colour =
+                texture_colour(*material.texture, mesh, geometry.vertices.first_vertex[t.instance], t, f);
         }
         store_where_passed(textures, f, colour);
     }
@@ -107,7 +110,8 @@ struct LitShader {
             const std::int32_t index = largest_of(select(left, material_index, Int<F>(kSky)));
             const auto lanes = material_index == Int<F>(index);
             const Vec3<F> now = load_vec3<F>(lit, x, y);
-            const Vec3<F> colour = lit_colour<F>(scene.materials[static_cast<std::size_t>(index)], unit_normal(now), x, y);
+            const Vec3<F> colour =
+                lit_colour<F>(scene.materials[static_cast<std::size_t>(index)], unit_normal(now), x, y);
             store(lit.x.row(y) + x, select(lanes, colour.x, now.x));
             store(lit.y.row(y) + x, select(lanes, colour.y, now.y));
             store(lit.z.row(y) + x, select(lanes, colour.z, now.z));
@@ -122,8 +126,9 @@ struct LitShader {
         const Vec3<F> to_eye = normalize_or<F>({zero - ray.x, zero - ray.y, zero - ray.z}, ray);
         const Vec3<F> texture = textures.empty() ? Vec3<F>{one, one, one} : load_vec3<F>(textures, x, y);
         const SurfacePoint<F> s{n_view, to_eye, texture, load<F>(accessibility.row(y) + x)};
-        return scene.lighting == LightingModel::phong ? phong(s, material, lights)
-                                                      : blinn_schlick(s, material, lights, scene.ambient_light);
+        return scene.lighting == LightingModel::phong
+                   ? phong(s, material, lights)
+                   : blinn_schlick(s, material, lights, scene.ambient_light);
     }
 
     template <class F>
@@ -145,27 +150,30 @@ Image<float> ao_at_picture_size(const Image<float>& ao, Size picture, const Run&
     if (ao.empty()) return result;
     const LinearTaps columns(picture.width, ao.size.width), rows(picture.height, ao.size.height);
     parallel_rows(picture.height, run, [&](int first_row, int end_row) {
-        run_kernel(run, [&](auto tag) __attribute__((always_inline)) {
-            using F = typename decltype(tag)::type;
-            for (int y = first_row; y < end_row; ++y) {
-                const auto row = static_cast<std::size_t>(y);
-                const float *above = ao.row(rows.first[row]), *below = ao.row(rows.second[row]);
-                const F fy = F(rows.weight_of_second[row]);
-                for (int x = 0; x < picture.width; x += kLanes<F>) {
-                    const Int<F> left = load<F>(columns.first.data() + x), right = load<F>(columns.second.data() + x);
-                    const F fx = load<F>(columns.weight_of_second.data() + x);
-                    const F top = mix(F(gather(above, left)), F(gather(above, right)), fx);
-                    const F bottom = mix(F(gather(below, left)), F(gather(below, right)), fx);
-                    store(result.row(y) + x, mix(top, bottom, fy));
+        run_kernel(
+            run, [&](auto tag) __attribute__((always_inline)) {
+                using F = typename decltype(tag)::type;
+                for (int y = first_row; y < end_row; ++y) {
+                    const auto row = static_cast<std::size_t>(y);
+                    const float *above = ao.row(rows.first[row]), *below = ao.row(rows.second[row]);
+                    const F fy = F(rows.weight_of_second[row]);
+                    for (int x = 0; x < picture.width; x += kLanes<F>) {
+                        const Int<F> left = load<F>(columns.first.data() + x),
+                                     right = load<F>(columns.second.data() + x);
+                        const F fx = load<F>(columns.weight_of_second.data() + x);
+                        const F top = mix(F(gather(above, left)), F(gather(above, right)), fx);
+                        const F bottom = mix(F(gather(below, left)), F(gather(below, right)), fx);
+                        store(result.row(y) + x, mix(top, bottom, fy));
+                    }
                 }
-            }
-        });
+            });
     });
     return result;
 }
 
-Image3 shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geometry, const DepthBuffer& depth,
-             const Image<float>& ao, const ShadeSettings& settings, const Run& run) {
+Image3 shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geometry,
+             const DepthBuffer& depth, const Image<float>& ao, const ShadeSettings& settings,
+             const Run& run) {
     const Size size = depth.size();
     const CameraMatrices matrices = camera_matrices(camera, size);
     const ViewLights lights = lights_in_view(scene, matrices);
@@ -183,10 +191,12 @@ Image3 shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geo
 Image3 shade(const Scene& scene, const Camera& camera, const DepthBuffer& depth, const Image<float>& ao,
              const ShadeSettings& settings, const Run& run) {
     const GeometrySettings geometry{settings.position_order, true, depth.format, settings.depth_bias};
-    return shade(scene, camera, screen_geometry(scene, camera, depth.size(), geometry, run), depth, ao, settings, run);
+    return shade(scene, camera, screen_geometry(scene, camera, depth.size(), geometry, run), depth, ao,
+                 settings, run);
 }
 
-Image3 shade(const Scene& scene, const Camera& camera, const DepthBuffer& depth, const Image<float>& ao, const Run& run) {
+Image3 shade(const Scene& scene, const Camera& camera, const DepthBuffer& depth, const Image<float>& ao,
+             const Run& run) {
     return shade(scene, camera, depth, ao, ShadeSettings{}, run);
 }
 

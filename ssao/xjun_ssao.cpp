@@ -6,7 +6,8 @@ AoFetch xjun_fetch(const LunaSettings& settings) {
     return {DepthSource::view_depth, false, settings.ao_scale, settings.as_published};
 }
 
-Image<float> xjun_ssao(const GBuffer& gbuffer, const Camera& camera, const LunaSettings& settings, const Run& run) {
+Image<float> xjun_ssao(const GBuffer& gbuffer, const Camera& camera, const LunaSettings& settings,
+                       const Run& run) {
     return luna_occlusion(ao_inputs(gbuffer, camera, xjun_fetch(settings), run), settings, run);
 }
 

@@ -14,7 +14,7 @@ inline constexpr LunaSettings kXjunSettings{};
 
 AoFetch xjun_fetch(const LunaSettings& settings);
 
-Image<float> xjun_ssao(const GBuffer& gbuffer, const Camera& camera, const LunaSettings& settings = kXjunSettings,
-                       const Run& run = {});
+Image<float> xjun_ssao(const GBuffer& gbuffer, const Camera& camera,
+                       const LunaSettings& settings = kXjunSettings, const Run& run = {});
 
 }  // namespace crevice

@@ -34,7 +34,7 @@ struct Texel {
 // The definitions of ao_inputs.h in double: the four pixels around a texel's centre, their mean, and the
 // nearest surface.
 class TexelReference {
-   public:
+ public:
     TexelReference(const GBuffer& g, const AoFetch& fetch, Size map, int column, int row)
         : size_(g.depth.size()), ndc_(fetch.depth == DepthSource::ndc_depth) {
         const double x = (column + 0.5) * size_.width / map.width,
@@ -84,7 +84,7 @@ class TexelReference {
         return {first.n, 0, usable ? carried : first.z, usable ? magnified : 0};
     }
 
-   private:
+ private:
     static constexpr double kTangent = 0.57735026918962576;  // of half the field of view, 30 degrees
 
     glm::dvec3 ray(double x, double y) const {

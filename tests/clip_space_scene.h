@@ -15,7 +15,8 @@
 
 namespace crevice {
 
-// Reproducible numbers in tests: a 64-bit linear congruential sequence, its high bits.
+// Reproducible numbers in tests: a 64-bit linear congruential sequence, its high bits. Two of them in one
+// expression need braces: the order in which arguments in parentheses are evaluated is the compiler's own.
 class RandomSequence {
    public:
     explicit RandomSequence(std::uint64_t seed) : state_(seed * 0x9e3779b97f4a7c15u + 1) {}
@@ -58,6 +59,9 @@ struct ClipSpaceScene {
     glm::vec4 at_screen(double x_px, double y_px, double z_ndc = 0.5, double w = 1) const {
         const double x_ndc = x_px / (size.width * 0.5) - 1, y_ndc = 1 - y_px / (size.height * 0.5);
         return glm::vec4(x_ndc * w, y_ndc * w, z_ndc * w, w);
+    }
+    glm::vec4 at_screen(glm::dvec2 p_px, double z_ndc = 0.5, double w = 1) const {
+        return at_screen(p_px.x, p_px.y, z_ndc, w);
     }
 };
 

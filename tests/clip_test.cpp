@@ -76,8 +76,8 @@ TEST_CASE("random triangles with w of either sign and of every magnitude") {
             const double scale = i % 4 == 0 ? exp2_of(static_cast<float>(random.between(0, 110))) : 1;
             const double w = random.whole(0, 9) == 0 ? 0 : random.between(-1, 3);
             const double reach = i % 3 == 0 ? 20 : 2;
-            return glm::vec4(scale * random.between(-reach, reach), scale * random.between(-reach, reach),
-                             scale * random.between(-0.3, 1), scale * w);
+            return glm::vec4{scale * random.between(-reach, reach), scale * random.between(-reach, reach),
+                             scale * random.between(-0.3, 1), scale * w};
         };
         const glm::vec4 a = vertex(), b = vertex(), c = vertex();
         INFO("a " << a.x << " " << a.y << " " << a.z << " " << a.w);
@@ -151,8 +151,8 @@ TEST_CASE("what is left of a triangle lies inside all planes, and its coordinate
         std::array<glm::vec4, 3> p;
         for (glm::vec4& v : p) {
             const double w = random.between(-1, 2), reach = i % 2 == 0 ? 2 : 5000;
-            v = glm::vec4(random.between(-reach, reach), random.between(-reach, reach),
-                          random.between(-0.5, 1.5), w);
+            v = glm::vec4{random.between(-reach, reach), random.between(-reach, reach),
+                          random.between(-0.5, 1.5), w};
         }
         if (i % 5 == 0) p[0] = glm::vec4(0);
         const ClippedPolygon polygon = clip_triangle(p, kSize);
@@ -228,8 +228,8 @@ TEST_CASE("abc, bca and cab of a clipped triangle cover the same pixels") {
         ClipSpaceScene scene{kSize, {}, {}};
         for (int k = 0; k < 3; ++k) {
             const double w = random.between(-1, 2), reach = i % 2 == 0 ? 2 : 2000;
-            scene.add(glm::vec4(random.between(-reach, reach), random.between(-reach, reach),
-                                random.between(-0.5, 1.5), w));
+            scene.add(glm::vec4{random.between(-reach, reach), random.between(-reach, reach),
+                                random.between(-0.5, 1.5), w});
         }
         scene.triangles = {{0, 1, 2}};
         const CountedDrawing expected = draw(scene);

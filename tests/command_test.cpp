@@ -32,7 +32,8 @@ Outcome crevice_says(const std::string& arguments) {
     REQUIRE(pipe != nullptr);
     Outcome outcome;
     std::array<char, 4096> buffer;
-    for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) outcome.text.append(buffer.data(), n);
+    for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+        outcome.text.append(buffer.data(), n);
     const int status = pclose(pipe);
     outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     return outcome;
@@ -136,7 +137,8 @@ TEST_CASE("input that cannot be read gives exit code 3, output that cannot be wr
 
 TEST_CASE("render writes the six buffers and a passes.json that describes them") {
     const ScratchDirectory scratch;
-    const Outcome outcome = crevice_says("render columns_luna --ao luna --size 64x36 --repeat 3 --threads 2 --out " + quoted(scratch.path()));
+    const Outcome outcome = crevice_says(
+        "render columns_luna --ao luna --size 64x36 --repeat 3 --threads 2 --out " + quoted(scratch.path()));
     CAPTURE(outcome.text);
     REQUIRE(outcome.code == 0);
     std::ifstream file(scratch.path() / "passes.json");
@@ -164,7 +166,8 @@ TEST_CASE("render writes the six buffers and a passes.json that describes them")
         CHECK(described["shape"][1] == planes[0].size.width);
         CHECK(described["nan"] == 0);
         Image3 colour;
-        if (planes.size() == 3) std::tie(colour.x, colour.y, colour.z) = std::tie(planes[0], planes[1], planes[2]);
+        if (planes.size() == 3)
+            std::tie(colour.x, colour.y, colour.z) = std::tie(planes[0], planes[1], planes[2]);
         CHECK(described["hash"] == (planes.size() == 1 ? content_hash(planes[0]) : content_hash(colour)));
         CHECK(std::filesystem::file_size(scratch.path() / (std::string(name) + ".png")) > 0);
     }
@@ -176,22 +179,28 @@ TEST_CASE("--only writes just those buffers, with the same bits as a whole frame
     REQUIRE(crevice_says("render columns --size 64x36 --keep-all --out " + quoted(all.path())).code == 0);
     REQUIRE(crevice_says("render columns --size 64x36 --only ao_raw --out " + quoted(one.path())).code == 0);
     CHECK(!std::filesystem::exists(one.path() / "lit.npy"));
-    CHECK(crevice_says("compare " + quoted(all.path() / "ao_raw.npy") + " " + quoted(one.path() / "ao_raw.npy")).code == 0);
-    const Outcome other = crevice_says("compare --out " + quoted(one.path()) + " " + quoted(all.path() / "ao_raw.npy") + " " +
-                                       quoted(all.path() / "ao_blurred.npy"));
+    CHECK(
+        crevice_says("compare " + quoted(all.path() / "ao_raw.npy") + " " + quoted(one.path() / "ao_raw.npy"))
+            .code == 0);
+    const Outcome other =
+        crevice_says("compare --out " + quoted(one.path()) + " " + quoted(all.path() / "ao_raw.npy") + " " +
+                     quoted(all.path() / "ao_blurred.npy"));
     CAPTURE(other.text);
     CHECK(other.code == 1);
 }
 
 TEST_CASE("the lists name every scene, method and parameter") {
-    const Outcome scenes = crevice_says("scenes"), methods = crevice_says("methods"), params = crevice_says("params xjun");
+    const Outcome scenes = crevice_says("scenes"), methods = crevice_says("methods"),
+                  params = crevice_says("params xjun");
     CHECK(scenes.code == 0);
-    for (const char* name : {"columns", "columns_luna", "sphere_on_plane", "wall_corner", "trench", "cornell", "empty"}) {
+    for (const char* name :
+         {"columns", "columns_luna", "sphere_on_plane", "wall_corner", "trench", "cornell", "empty"}) {
         CAPTURE(name);
         CHECK(scenes.text.find(name) != std::string::npos);
     }
     for (const char* name : {"xjun", "luna", "none"}) CHECK(methods.text.find(name) != std::string::npos);
-    for (const char* name : {"samples", "radius", "fade_start", "fade_end", "epsilon", "exponent", "seed", "blur_iterations", "as_published"}) {
+    for (const char* name : {"samples", "radius", "fade_start", "fade_end", "epsilon", "exponent", "seed",
+                             "blur_iterations", "as_published"}) {
         CAPTURE(name);
         CHECK(params.text.find(name) != std::string::npos);
     }

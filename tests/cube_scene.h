@@ -44,7 +44,7 @@ inline Scene scene_of(Mesh mesh, const glm::mat4& world_from_object) {
 }
 
 inline glm::dmat3 random_rotation(RandomSequence& random) {
-    const glm::dvec3 axis(random.between(-1, 1), random.between(-1, 1), random.between(0.1, 1));
+    const glm::dvec3 axis{random.between(-1, 1), random.between(-1, 1), random.between(0.1, 1)};
     return glm::dmat3(glm::rotate(glm::dmat4(1), random.between(0, 6.28), glm::normalize(axis)));
 }
 

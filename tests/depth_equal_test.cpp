@@ -25,13 +25,16 @@ ClipSpaceScene random_triangles(std::uint64_t seed, Size size) {
         const double w = random.between(0.2, 5);
         return glm::vec4(p_ndc.x * w, p_ndc.y * w, random.between(-0.05, 1) * w, w);
     };
-    const auto anywhere = [&] { return glm::dvec2(random.between(-1.2, 1.2), random.between(-1.2, 1.2)); };
-    for (int i = 0; i < 72; ++i)
-        scene.add_triangle(vertex(anywhere()), vertex(anywhere()), vertex(anywhere()));
+    const auto anywhere = [&] { return glm::dvec2{random.between(-1.2, 1.2), random.between(-1.2, 1.2)}; };
+    for (int i = 0; i < 72; ++i) {
+        const glm::vec4 a = vertex(anywhere()), b = vertex(anywhere()), c = vertex(anywhere());
+        scene.add_triangle(a, b, c);
+    }
     for (int i = 0; i < 72; ++i) {
         const glm::dvec2 a = anywhere(), b = anywhere();
         const glm::dvec2 c = b + 0.02 * (anywhere() - b);
-        scene.add_triangle(vertex(a), vertex(b), vertex(c));
+        const glm::vec4 at_a = vertex(a), at_b = vertex(b), at_c = vertex(c);
+        scene.add_triangle(at_a, at_b, at_c);
     }
     return scene;
 }
@@ -41,7 +44,8 @@ Scene random_scene(std::uint64_t seed) {
     RandomSequence random(seed);
     Mesh mesh;
     for (std::uint32_t i = 0; i < 600; ++i) {
-        mesh.positions.emplace_back(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+        mesh.positions.push_back(
+            glm::vec3{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)});
         mesh.normals.push_back(glm::normalize(glm::vec3(0.3f, 1, -0.2f)));
         if (i % 3 == 2) mesh.triangles.push_back({i - 2, i - 1, i});
     }
@@ -51,10 +55,10 @@ Scene random_scene(std::uint64_t seed) {
     scene.materials = {Material{}};
     scene.two_sided = true;
     for (int i = 0; i < 3; ++i) {
-        const glm::dvec3 axis(random.between(-1, 1), random.between(-1, 1), random.between(0.1, 1));
+        const glm::dvec3 axis{random.between(-1, 1), random.between(-1, 1), random.between(0.1, 1)};
         const glm::dmat4 turn = glm::rotate(glm::dmat4(1), random.between(0, 6), glm::normalize(axis));
-        const glm::dvec3 place(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
-        const glm::dvec3 stretch(random.between(0.3, 2), random.between(0.3, 2), random.between(0.3, 2));
+        const glm::dvec3 place{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
+        const glm::dvec3 stretch{random.between(0.3, 2), random.between(0.3, 2), random.between(0.3, 2)};
         scene.instances.push_back(
             {0, glm::mat4(glm::scale(glm::translate(glm::dmat4(1), place) * turn, stretch))});
     }

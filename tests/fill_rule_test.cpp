@@ -148,10 +148,10 @@ TEST_CASE("random triangles of every size cover what the definition says") {
         CAPTURE(i);
         ClipSpaceScene scene{{32, 32}, {}, {}};
         const double reach = std::array{0.02, 3.0, 40.0, 300.0, 30000.0}[static_cast<std::size_t>(i % 5)];
-        const glm::dvec2 near(random.whole(0, 31) + 0.5, random.whole(0, 31) + 0.5);
+        const glm::dvec2 near{random.whole(0, 31) + 0.5, random.whole(0, 31) + 0.5};
         const auto corner = [&] {
-            return scene.at_screen(near.x + random.between(-reach, reach),
-                                   near.y + random.between(-reach, reach));
+            return scene.at_screen(near +
+                                   glm::dvec2{random.between(-reach, reach), random.between(-reach, reach)});
         };
         const glm::vec4 a = corner(), b = corner(), c = corner();
         scene.add_triangle(a, b, c);

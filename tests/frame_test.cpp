@@ -162,10 +162,10 @@ TEST_CASE("frame: whichever buffers are asked for, each has the bits it has amon
 
 TEST_CASE("frame: sizes of the AO maps") {
     const Scene scene = scene_of({facing_quad({0, 0, 4}, 1)});
-    for (const auto& [picture, half] : {std::pair{Size{801, 601}, Size{401, 301}},
-                                        {{1, 1}, {1, 1}},
-                                        {{32767, 1}, {16384, 1}},
-                                        {{2, 7}, {1, 4}}}) {
+    const std::pair<Size, Size> sizes[] = {
+        {{801, 601}, {401, 301}}, {{1, 1}, {1, 1}}, {{32767, 1}, {16384, 1}}, {{2, 7}, {1, 4}}};
+    for (const auto& sides : sizes) {
+        const Size picture = sides.first, half = sides.second;
         CAPTURE(picture.width);
         FrameRequest request = request_for("xjun", picture);
         request.wanted = {"ao_blurred"};

@@ -106,7 +106,7 @@ TEST_CASE("scene and camera moved together by 2^18 give the same picture, to the
         moved_camera.eye += far_away;
         moved_camera.target += far_away;
         const glm::mat4 turn = glm::mat4(glm::dmat4(random_rotation(random)));
-        const glm::vec3 place(on_grid(-1, 1), on_grid(-1, 1), on_grid(-1, 1));
+        const glm::vec3 place{on_grid(-1, 1), on_grid(-1, 1), on_grid(-1, 1)};
         Scene scene = scene_of(cube(), glm::translate(glm::mat4(1), place) * turn);
         Scene moved = scene_of(cube(), glm::translate(glm::mat4(1), glm::vec3(far_away) + place) * turn);
         Mesh ground = cube();

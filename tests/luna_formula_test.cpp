@@ -19,7 +19,7 @@ struct Interval {
 
 // The formulas of the tutorials, scalar, in double, from the G-buffer: reflect, flip, project, compare.
 class Reference {
-   public:
+ public:
     Reference(const Scene& scene, const GBuffer& g, const AoInputs& inputs, const LunaSettings& settings)
         : camera_(scene.camera),
           g_(g),
@@ -56,7 +56,7 @@ class Reference {
         return {1 - sum.high / s_.samples, 1 - sum.low / s_.samples};
     }
 
-   private:
+ private:
     static constexpr double kMove_px = 3e-5, kMoveDepth = 4.0 / 16777216;
 
     double tangent_y() const { return std::tan(camera_.fov_y_rad / 2); }

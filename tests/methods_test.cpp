@@ -163,10 +163,10 @@ TEST_CASE("the lists for reading name every method and parameter") {
 }
 
 TEST_CASE("parse: numbers are read whole or refused with the flag's name") {
-    for (const auto& [word, value] :
+    for (const auto& read :
          {std::pair{"0", 0.0}, {"-3", -3.0}, {".5", 0.5}, {"2.", 2.0}, {"1e-3", 1e-3}, {"1E3", 1e3}}) {
-        CAPTURE(std::string(word));
-        CHECK(parse_number("--near", word) == value);
+        CAPTURE(std::string(read.first));
+        CHECK(parse_number("--near", read.first) == read.second);
     }
     for (const char* word : {"", " ", "1 ", " 1", "+1", "1e", "e5", "--1", "1.2.3", "nan", "inf", "-inf",
                              "infinity", "1e999", "0x10", "1,5", "1f"}) {

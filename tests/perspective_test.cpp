@@ -146,7 +146,7 @@ TEST_CASE("a constant attribute is constant to the bit, clipped or not") {
         const bool clipped = i % 2 == 1;
         for (int k = 0; k < 3; ++k) {
             const double w = random.between(0.1, 4), z = clipped ? random.between(-1, 1.5) : 0.5;
-            scene.add(scene.at_screen(random.between(-40, 104), random.between(-40, 104), z, w));
+            scene.add(scene.at_screen(glm::dvec2{random.between(-40, 104), random.between(-40, 104)}, z, w));
         }
         scene.triangles = {{0, 1, 2}};
         const float constant = static_cast<float>(random.between(-10, 10));
@@ -172,7 +172,7 @@ TEST_CASE("clipping leaves attributes where they were") {
         std::vector<float> attribute;
         for (int k = 0; k < 3; ++k) {
             const double w = k == 0 ? -random.between(0.5, 2) : random.between(2, 8);
-            scene.add(glm::vec4(random.between(-6, 6), random.between(-6, 6), w - 1, w));
+            scene.add(glm::vec4{random.between(-6, 6), random.between(-6, 6), w - 1, w});
             attribute.push_back(static_cast<float>(random.between(-1, 1)));
         }
         scene.triangles = {{0, 1, 2}};

@@ -117,7 +117,8 @@ TEST_CASE("random map: bytes of an RGBA8 texture, all of them, evenly, without c
 TEST_CASE("random map: at a texel's centre the texel, between two their mean, and wrapped around") {
     const RandomMap map = random_map(3);
     const auto centre = [](int texel) { return (static_cast<float>(texel) + 0.5f) / kRandomMapSide; };
-    for (const auto [x, y] : {std::array{0, 0}, {255, 0}, {0, 255}, {255, 255}, {17, 130}}) {
+    for (const auto& position : {std::array{0, 0}, {255, 0}, {0, 255}, {255, 255}, {17, 130}}) {
+        const int x = position[0], y = position[1];
         CAPTURE(x);
         CAPTURE(y);
         const auto texel = [&](int column, int row) {

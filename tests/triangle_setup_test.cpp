@@ -10,9 +10,10 @@ using namespace crevice;
 
 namespace {
 
-ProjectedVertex corner_at(std::int32_t x, std::int32_t y, float z_ndc = 0.5f) {
-    return {.x = x, .y = y, .x_rest = 0, .y_rest = 0, .z_ndc = z_ndc, .inverse_w = 1, .outside = 0};
+ProjectedVertex corner_at(std::int32_t x, std::int32_t y) {
+    return {.x = x, .y = y, .x_rest = 0, .y_rest = 0, .z_ndc = 0.5f, .inverse_w = 1, .outside = 0};
 }
+ProjectedVertex corner_at(glm::ivec2 p) { return corner_at(p.x, p.y); }
 
 std::optional<SetUpTriangle> set_up(const std::array<ProjectedVertex, 3>& corners,
                                     bool cull_back_faces = false) {
@@ -61,7 +62,7 @@ TEST_CASE("corners start at the top, go clockwise, and `order` names them") {
         CAPTURE(i);
         std::array<ProjectedVertex, 3> corners;
         for (ProjectedVertex& c : corners)
-            c = corner_at(random.whole(-9, 9) * 128, random.whole(-9, 9) * 128);
+            c = corner_at(glm::ivec2{random.whole(-9, 9), random.whole(-9, 9)} * 128);
         const std::optional<SetUpTriangle> result = set_up(corners);
         if (!result) continue;
         const ScreenTriangle& t = result->triangle;
@@ -86,7 +87,7 @@ TEST_CASE("edge functions are exact integers, up to the guard band") {
         const int reach = i % 2 == 0 ? band * kSubpixelSteps : 4096;
         std::array<ProjectedVertex, 3> corners;
         for (ProjectedVertex& c : corners)
-            c = corner_at(random.whole(-reach, reach), random.whole(-reach, reach));
+            c = corner_at(glm::ivec2{random.whole(-reach, reach), random.whole(-reach, reach)});
         if (i < 2) corners = {corner_at(-reach, -reach), corner_at(reach, -reach), corner_at(reach, reach)};
         const std::optional<SetUpTriangle> result = set_up(corners);
         if (!result) continue;
@@ -119,8 +120,8 @@ TEST_CASE("abc, bca, cab and their mirror images draw the same pixels and depths
         ClipSpaceScene scene{{64, 64}, {}, {}};
         for (int k = 0; k < 3; ++k) {
             const double w = random.between(0.1, 4);
-            scene.add(
-                scene.at_screen(random.between(-40, 104), random.between(-40, 104), random.between(0, 1), w));
+            const glm::dvec2 p_px{random.between(-40, 104), random.between(-40, 104)};
+            scene.add(scene.at_screen(p_px, random.between(0, 1), w));
         }
         scene.triangles = {{0, 1, 2}};
         const CountedDrawing expected = draw(scene);
@@ -144,11 +145,12 @@ TEST_CASE("depth is that of the true plane, not of its snapped corners") {
         // z_ndc = 0.5 + slope_x * x_ndc + slope_y * y_ndc, steep: the whole depth range over the picture.
         const double slope_x = random.between(-0.2, 0.2), slope_y = random.between(-0.2, 0.2);
         const auto corner = [&](double x_ndc, double y_ndc) {
-            const glm::vec4 p(x_ndc + random.between(-0.2, 0.2), y_ndc + random.between(-0.2, 0.2), 0, 1);
+            const glm::vec4 p{x_ndc + random.between(-0.2, 0.2), y_ndc + random.between(-0.2, 0.2), 0, 1};
             return glm::vec4(
                 p.x, p.y, 0.5 + slope_x * static_cast<double>(p.x) + slope_y * static_cast<double>(p.y), 1);
         };
-        scene.add_triangle(corner(-0.8, 0.8), corner(0.8, 0.7), corner(0, -0.8));
+        const glm::vec4 a = corner(-0.8, 0.8), b = corner(0.8, 0.7), c = corner(0, -0.8);
+        scene.add_triangle(a, b, c);
         const CountedDrawing drawing = draw(scene);
         const Image<float> depth = ndc_depth(drawing.depth);
         double worst = 0;
@@ -204,7 +206,8 @@ TEST_CASE("slivers with corners near and far keep 1/w above zero") {
         ClipSpaceScene scene{{32, 32}, {}, {}};
         for (int k = 0; k < 3; ++k) {
             const double w = k == 0 ? random.between(0.1, 1) : random.between(1, 1000);
-            scene.add(scene.at_screen(8.5 + random.between(-0.01, 0.01), random.between(0, 32), 0.5, w));
+            scene.add(scene.at_screen(glm::dvec2{8.5 + random.between(-0.01, 0.01), random.between(0, 32)},
+                                      0.5, w));
         }
         scene.triangles = {{0, 1, 2}};
         float lowest = 1e30f;

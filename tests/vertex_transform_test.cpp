@@ -79,8 +79,10 @@ TEST_CASE("every lane count and instruction set transforms to the same bits, acr
     RandomSequence random(1);
     Mesh mesh;
     for (int i = 0; i < 5003; ++i) {
-        mesh.positions.emplace_back(random.between(-9, 9), random.between(-9, 9), random.between(-9, 9));
-        mesh.normals.emplace_back(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+        mesh.positions.push_back(
+            glm::vec3{random.between(-9, 9), random.between(-9, 9), random.between(-9, 9)});
+        mesh.normals.push_back(
+            glm::vec3{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)});
     }
     Scene scene = scene_of(mesh, glm::mat4(glm::dmat4(random_rotation(random))));
     scene.instances.push_back({0, glm::translate(glm::mat4(2.0f), glm::vec3(1, 2, 3))});
@@ -111,12 +113,12 @@ TEST_CASE("normals stay perpendicular to their surface under rotation and scales
     RandomSequence random(2);
     for (int i = 0; i < 1000; ++i) {
         CAPTURE(i);
-        const glm::dvec3 scale(std::pow(10, random.between(0, 6)), std::pow(10, random.between(0, 6)),
-                               (i % 2 == 0 ? 1 : -1) * std::pow(10, random.between(0, 6)));
+        const glm::dvec3 scale{std::pow(10, random.between(0, 6)), std::pow(10, random.between(0, 6)),
+                               (i % 2 == 0 ? 1 : -1) * std::pow(10, random.between(0, 6))};
         const glm::dmat3 turn = random_rotation(random);
         const glm::dmat3 m = turn * glm::dmat3(glm::scale(glm::dmat4(1), scale));
         const glm::dvec3 n =
-            glm::normalize(glm::dvec3(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)));
+            glm::normalize(glm::dvec3{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)});
         const glm::dvec3 tangent = glm::normalize(glm::cross(n, glm::dvec3(0.3, 0.5, 0.81)));
         const glm::dvec3 bitangent = glm::cross(n, tangent);
         const glm::dvec3 turned = normal_matrix(m) * n;
