@@ -111,8 +111,10 @@ void constant_ambient(Notebook& book) {
     const Image3 with_ao = shade(scene, camera, gbuffer.depth, ao);
     const Picture map = ao_picture(ao_at_picture_size(ao, book.size()));
     book.show("accessibility", map, "Accessibility: white where it is open.");
-    book.text("The ambient term becomes `access * light * material`. Nothing else changes: light that comes "
-              "straight from a lamp is not asked whether there are neighbours.");
+    book.text(R"(
+        The ambient term becomes `access * light * material`. Nothing else changes: light that comes straight
+        from a lamp is not asked whether there are neighbours.
+    )");
     book.show("ambient_with_ao", lit_picture(ambient_with_ao), "The ambient term alone, and it has shape.");
     book.show("lit_with_ao", lit_picture(with_ao), "All light, ambient times access: the columns stand.");
 

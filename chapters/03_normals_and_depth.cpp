@@ -99,7 +99,11 @@ void normals_and_depth(Notebook& book) {
     const GBuffer gbuffer = normal_depth(scene, camera, book.size());
     const Image<float> ndc = ndc_depth(gbuffer.depth);
     const CameraMatrices m = camera_matrices(camera, book.size());
-    book.text("# 03 Normals and depth");
+    book.text(R"(
+        # 03 Normals and depth
+
+        Drawn before any light: for each pixel, the nearest surface's normal and depth.
+    )");
     book.show("normal", normal_picture(gbuffer.normal), "Normals: red right, green up, blue away from you.");
     book.show("view_depth", view_depth_picture(gbuffer.view_depth), "View depth, linear in distance.");
     book.show("ndc_depth", ndc_depth_picture(ndc), "Ndc depth z / w, as the depth buffer keeps it.");

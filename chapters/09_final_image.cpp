@@ -84,8 +84,10 @@ void wrong_sign(Notebook& book, const Scene& scene) {
         rows.push_back({exact_text(y_ndc), exact_text(right), exact_text(published), exact_text(wrapped)});
     }
     book.table({"y in NDC", "v, right", "v as published", "after WRAP"}, rows);
-    book.text("The tutorial's sampler wraps, so a v too small by exactly 1 finds the right row all the same. "
-              "With a clamping sampler, as seed 002 has, every pixel would read the top row:");
+    book.text(R"(
+        The tutorial's sampler wraps, so a v too small by exactly 1 finds the right row all the same. With a
+        clamping sampler, as seed 002 has, every pixel would read the top row:
+    )");
     const GBuffer gbuffer = normal_depth(scene, scene.camera, book.size());
     Image<float> top_row = ao_at_picture_size(xjun_ssao(gbuffer, scene.camera), book.size());
     for (int y = 1; y < top_row.size.height; ++y) {

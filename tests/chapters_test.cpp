@@ -1,5 +1,5 @@
-// Every chapter of this program at a small size: its claims hold, its pictures are on disk, and a second run writes
-// the same bytes.
+// Every chapter of this program at a small size: its claims hold, its pictures are on disk, and a second run
+// writes the same bytes.
 #include <doctest/doctest.h>
 
 #include <cstdlib>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr Size kSmall = {160, 90};
 
-// Other tests register chapters of their own, some of which are meant to fail: theirs are numbered from 90 on.
+// Other tests register chapters of their own, some meant to fail; those are numbered from 90 on.
 std::vector<const Chapter*> real_chapters() {
     std::vector<const Chapter*> real;
     for (const Chapter* chapter : all_chapters()) {
