@@ -138,8 +138,9 @@ CREVICE_INLINE float to_float(std::int32_t a) { return static_cast<float>(a); }
 CREVICE_INLINE float to_float(double a) { return static_cast<float>(a); }
 CREVICE_INLINE double to_double(float a) { return static_cast<double>(a); }
 CREVICE_INLINE double to_double(std::int32_t a) { return static_cast<double>(a); }
-CREVICE_INLINE std::int32_t float_bits(float a) { return std::bit_cast<std::int32_t>(a); }
-CREVICE_INLINE float float_from_bits(std::int32_t a) { return std::bit_cast<float>(a); }
+// Not std::bit_cast: in Debug builds that is a call, and a Wide would change its calling convention.
+CREVICE_INLINE std::int32_t float_bits(float a) { return __builtin_bit_cast(std::int32_t, a); }
+CREVICE_INLINE float float_from_bits(std::int32_t a) { return __builtin_bit_cast(float, a); }
 CREVICE_INLINE float gather(const float* base, std::int32_t index) { return base[index]; }
 CREVICE_INLINE std::int32_t gather(const std::int32_t* base, std::int32_t index) { return base[index]; }
 // base[index] and base[index + 1].
@@ -171,7 +172,7 @@ CREVICE_INLINE std::int32_t lane_index() {
 
 CREVICE_INLINE bool any(WideMask<8> m) {
     typedef std::int64_t Quads __attribute__((vector_size(32)));
-    const Quads q = std::bit_cast<Quads>(m.v);
+    const Quads q = __builtin_bit_cast(Quads, m.v);
     return ((q[0] | q[1]) | (q[2] | q[3])) != 0;
 }
 CREVICE_INLINE bool all(WideMask<8> m) { return !any(!m); }
@@ -218,11 +219,11 @@ CREVICE_INLINE WideDouble<N> to_double(WideOf<T, N> a) {
 }
 template <int N>
 CREVICE_INLINE WideInt<N> float_bits(Wide<N> a) {
-    return WideInt<N>(std::bit_cast<typename WideInt<N>::V>(a.v));
+    return WideInt<N>(__builtin_bit_cast(typename WideInt<N>::V, a.v));
 }
 template <int N>
 CREVICE_INLINE Wide<N> float_from_bits(WideInt<N> a) {
-    return Wide<N>(std::bit_cast<typename Wide<N>::V>(a.v));
+    return Wide<N>(__builtin_bit_cast(typename Wide<N>::V, a.v));
 }
 template <class T, int N>
 CREVICE_INLINE WideOf<T, N> gather(const T* base, WideInt<N> index) {
