@@ -32,7 +32,7 @@ int main() {
 }
 CPP
 flags=$(sed -n 's/^CREVICE_SANITIZE:STRING=//p' "$1/CMakeCache.txt")
-cmake -S "$scratch/user" -B "$scratch/build" -DCMAKE_PREFIX_PATH="$scratch/installed" -DCMAKE_CXX_COMPILER="$2" \
+cmake -G Ninja -S "$scratch/user" -B "$scratch/build" -DCMAKE_PREFIX_PATH="$scratch/installed" -DCMAKE_CXX_COMPILER="$2" \
     ${flags:+-DCMAKE_CXX_FLAGS=-fsanitize=$flags} >/dev/null
 cmake --build "$scratch/build" >/dev/null
 "$scratch/build/user"
