@@ -189,7 +189,7 @@ template <class F, class E, class Depth, class Shader>
 CREVICE_INLINE void raster_triangle(const ScreenGeometry& geometry, const TriangleBlock& block,
                                     const ScreenTriangle& t, PixelRect rect, bool test_blocks,
                                     DepthFunction test, Depth& depth, const Shader& shader) {
-    const E lane = [] {
+    const E lane = []() __attribute__((always_inline)) {
         if constexpr (std::is_same_v<E, Int<F>>) {
             return lane_index<F>();
         } else {
