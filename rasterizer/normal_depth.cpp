@@ -41,6 +41,8 @@ struct NormalDepthShader {
         if (geometry.vertices.n_view.empty()) return;
         for (int y = tile.y0; y < tile.y1; ++y) {
             for (int x = tile.x0; x < tile.x1; x += kLanes<F>) {
+                const F z = load<F>(g.view_depth.row(y) + x);
+                if (!any(z < F(std::numeric_limits<float>::infinity()))) continue;
                 float *const at_x = g.normal.x.row(y) + x, *const at_y = g.normal.y.row(y) + x,
                              *const at_z = g.normal.z.row(y) + x;
                 const Vec3<F> n = unit_normal<F>({load<F>(at_x), load<F>(at_y), load<F>(at_z)});

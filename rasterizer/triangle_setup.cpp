@@ -37,15 +37,15 @@ struct Plane {
 
 Plane plane_through(const std::array<const ProjectedVertex*, 3>& corners,
                     const std::array<std::uint8_t, 3>& order, float ProjectedVertex::*quantity,
-                    double doubled_area) {
+                    double inverse_area) {
     const ProjectedVertex &a = *corners[order[0]], &b = *corners[order[1]], &c = *corners[order[2]];
     const double low = std::min({a.*quantity, b.*quantity, c.*quantity});
     const double high = std::max({a.*quantity, b.*quantity, c.*quantity});
     const double to_b = static_cast<double>(b.*quantity) - a.*quantity,
                  to_c = static_cast<double>(c.*quantity) - a.*quantity;
     Plane plane;
-    plane.per_x = (to_b * (c.y - a.y) - to_c * (b.y - a.y)) / doubled_area;
-    plane.per_y = (to_c * (b.x - a.x) - to_b * (c.x - a.x)) / doubled_area;
+    plane.per_x = (to_b * (c.y - a.y) - to_c * (b.y - a.y)) * inverse_area;
+    plane.per_y = (to_c * (b.x - a.x) - to_b * (c.x - a.x)) * inverse_area;
     for (std::size_t i = 0; i < 3; ++i) {
         // Slivers have wild slopes: their corners keep near the range of the triangle, and on their side of
         // zero.
@@ -88,11 +88,12 @@ std::optional<SetUpTriangle> set_up_triangle(const std::array<const ProjectedVer
         t.y[i] = corner.y;
     }
     const double area = static_cast<double>(t.back_facing ? -doubled_area : doubled_area);
-    const Plane z = plane_through(corners, o, &ProjectedVertex::z_ndc, area);
-    const Plane inverse_w = plane_through(corners, o, &ProjectedVertex::inverse_w, area);
+    const double inverse_area = 1 / area;
+    const Plane z = plane_through(corners, o, &ProjectedVertex::z_ndc, inverse_area);
+    const Plane inverse_w = plane_through(corners, o, &ProjectedVertex::inverse_w, inverse_area);
     t.z0 = z.at_corner[0];
-    t.z_per_e1 = static_cast<float>((static_cast<double>(z.at_corner[1]) - z.at_corner[0]) / area);
-    t.z_per_e2 = static_cast<float>((static_cast<double>(z.at_corner[2]) - z.at_corner[0]) / area);
+    t.z_per_e1 = static_cast<float>((static_cast<double>(z.at_corner[1]) - z.at_corner[0]) * inverse_area);
+    t.z_per_e2 = static_cast<float>((static_cast<double>(z.at_corner[2]) - z.at_corner[0]) * inverse_area);
     t.inverse_w = inverse_w.at_corner;
     t.doubled_area = static_cast<float>(area);
     t.clipped = -1;

@@ -60,13 +60,34 @@ bool any_texture(const Scene& scene) {
                        [](const Material& m) { return m.texture != nullptr; });
 }
 
+// An AO map seen at picture size, filtered linearly; all open when the map is empty.
+struct AoSampler {
+    const Image<float>& ao;
+    LinearTaps columns, rows;
+
+    AoSampler(const Image<float>& map, Size picture)
+        : ao(map), columns(picture.width, map.size.width), rows(picture.height, map.size.height) {}
+
+    template <class F>
+    CREVICE_INLINE F at(int x, int y) const {
+        if (ao.empty()) return F(1);
+        const auto row = static_cast<std::size_t>(y);
+        const float *above = ao.row(rows.first[row]), *below = ao.row(rows.second[row]);
+        const Int<F> left = load<F>(columns.first.data() + x), right = load<F>(columns.second.data() + x);
+        const F fx = load<F>(columns.weight_of_second.data() + x);
+        const F top = mix(F(gather(above, left)), F(gather(above, right)), fx);
+        const F bottom = mix(F(gather(below, left)), F(gather(below, right)), fx);
+        return mix(top, bottom, F(rows.weight_of_second[row]));
+    }
+};
+
 // Fragments only note what a pixel shows; the pixels are lit when the tile is complete, eight at a time
 // whatever the size of the triangles. Until then a pixel of `lit` holds its normal.
 struct LitShader {
     const Scene& scene;
     const ScreenGeometry& geometry;
     const ViewLights& lights;
-    const Image<float>& accessibility;
+    const AoSampler& accessibility;
     Image3& lit;
     Image<std::int32_t>& materials;  // index, or kSky
     Image3& textures;                // texture colours; empty when the scene has none
@@ -125,7 +146,7 @@ struct LitShader {
         const Vec3<F> ray = view_ray_at<F>(geometry, x, y);
         const Vec3<F> to_eye = normalize_or<F>({zero - ray.x, zero - ray.y, zero - ray.z}, ray);
         const Vec3<F> texture = textures.empty() ? Vec3<F>{one, one, one} : load_vec3<F>(textures, x, y);
-        const SurfacePoint<F> s{n_view, to_eye, texture, load<F>(accessibility.row(y) + x)};
+        const SurfacePoint<F> s{n_view, to_eye, texture, accessibility.at<F>(x, y)};
         return scene.lighting == LightingModel::phong
                    ? phong(s, material, lights)
                    : blinn_schlick(s, material, lights, scene.ambient_light);
@@ -147,23 +168,14 @@ struct LitShader {
 
 Image<float> ao_at_picture_size(const Image<float>& ao, Size picture, const Run& run) {
     Image<float> result(picture, 1.0f);
-    if (ao.empty()) return result;
-    const LinearTaps columns(picture.width, ao.size.width), rows(picture.height, ao.size.height);
+    const AoSampler sampler(ao, picture);
     parallel_rows(picture.height, run, [&](int first_row, int end_row) {
         run_kernel(
             run, [&](auto tag) __attribute__((always_inline)) {
                 using F = typename decltype(tag)::type;
                 for (int y = first_row; y < end_row; ++y) {
-                    const auto row = static_cast<std::size_t>(y);
-                    const float *above = ao.row(rows.first[row]), *below = ao.row(rows.second[row]);
-                    const F fy = F(rows.weight_of_second[row]);
                     for (int x = 0; x < picture.width; x += kLanes<F>) {
-                        const Int<F> left = load<F>(columns.first.data() + x),
-                                     right = load<F>(columns.second.data() + x);
-                        const F fx = load<F>(columns.weight_of_second.data() + x);
-                        const F top = mix(F(gather(above, left)), F(gather(above, right)), fx);
-                        const F bottom = mix(F(gather(below, left)), F(gather(below, right)), fx);
-                        store(result.row(y) + x, mix(top, bottom, fy));
+                        store(result.row(y) + x, sampler.at<F>(x, y));
                     }
                 }
             });
@@ -177,7 +189,7 @@ Image3 shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geo
     const Size size = depth.size();
     const CameraMatrices matrices = camera_matrices(camera, size);
     const ViewLights lights = lights_in_view(scene, matrices);
-    const Image<float> accessibility = ao_at_picture_size(ao, size, run);
+    const AoSampler accessibility(ao, size);
 
     Image3 lit(size);
     Image<std::int32_t> materials(size);

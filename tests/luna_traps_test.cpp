@@ -135,6 +135,13 @@ TEST_CASE("trap 2: the sign of 0 is +1; as published it is 0 and the sample fall
     // .5) / 1.8.
     const float across = sample_under(sheet, settings, {0, 0, 10}, {0, 0, -1}, {1, 0, 0});
     CHECK(std::fabs(static_cast<double>(across) - 0.5 / std::sqrt(1.25) * 1.5 / 1.8) < 1e-6);
+    // The side is the offset's own, not the opposite one.
+    AoInputs half_sheet = sheet;
+    for (int y = 0; y < half_sheet.depth_map.size.height; ++y) {
+        for (int x = 0; x < 33; ++x) half_sheet.depth_map.at(x, y) = 20;
+    }
+    CHECK(sample_under(half_sheet, settings, {0, 0, 10}, {0, 0, -1}, {1, 0, 0}) == across);
+    CHECK(sample_under(half_sheet, settings, {0, 0, 10}, {0, 0, -1}, {-1, 0, 0}) == 0);
     settings.as_published = true;
     const float onto_itself = sample_under(sheet, settings, {0, 0, 10}, {0, 0, -1}, {1, 0, 0});
     CHECK(std::fabs(static_cast<double>(onto_itself) - 1.5 / 1.8) < 1e-6);
