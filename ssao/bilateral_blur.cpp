@@ -14,9 +14,6 @@ namespace crevice {
 
 namespace {
 
-// Columns before and after each row, so that taps of the first and last texels read memory that is there;
-// they never count.
-constexpr int kMargin = 16;
 constexpr int kTaps = 2 * kBlurRadius + 1;
 
 enum class Direction { horizontal, vertical };
@@ -27,45 +24,46 @@ struct TapDecisions {
     Image<float> total_weight;
 };
 
-struct Guide {
-    Image<float> n_x, n_y, n_z, z;  // with margins
-};
-
-Image<float> with_margins(const Image<float>& source, float fill, const Run& run) {
-    Image<float> result({source.size.width + 2 * kMargin, source.size.height}, fill);
-    parallel_rows(source.size.height, run, [&](int first_row, int end_row) {
-        for (int y = first_row; y < end_row; ++y) {
-            std::copy_n(source.row(y), source.size.width, result.row(y) + kMargin);
-        }
-    });
-    return result;
-}
-
-// Where tap k of texel (x, y) lies; vertical taps outside the map read the last row that is there.
+// Where tap k of the texels from (x, y) on lies; a row outside the map is the last one that is there.
 struct TapPosition {
     int column, row;
-    bool inside;
+    bool row_inside;
 };
 TapPosition tap_position(Direction direction, Size size, int x, int y, int k) {
     const int offset = k - kBlurRadius;
-    if (direction == Direction::horizontal) return {x + kMargin + offset, y, true};
+    if (direction == Direction::horizontal) return {x + offset, y, true};
     const int row = y + offset;
-    return {x + kMargin, std::clamp(row, 0, size.height - 1), row >= 0 && row < size.height};
+    return {x, std::clamp(row, 0, size.height - 1), row >= 0 && row < size.height};
+}
+
+// The values of a tap's texels. Columns outside the map give the nearest one inside: a tap there never counts.
+template <class F>
+CREVICE_INLINE F tap_values(const Image<float>& image, TapPosition tap) {
+    const float* row = image.row(tap.row);
+    if (tap.column >= 0 && tap.column + kLanes<F> <= image.size.width) return load<F>(row + tap.column);
+    const Int<F> column = lane_index<F>() + Int<F>(tap.column);
+    return gather(row, clamp_int(column, Int<F>(0), Int<F>(image.size.width - 1)));
 }
 
 template <class F>
-CREVICE_INLINE Mask<F> tap_counts(const Guide& guide, TapPosition centre, TapPosition tap,
+CREVICE_INLINE Mask<F> tap_counts(const AoInputs& inputs, TapPosition centre, TapPosition tap,
                                   const BlurSettings& settings) {
-    const auto at = [&](const Image<float>& plane, TapPosition p) __attribute__((always_inline)) {
-        return F(load<F>(plane.row(p.row) + p.column));
+    const auto at_centre = [&](const Image<float>& plane) __attribute__((always_inline)) {
+        return tap_values<F>(plane, centre);
     };
-    const F cosine = at(guide.n_x, centre) * at(guide.n_x, tap) + at(guide.n_y, centre) * at(guide.n_y, tap) +
-                     at(guide.n_z, centre) * at(guide.n_z, tap);
-    const F distance = absolute(at(guide.z, centre) - at(guide.z, tap));
-    return (cosine >= F(settings.normal_threshold)) & (distance <= F(settings.depth_threshold));
+    const auto at_tap = [&](const Image<float>& plane) __attribute__((always_inline)) {
+        return tap_values<F>(plane, tap);
+    };
+    const Image3& n = inputs.normal;
+    const F cosine =
+        at_centre(n.x) * at_tap(n.x) + at_centre(n.y) * at_tap(n.y) + at_centre(n.z) * at_tap(n.z);
+    const F distance = absolute(at_centre(inputs.view_depth) - at_tap(inputs.view_depth));
+    const Int<F> column = lane_index<F>() + Int<F>(tap.column);
+    const auto inside = (column >= Int<F>(0)) & (column < Int<F>(inputs.size().width));
+    return inside & (cosine >= F(settings.normal_threshold)) & (distance <= F(settings.depth_threshold));
 }
 
-TapDecisions decide_taps(const Guide& guide, Size size, Direction direction, const BlurSettings& settings,
+TapDecisions decide_taps(const AoInputs& inputs, Size size, Direction direction, const BlurSettings& settings,
                          const Run& run) {
     // Where there is no surface no tap counts: the normal is (0,0,0) there, and the distance to an infinite
     // depth not a number.
@@ -79,13 +77,13 @@ TapDecisions decide_taps(const Guide& guide, Size size, Direction direction, con
                     for (int x = 0; x < size.width; x += kLanes<F>) {
                         Int<F> bits(0);
                         F total = F(settings.weights[kBlurRadius]);
-                        const TapPosition centre = {x + kMargin, y, true};
-                        const F z = load<F>(guide.z.row(y) + x + kMargin);
+                        const TapPosition centre = {x, y, true};
+                        const F z = load<F>(inputs.view_depth.row(y) + x);
                         if (!any(z < F(kNothing))) continue;
                         for (int k = 0; k < kTaps; ++k) {
                             const TapPosition tap = tap_position(direction, size, x, y, k);
-                            if (k == kBlurRadius || !tap.inside) continue;
-                            const auto counts = tap_counts<F>(guide, centre, tap, settings);
+                            if (k == kBlurRadius || !tap.row_inside) continue;
+                            const auto counts = tap_counts<F>(inputs, centre, tap, settings);
                             bits = bits | select(counts, Int<F>(1 << k), Int<F>(0));
                             total = total +
                                     select(counts, F(settings.weights[static_cast<std::size_t>(k)]), F(0));
@@ -99,7 +97,7 @@ TapDecisions decide_taps(const Guide& guide, Size size, Direction direction, con
     return result;
 }
 
-// One pass. Source and result have margins.
+// One pass.
 void blur_rows(const Image<float>& source, Image<float>& result, const TapDecisions& taps,
                Direction direction, const BlurSettings& settings, const Run& run) {
     const Size size = taps.bits.size;
@@ -110,24 +108,24 @@ void blur_rows(const Image<float>& source, Image<float>& result, const TapDecisi
                 for (int y = first_row; y < end_row; ++y) {
                     for (int x = 0; x < size.width; x += kLanes<F>) {
                         const Int<F> bits = load<F>(taps.bits.row(y) + x);
-                        const F centre = load<F>(source.row(y) + x + kMargin);
+                        const F centre = load<F>(source.row(y) + x);
                         const auto has_taps = bits != Int<F>(0);
                         if (!any(has_taps)) {
-                            store(result.row(y) + x + kMargin, centre);
+                            store(result.row(y) + x, centre);
                             continue;
                         }
                         F sum = F(settings.weights[kBlurRadius]) * centre;
                         for (int k = 0; k < kTaps; ++k) {
                             if (k == kBlurRadius) continue;
                             const TapPosition tap = tap_position(direction, size, x, y, k);
-                            const F value = F(settings.weights[static_cast<std::size_t>(k)]) *
-                                            F(load<F>(source.row(tap.row) + tap.column));
+                            const F value =
+                                F(settings.weights[static_cast<std::size_t>(k)]) * tap_values<F>(source, tap);
                             sum = sum + select((bits & Int<F>(1 << k)) != Int<F>(0), value, F(0));
                         }
                         // Sum and total add up in the same order, so open surroundings stay exactly 1.
                         const F mean =
                             stored_as(sum / F(load<F>(taps.total_weight.row(y) + x)), settings.format);
-                        store(result.row(y) + x + kMargin, select(has_taps, mean, centre));
+                        store(result.row(y) + x, select(has_taps, mean, centre));
                     }
                 }
             });
@@ -155,20 +153,13 @@ Image<float> bilateral_blur(const Image<float>& ao, const AoInputs& inputs, cons
     validate(settings);
     const Size size = ao.size;
     if (settings.iterations == 0) return ao;
-    // Taps in the margins are turned away by their normal (0,0,0) unless the threshold lets it pass; then by
-    // their depth.
-    constexpr float kNowhere = 3e38f;
-    const Guide guide{with_margins(inputs.normal.x, 0, run), with_margins(inputs.normal.y, 0, run),
-                      with_margins(inputs.normal.z, 0, run), with_margins(inputs.view_depth, kNowhere, run)};
-    const TapDecisions across = decide_taps(guide, size, Direction::horizontal, settings, run);
-    const TapDecisions down = decide_taps(guide, size, Direction::vertical, settings, run);
-    Image<float> front = with_margins(ao, 1, run), back = front;
+    const TapDecisions across = decide_taps(inputs, size, Direction::horizontal, settings, run);
+    const TapDecisions down = decide_taps(inputs, size, Direction::vertical, settings, run);
+    Image<float> result = ao, between(size);
     for (int i = 0; i < settings.iterations; ++i) {
-        blur_rows(front, back, across, Direction::horizontal, settings, run);
-        blur_rows(back, front, down, Direction::vertical, settings, run);
+        blur_rows(result, between, across, Direction::horizontal, settings, run);
+        blur_rows(between, result, down, Direction::vertical, settings, run);
     }
-    Image<float> result(size, 1.0f);
-    for (int y = 0; y < size.height; ++y) std::copy_n(front.row(y) + kMargin, size.width, result.row(y));
     return result;
 }
 
