@@ -1,25 +1,13 @@
 // The main function of a chapter that is an executable of its own.
-#include <charconv>
 #include <iostream>
 
 #include <CLI/CLI.hpp>
 
 #include "chapters/chapter_command.h"
+#include "chapters/parse.h"
 #include "rasterizer/error.h"
 
 namespace {
-
-// "WxH", two positive whole numbers and nothing else. Throws UsageError.
-crevice::Size parse_size(const std::string& text) {
-    crevice::Size size;
-    const char* const end = text.data() + text.size();
-    const auto width = std::from_chars(text.data(), end, size.width);
-    if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
-        const auto height = std::from_chars(width.ptr + 1, end, size.height);
-        if (height.ec == std::errc() && height.ptr == end && size.width > 0 && size.height > 0) return size;
-    }
-    throw crevice::UsageError("--size: not a size in pixels (" + text + "); write it as 640x360");
-}
 
 int run(int argc, char** argv) {
     const std::vector<const crevice::Chapter*> chapters = crevice::all_chapters();
@@ -37,7 +25,7 @@ int run(int argc, char** argv) {
         return app.exit(error) == 0 ? 0 : static_cast<int>(crevice::ExitCode::usage);
     }
     options.out = out;
-    if (!size.empty()) options.size = parse_size(size);
+    if (!size.empty()) options.size = crevice::parse_size("--size", size);
     return crevice::run_chapters(chapters, options);
 }
 
