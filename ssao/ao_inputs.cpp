@@ -14,13 +14,6 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// View depth of an ndc depth, for either projection.
-template <class F>
-CREVICE_INLINE F view_from_ndc(const AoInputs& inputs, F ndc) {
-    const F a = F(inputs.depth_a), b = F(inputs.depth_b);
-    return inputs.rays.perspective ? b / (ndc - a) : (ndc - a) / b;
-}
-
 // Seed 000's clear depth as its 16-bit buffer keeps it: D3D truncates to the largest half. Rounding to
 // nearest makes it infinite, and every filter that touches it NaN; only the tutorial as published gets that.
 float stored_background(BufferFormat format, const Camera& camera, bool as_published) {
@@ -211,7 +204,7 @@ AoInputs ao_inputs(const GBuffer& gbuffer, const Camera& camera, const AoFetch& 
                         Vec3<F> normal;
                         F stored;
                         texel.mean(normal, stored);
-                        F z = fetch.depth == DepthSource::ndc_depth ? view_from_ndc(inputs, stored) : stored;
+                        F z = fetch.depth == DepthSource::ndc_depth ? inputs.view_from_ndc(stored) : stored;
                         if (fetch.point_normals) {
                             // The pixel whose cell holds the texel's centre: the second one from 1/2 on.
                             const Int<F> column = select(fx >= F(0.5f), column1, column0);

@@ -42,6 +42,12 @@ struct AoInputs {
     ViewRays rays{glm::vec2(1), {}, true};  // of the picture
     float near_plane = 0;                   // scene units
     Size size() const { return view_depth.size; }
+
+    template <class F>
+    CREVICE_INLINE F view_from_ndc(F ndc) const {
+        const F a = F(depth_a), b = F(depth_b);
+        return rays.perspective ? b / (ndc - a) : (ndc - a) / b;
+    }
 };
 
 // Seed 000 clears its depth to 1e5, a hundred times its far plane; as a ratio it survives a change of units.

@@ -71,9 +71,7 @@ struct LunaKernel {
         const F top = mix(F(upper.first), F(upper.second), fx);
         const F bottom = mix(F(lower.first), F(lower.second), fx);
         const F depth = mix(top, bottom, fy);
-        if (inputs.fetch.depth == DepthSource::view_depth) return depth;
-        const F a = F(inputs.depth_a), b = F(inputs.depth_b);
-        return inputs.rays.perspective ? b / (depth - a) : (depth - a) / b;
+        return inputs.fetch.depth == DepthSource::view_depth ? depth : inputs.view_from_ndc(depth);
     }
 
     // How much an occluder `distance_z` in front of p counts, in [0,1].
