@@ -17,6 +17,7 @@
 #include "ssao/bilateral_blur.h"
 #include "ssao/metrics.h"
 #include "ssao/shade.h"
+#include "ssao/widened_ao.h"
 #include "ssao/xjun_ssao.h"
 
 namespace crevice {

@@ -16,6 +16,7 @@
 #include "ssao/luna_ssao.h"
 #include "ssao/metrics.h"
 #include "ssao/shade.h"
+#include "ssao/widened_ao.h"
 #include "ssao/xjun_ssao.h"
 
 namespace crevice {

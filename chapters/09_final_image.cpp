@@ -15,6 +15,7 @@
 #include "ssao/bilateral_blur.h"
 #include "ssao/luna_ssao.h"
 #include "ssao/shade.h"
+#include "ssao/widened_ao.h"
 #include "ssao/xjun_ssao.h"
 
 namespace crevice {

@@ -78,8 +78,8 @@ class Stopwatch {
 Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest& request) {
     const MethodSettings& settings = request.settings;
     const Method& method = *request.method;
-    const Needs needs =
-        needs_of(scene, request.wanted, method.computes_ao, settings.blur.iterations, request.run.keep_all);
+    const Needs needs = needs_of(scene, request.wanted, method.computes_ao, settings.blur.iterations,
+                                 !request.run.leaves_out(Skip::passes));
     Frame frame;
     frame.camera = camera;
     frame.camera.reversed_z = settings.reversed_z;
@@ -94,8 +94,9 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
                 GeometrySettings geometry_with = geometry_settings(settings.buffers);
                 geometry_with.with_normals = needs.normals;
                 geometry = screen_geometry(scene, frame.camera, request.size, geometry_with, request.run);
-                frame.gbuffer =
-                    normal_depth(geometry, frame.camera.reversed_z, settings.buffers, request.run);
+                NormalDepthSettings buffers = settings.buffers;
+                buffers.with_material = needs.lit && scene.materials.size() > 1;
+                frame.gbuffer = normal_depth(geometry, frame.camera.reversed_z, buffers, request.run);
             });
             if (needs.ao) {
                 stopwatch.time("ao", [&] {
@@ -113,8 +114,7 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
             if (needs.lit) {
                 stopwatch.time("lit", [&] {
                     const Image<float>& ao = needs.blur ? frame.ao_blurred : frame.ao_raw;
-                    frame.lit =
-                        shade(scene, frame.camera, geometry, frame.gbuffer.depth, ao, {}, request.run);
+                    frame.lit = shade(scene, frame.camera, geometry, frame.gbuffer, ao, request.run);
                 });
             }
         });

@@ -19,16 +19,20 @@ struct NormalDepthShader {
     GBuffer& g;
     std::int32_t clear_code;
 
+    PixelRect wanted_part(int, PixelRect tile) const { return tile; }
+    void empty_tile(PixelRect tile) const { begin_tile(tile); }
     void begin_tile(PixelRect tile) const {
-        for (Image<float>* plane : {&g.normal.x, &g.normal.y, &g.normal.z}) fill_tile(*plane, tile, 0.0f);
         fill_tile(g.view_depth, tile, std::numeric_limits<float>::infinity());
         fill_tile(g.depth.codes, tile, clear_code);
+        if (!geometry.vertices.with_normals) return;
+        for (Image<float>* plane : {&g.normal.x, &g.normal.y, &g.normal.z}) fill_tile(*plane, tile, 0.0f);
     }
 
     template <class F>
     CREVICE_INLINE void fragment(const ScreenTriangle& t, const Fragment<F>& f) const {
         store_where_passed(g.view_depth.row(f.y), f, stored_as(f.view_depth, g.format));
-        if (geometry.vertices.n_view.empty()) return;
+        if (!g.material.empty()) store_where_passed(g.material.row(f.y), f, Int<F>(t.material));
+        if (!geometry.vertices.with_normals) return;
         const Vec3<F> n = interpolated_normal(geometry, t, f);
         store_where_passed(g.normal.x.row(f.y), f, n.x);
         store_where_passed(g.normal.y.row(f.y), f, n.y);
@@ -38,7 +42,7 @@ struct NormalDepthShader {
     // Normals are made unit here, eight pixels at a time whatever the size of the triangles.
     template <class F>
     CREVICE_INLINE void finish_tile(PixelRect tile) const {
-        if (geometry.vertices.n_view.empty()) return;
+        if (!geometry.vertices.with_normals) return;
         for (int y = tile.y0; y < tile.y1; ++y) {
             for (int x = tile.x0; x < tile.x1; x += kLanes<F>) {
                 const F z = load<F>(g.view_depth.row(y) + x);
@@ -58,12 +62,15 @@ struct NormalDepthShader {
 
 GBuffer normal_depth(const ScreenGeometry& geometry, bool reversed_z, const NormalDepthSettings& settings,
                      const Run& run) {
-    GBuffer g{Image3(geometry.size),
+    GBuffer g{Image3(geometry.vertices.with_normals ? geometry.size : Size{}),
               Image<float>(geometry.size),
               {settings.depth_format, Image<std::int32_t>(geometry.size)},
-              settings.buffer_format};
+              settings.buffer_format,
+              settings.with_material ? Image<std::int32_t>(geometry.size) : Image<std::int32_t>(),
+              {}};
     const std::int32_t clear_code = depth_code(settings.depth_format, reversed_z ? 0.0f : 1.0f, 0.0);
-    rasterize(geometry, nearest_wins(reversed_z), g.depth, NormalDepthShader{geometry, g, clear_code}, run);
+    const NormalDepthShader shader{geometry, g, clear_code};
+    g.tiles = rasterize(geometry, nearest_wins(reversed_z), g.depth, shader, run);
     return g;
 }
 

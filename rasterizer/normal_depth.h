@@ -19,12 +19,17 @@ struct GBuffer {
     Image<float> view_depth;  // view-space z, scene units
     DepthBuffer depth;
     BufferFormat format = BufferFormat::float32;  // normal and view_depth hold only values this format can
+
+    // For the lit pass, so that it need not draw the scene again (shade.h).
+    Image<std::int32_t> material;   // index into Scene::materials; background: anything; empty: not asked for
+    std::vector<TileRecord> tiles;  // of the geometry's tiles
 };
 
 struct NormalDepthSettings {
     DepthFormat depth_format = DepthFormat::d32f;
     DepthBias depth_bias = {};
     BufferFormat buffer_format = BufferFormat::float32;  // of normal and view_depth
+    bool with_material = false;                          // fill GBuffer::material
     PositionOrder position_order = PositionOrder::relative;
 };
 

@@ -2,6 +2,8 @@
 // to that.
 #pragma once
 
+#include "rasterizer/leave_out.h"
+
 namespace crevice {
 
 enum class Isa { baseline, avx2, avx512 };
@@ -15,9 +17,11 @@ const char* isa_name(Isa isa);
 struct Run {
     int threads = 0;  // 0: as many as the machine has; 1: a plain loop that never enters the thread library
     int lanes = 8;    // 1 (plain floats, to step through) or 8 pixels at a time
-    Isa isa = best_isa();   // which of the three compiled forms of each kernel
-    int tile_size = 64;     // pixels, a power of two in 8..128
-    bool keep_all = false;  // do also the work that cannot change a pixel
+    Isa isa = best_isa();  // which of the three compiled forms of each kernel
+    int tile_size = 64;    // pixels, a power of two in 8..128
+    KeptWork kept;         // work that cannot change a pixel, and is done all the same
+
+    bool leaves_out(Skip skip) const { return !kept.contains(skip); }
 };
 
 // Throws UsageError when a member is out of its range or `isa` is not available here.

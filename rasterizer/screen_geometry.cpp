@@ -7,7 +7,9 @@
 
 #include "rasterizer/clip.h"
 #include "rasterizer/error.h"
+#include "rasterizer/isa.h"
 #include "rasterizer/parallel.h"
+#include "rasterizer/setup_lanes.h"
 
 namespace crevice {
 
@@ -27,24 +29,19 @@ struct BlockSource {
 // Appends triangles to a block, then sorts their indices by tile.
 class BlockBuilder {
  public:
-    BlockBuilder(const ScreenGeometry& geometry, const SetupSettings& setup, TriangleBlock& block)
-        : geometry_(geometry), setup_(setup), block_(block) {}
+    BlockBuilder(const ScreenGeometry& geometry, const SetupSettings& setup, bool leaves_out_off_screen,
+                 TriangleBlock& block)
+        : geometry_(geometry), setup_(setup), leaves_out_off_screen_(leaves_out_off_screen), block_(block) {}
 
-    void add(const BlockSource& source, const std::array<std::uint32_t, 3>& mesh_indices) {
-        std::array<std::uint32_t, 3> index;
-        std::array<const ProjectedVertex*, 3> corners;
-        for (std::size_t i = 0; i < 3; ++i) {
-            index[i] = source.first_vertex + mesh_indices[source.mirrored ? 2 - i : i];
-            corners[i] = &geometry_.vertices.projected[index[i]];
-        }
-        const std::uint32_t any = corners[0]->outside | corners[1]->outside | corners[2]->outside;
-        const std::uint32_t all = corners[0]->outside & corners[1]->outside & corners[2]->outside;
-        if ((any & kNotANumber) != 0 || (all & kOutsideOneSide) != 0) return;
-        if ((any & kNeedsClipping) == 0) {
-            append(source, index, corners, nullptr);
-        } else {
-            add_clipped(source, index, corners);
-        }
+    // All triangles of a source, eight at a time.
+    void add(const BlockSource& source, const Run& run) {
+        block_.triangles.reserve(source.triangles.size());
+        entries_.reserve(source.triangles.size());
+        run_kernel(
+            run, [&](auto tag) __attribute__((always_inline)) {
+                using F = typename decltype(tag)::type;
+                for (std::size_t i = 0; i < source.triangles.size(); i += kLanes<F>) add_group<F>(source, i);
+            });
     }
 
     void finish() {
@@ -62,10 +59,76 @@ class BlockBuilder {
         std::uint32_t tile, triangle;
     };
 
-    void add_clipped(const BlockSource& source, const std::array<std::uint32_t, 3>& index,
-                     const std::array<const ProjectedVertex*, 3>& corners) {
+    // The triangles from `first` on, one a lane.
+    template <class F>
+    CREVICE_INLINE void add_group(const BlockSource& source, std::size_t first) {
+        using I = Int<F>;
+        const auto left = static_cast<int>(source.triangles.size() - first);
+        const I triangle = min_of(lane_index<F>(), I(left - 1));
+        const auto* const indices = reinterpret_cast<const std::int32_t*>(source.triangles[first].data());
+        const auto vertex_of = [&](int corner) __attribute__((always_inline)) {
+            const I in_mesh = gather(indices + (source.mirrored ? 2 - corner : corner), triangle * I(3));
+            return in_mesh + I(static_cast<std::int32_t>(source.first_vertex));
+        };
+        const I vertex[3] = {vertex_of(0), vertex_of(1), vertex_of(2)};
+        const I outside[3] = {outside_of<F>(vertex[0]), outside_of<F>(vertex[1]), outside_of<F>(vertex[2])};
+        const I everywhere = outside[0] & outside[1] & outside[2],
+                somewhere = outside[0] | outside[1] | outside[2];
+        const auto has = [](I bits, std::int32_t any_of) __attribute__((always_inline)) {
+            return (bits & I(any_of)) != I(0);
+        };
+        Mask<F> wanted = (lane_index<F>() < I(left)) & !has(somewhere, kNotANumber);
+        if (leaves_out_off_screen_) wanted = wanted & !has(everywhere, kOutsideOneSide);
+        if (!any(wanted)) return;
+        const Mask<F> clipped = wanted & has(somewhere, kNeedsClipping);
+        const LaneCorner<F> corners[3] = {corner_of<F>(vertex[0], 0), corner_of<F>(vertex[1], 1),
+                                          corner_of<F>(vertex[2], 2)};
+        const SetUpTriangles<F> set_up(SetupLanes<F>(corners, wanted & !clipped, setup_.cull_back_faces));
+
+        std::int32_t index[3][kLanes<F>], needs_clipping[kLanes<F>];
+        for (std::size_t i = 0; i < 3; ++i) store(index[i], vertex[i]);
+        store(needs_clipping, select(clipped, I(1), I(0)));
+        for (int lane = 0; lane < kLanes<F> && lane < left; ++lane) {
+            const std::array<std::uint32_t, 3> of_lane = {static_cast<std::uint32_t>(index[0][lane]),
+                                                          static_cast<std::uint32_t>(index[1][lane]),
+                                                          static_cast<std::uint32_t>(index[2][lane])};
+            if (needs_clipping[lane] != 0) {
+                add_clipped(source, of_lane);
+            } else if (set_up.drawn(lane)) {
+                append(source, of_lane, set_up.triangle(lane, setup_), nullptr);
+            }
+        }
+    }
+
+    // A member of each lane's vertex.
+    template <class F, class T>
+    CREVICE_INLINE auto member_of(const T ProjectedVertex::*member, Int<F> vertex) const {
+        static_assert(sizeof(ProjectedVertex) % sizeof(T) == 0);
+        constexpr auto stride = static_cast<std::int32_t>(sizeof(ProjectedVertex) / sizeof(T));
+        return gather(&(geometry_.vertices.projected.data()->*member), vertex * Int<F>(stride));
+    }
+    template <class F>
+    CREVICE_INLINE Int<F> outside_of(Int<F> vertex) const {
+        return member_of<F>(&ProjectedVertex::outside, vertex);
+    }
+    template <class F>
+    CREVICE_INLINE LaneCorner<F> corner_of(Int<F> vertex, int number) const {
+        return {member_of<F>(&ProjectedVertex::x, vertex),
+                member_of<F>(&ProjectedVertex::y, vertex),
+                member_of<F>(&ProjectedVertex::x_rest, vertex),
+                member_of<F>(&ProjectedVertex::y_rest, vertex),
+                member_of<F>(&ProjectedVertex::z_ndc, vertex),
+                member_of<F>(&ProjectedVertex::inverse_w, vertex),
+                Int<F>(number)};
+    }
+
+    void add_clipped(const BlockSource& source, const std::array<std::uint32_t, 3>& index) {
         std::array<glm::vec4, 3> p_clip;
-        for (std::size_t i = 0; i < 3; ++i) p_clip[i] = geometry_.vertices.p_clip[index[i]];
+        std::array<const ProjectedVertex*, 3> corners;
+        for (std::size_t i = 0; i < 3; ++i) {
+            p_clip[i] = geometry_.vertices.p_clip[index[i]];
+            corners[i] = &geometry_.vertices.projected[index[i]];
+        }
         const ClippedPolygon polygon = clip_triangle(p_clip, geometry_.size);
         std::array<ProjectedVertex, kMaxClippedVertices> projected;
         for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.count); ++i) {
@@ -84,47 +147,40 @@ class BlockBuilder {
                 lambdas.lambda1[k] = static_cast<float>(polygon.vertices[piece[k]].lambda1);
                 lambdas.lambda2[k] = static_cast<float>(polygon.vertices[piece[k]].lambda2);
             }
-            append(source, index, {&projected[piece[0]], &projected[piece[1]], &projected[piece[2]]},
-                   &lambdas);
+            const std::optional<SetUpTriangle> set_up =
+                set_up_triangle({&projected[piece[0]], &projected[piece[1]], &projected[piece[2]]}, setup_);
+            if (set_up) append(source, index, *set_up, &lambdas);
         }
     }
 
     void append(const BlockSource& source, const std::array<std::uint32_t, 3>& index,
-                const std::array<const ProjectedVertex*, 3>& corners, const ClippedCorners* lambdas) {
-        std::optional<SetUpTriangle> set_up = set_up_triangle(corners, setup_);
-        if (!set_up) return;
-        ScreenTriangle& t = set_up->triangle;
+                const SetUpTriangle& set_up, const ClippedCorners* lambdas) {
+        ScreenTriangle t = set_up.triangle;
         t.instance = source.instance;
         t.material = source.material;
         if (lambdas != nullptr) {
             // The corners of the piece were reordered; the submitted triangle keeps its order.
             ClippedCorners reordered;
             for (std::size_t i = 0; i < 3; ++i) {
-                reordered.lambda1[i] = lambdas->lambda1[set_up->order[i]];
-                reordered.lambda2[i] = lambdas->lambda2[set_up->order[i]];
+                reordered.lambda1[i] = lambdas->lambda1[set_up.order[i]];
+                reordered.lambda2[i] = lambdas->lambda2[set_up.order[i]];
             }
             t.vertex = index;
             t.clipped = static_cast<std::int32_t>(block_.clipped.size());
             block_.clipped.push_back(reordered);
         } else {
-            for (std::size_t i = 0; i < 3; ++i) t.vertex[i] = index[set_up->order[i]];
+            for (std::size_t i = 0; i < 3; ++i) t.vertex[i] = index[set_up.order[i]];
         }
         enter_into_tiles(t);
         block_.triangles.push_back(t);
     }
 
     void enter_into_tiles(const ScreenTriangle& t) {
-        const PixelSpan columns =
-            covered_centres(std::min({t.x[0], t.x[1], t.x[2]}), std::max({t.x[0], t.x[1], t.x[2]}));
-        const PixelSpan rows = covered_centres(t.y[0], std::max(t.y[1], t.y[2]));
         const int size = geometry_.tile_size;
-        const int left = std::max(columns.first, 0) / size, top = std::max(rows.first, 0) / size;
-        const int right = std::min(columns.last, geometry_.size.width - 1),
-                  bottom = std::min(rows.last, geometry_.size.height - 1);
-        if (columns.last < 0 || rows.last < 0 || columns.first >= geometry_.size.width ||
-            rows.first >= geometry_.size.height) {
-            return;
-        }
+        const int left = std::max(t.bounds.x0, 0) / size, top = std::max(t.bounds.y0, 0) / size;
+        const int right = std::min(t.bounds.x1, geometry_.size.width) - 1,
+                  bottom = std::min(t.bounds.y1, geometry_.size.height) - 1;
+        if (right < 0 || bottom < 0 || t.bounds.x0 > right || t.bounds.y0 > bottom) return;
         const auto triangle = static_cast<std::uint32_t>(block_.triangles.size());
         const bool one_tile = left == right / size && top == bottom / size;
         for (int y = top; y <= bottom / size; ++y) {
@@ -148,6 +204,7 @@ class BlockBuilder {
 
     const ScreenGeometry& geometry_;
     const SetupSettings& setup_;
+    const bool leaves_out_off_screen_;
     TriangleBlock& block_;
     std::vector<Entry> entries_;
 };
@@ -173,8 +230,9 @@ void build_blocks(ScreenGeometry& geometry, const std::vector<BlockSource>& sour
     geometry.blocks.resize(sources.size());
     parallel_for(static_cast<int>(sources.size()), run, [&](int i) {
         const BlockSource& source = sources[static_cast<std::size_t>(i)];
-        BlockBuilder builder(geometry, setup, geometry.blocks[static_cast<std::size_t>(i)]);
-        for (const auto& triangle : source.triangles) builder.add(source, triangle);
+        BlockBuilder builder(geometry, setup, run.leaves_out(Skip::off_screen_triangles),
+                             geometry.blocks[static_cast<std::size_t>(i)]);
+        builder.add(source, run);
         builder.finish();
     });
     for (const BlockSource& source : sources) geometry.submitted_triangles += source.triangles.size();

@@ -3,6 +3,7 @@
 // same view can share one.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -23,6 +24,12 @@ struct TriangleBlock {
     std::vector<std::uint32_t>
         first_of_tile;  // one a tile and one more: where its list starts in triangle_of_tile
     std::vector<std::uint32_t> triangle_of_tile;  // indices into `triangles`
+
+    std::span<const std::uint32_t> triangles_of_tile(int tile) const {
+        const auto at = static_cast<std::size_t>(tile);
+        return std::span(triangle_of_tile)
+            .subspan(first_of_tile[at], first_of_tile[at + 1] - first_of_tile[at]);
+    }
 };
 
 struct ScreenGeometry {
@@ -34,6 +41,19 @@ struct ScreenGeometry {
     TransformedVertices vertices;
     std::vector<TriangleBlock> blocks;
     std::size_t submitted_triangles = 0;
+
+    int tile_count() const { return tiles.width * tiles.height; }
+    PixelRect tile_rect(int tile) const {
+        const int x0 = tile % tiles.width * tile_size, y0 = tile / tiles.width * tile_size;
+        return {x0, y0, std::min(x0 + tile_size, size.width), std::min(y0 + tile_size, size.height)};
+    }
+    // How many triangles may touch the tile.
+    std::uint32_t triangles_of_tile(int tile) const {
+        std::uint32_t count = 0;
+        for (const TriangleBlock& block : blocks)
+            count += static_cast<std::uint32_t>(block.triangles_of_tile(tile).size());
+        return count;
+    }
 };
 
 struct GeometrySettings {

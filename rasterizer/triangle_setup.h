@@ -15,6 +15,7 @@
 #include <optional>
 
 #include "rasterizer/depth_buffer.h"
+#include "rasterizer/pixel_rect.h"
 #include "rasterizer/spaces.h"
 #include "rasterizer/vertex_transform.h"
 
@@ -29,12 +30,18 @@ struct ScreenTriangle {
         vertex;                    // of the triangle as submitted, in this order; into TransformedVertices
     float z0, z_per_e1, z_per_e2;  // z_ndc = z0 + E_1 * z_per_e1 + E_2 * z_per_e2
     float doubled_area;            // E_0 + E_1 + E_2 > 0
+    float z_low, z_high;           // bounds of z_ndc at every pixel it covers, rounding included
     double depth_bias;             // added to z_ndc
+    PixelRect bounds;              // of the pixel centres in its bounding box; may leave the picture
     std::int32_t clipped;          // index into TriangleBlock::clipped, or -1
     std::uint32_t instance;
     std::int32_t material;
     bool back_facing;  // drawn from behind: the corners were swapped
+    bool small;        // at most kSmallTriangle_px wide and high
 };
+
+// Products of two extents of a triangle this small, in 1/256 pixel, fit 32 bits.
+inline constexpr int kSmallTriangle_px = 64;
 
 // Barycentric coordinates of the corners of a piece, with respect to the triangle that was clipped.
 struct ClippedCorners {
@@ -57,15 +64,20 @@ inline PixelSpan covered_centres(std::int32_t low, std::int32_t high) {
     return {(low - half + kSubpixelSteps - 1) >> kSubpixelBits, (high - half) >> kSubpixelBits};
 }
 
-// Nothing when the triangle has no area, covers no pixel centre of its bounding box, or is culled. `order`
-// returns which corner of the input became corner 0, 1, 2. Material, instance and vertex are left to the
-// caller.
+// Which corner of the input became corner 0, 1, 2.
 struct SetUpTriangle {
     ScreenTriangle triangle;
     std::array<std::uint8_t, 3> order;
 };
+
+// Nothing when the triangle has no area, covers no pixel centre of its bounding box, or is culled. Material,
+// instance, vertex and clipped are left to the caller.
 std::optional<SetUpTriangle> set_up_triangle(const std::array<const ProjectedVertex*, 3>& corners,
                                              const SetupSettings& settings);
+
+// D3D11.3 functional spec 15.10, for a triangle of these depths at its corners and these slopes per 1/256 pixel.
+double depth_bias(const SetupSettings& settings, float z0, float z1, float z2, double z_per_x,
+                  double z_per_y);
 
 // Edge i as E(px, py) = at_origin + per_column * px + per_row * py over pixel indices; covered when E_i >=
 // threshold.

@@ -137,9 +137,9 @@ void transform_block(const VertexBlock& block, Size size, TransformedVertices& o
                                      element(projected.y_rest, lane),
                                      element(projected.z_ndc, lane),
                                      element(projected.inverse_w, lane),
-                                     static_cast<std::uint32_t>(element(projected.outside, lane))};
+                                     element(projected.outside, lane)};
             }
-            if (out.n_view.empty()) continue;
+            if (!out.with_normals) continue;
             const Vec3<F> n = load_vec3<F>(block.mesh->normals.data() + mesh_index, filled);
             const glm::mat3& m = block.normals;
             const Vec3<F> turned = {F(m[0][0]) * n.x + F(m[1][0]) * n.y + F(m[2][0]) * n.z,
@@ -168,7 +168,7 @@ glm::mat3 scaled_normal_matrix(const glm::dmat3& view_from_object) {
 
 ProjectedVertex project_vertex(glm::vec4 p_clip, Size size) {
     const ProjectedLanes<float> p = project<float>({p_clip.x, p_clip.y, p_clip.z, p_clip.w}, size);
-    return {p.x, p.y, p.x_rest, p.y_rest, p.z_ndc, p.inverse_w, static_cast<std::uint32_t>(p.outside)};
+    return {p.x, p.y, p.x_rest, p.y_rest, p.z_ndc, p.inverse_w, p.outside};
 }
 
 glm::dmat3 normal_matrix(const glm::dmat3& m) {
@@ -198,6 +198,7 @@ TransformedVertices transform_vertices(const Scene& scene, const Camera& camera,
     }
     result.p_clip.resize(total);
     result.projected.resize(total);
+    result.with_normals = with_normals;
     if (with_normals) result.n_view.resize(total);
     parallel_for(static_cast<int>(blocks.size()), run, [&](int block) {
         transform_block(blocks[static_cast<std::size_t>(block)], size, result, run);

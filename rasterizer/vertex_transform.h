@@ -25,7 +25,7 @@ enum class PositionOrder {
 };
 
 // What is wrong with a vertex for the clipper; see clip.h. Bits of ProjectedVertex::outside.
-enum OutsideBits : std::uint32_t {
+enum OutsideBits : std::int32_t {
     kOutsideNear = 1 << 0,       // z_clip < 0
     kOutsideFar = 1 << 1,        // z_clip > w
     kOutsideEye = 1 << 2,        // w <= 0
@@ -36,8 +36,8 @@ enum OutsideBits : std::uint32_t {
     kOutsideBottom = 1 << 7,
     kNotANumber = 1 << 8,
 };
-inline constexpr std::uint32_t kNeedsClipping = kOutsideNear | kOutsideFar | kOutsideEye | kOutsideGuardBand;
-inline constexpr std::uint32_t kOutsideOneSide =
+inline constexpr std::int32_t kNeedsClipping = kOutsideNear | kOutsideFar | kOutsideEye | kOutsideGuardBand;
+inline constexpr std::int32_t kOutsideOneSide =
     kOutsideNear | kOutsideFar | kOutsideEye | kOutsideLeft | kOutsideRight | kOutsideTop | kOutsideBottom;
 
 // Screen coordinates reach this far without clipping: to the last edge of the largest picture, one pixel
@@ -50,7 +50,7 @@ struct ProjectedVertex {
     float x_rest = 0, y_rest = 0;  // what the rounding took away, in [-1/2, 1/2] of 1/256 pixel
     float z_ndc = 0;
     float inverse_w = 0;
-    std::uint32_t outside = 0;  // OutsideBits
+    std::int32_t outside = 0;  // OutsideBits
 };
 
 // All vertices of a draw, instances one after the other.
@@ -58,6 +58,7 @@ struct TransformedVertices {
     std::vector<glm::vec4> p_clip;
     std::vector<ProjectedVertex> projected;
     std::vector<glm::vec3> n_view;            // unit; empty when not asked for
+    bool with_normals = false;                // whether they were
     std::vector<std::uint32_t> first_vertex;  // of each instance
 };
 

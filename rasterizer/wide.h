@@ -57,8 +57,10 @@ struct WideOf {
     V v;
 
     CREVICE_INLINE WideOf() = default;
-    // Minus zero rather than plus: -0 must stay -0.
-    CREVICE_INLINE WideOf(T scalar) : v(scalar - V{}) {}
+    // Lane by lane: GCC 12 makes one broadcast of this, and eight inserts of {scalar, scalar, ...}.
+    CREVICE_INLINE WideOf(T scalar) {
+        for (int i = 0; i < N; ++i) v[i] = scalar;
+    }
     CREVICE_INLINE explicit WideOf(V vector) : v(vector) {}
 
     CREVICE_INLINE T operator[](int lane) const { return v[lane]; }
@@ -161,6 +163,7 @@ CREVICE_INLINE std::int32_t load(const std::int32_t* at) {
 }
 CREVICE_INLINE void store(float* at, float a) { *at = a; }
 CREVICE_INLINE void store(std::int32_t* at, std::int32_t a) { *at = a; }
+CREVICE_INLINE void store(double* at, double a) { *at = a; }
 // 0, 1, 2 ... one a lane.
 template <class F>
     requires(kLanes<F> == 1)
@@ -171,9 +174,12 @@ CREVICE_INLINE std::int32_t lane_index() {
 // ---- N lanes
 
 CREVICE_INLINE bool any(WideMask<8> m) {
-    typedef std::int64_t Quads __attribute__((vector_size(32)));
-    const Quads q = __builtin_bit_cast(Quads, m.v);
-    return ((q[0] | q[1]) | (q[2] | q[3])) != 0;
+    // Halves joined while still vectors, then two 64-bit words: the shortest that both compilers find.
+    typedef std::int64_t Words __attribute__((vector_size(16)));
+    const auto halves =
+        __builtin_shufflevector(m.v, m.v, 0, 1, 2, 3) | __builtin_shufflevector(m.v, m.v, 4, 5, 6, 7);
+    const Words words = __builtin_bit_cast(Words, halves);
+    return (words[0] | words[1]) != 0;
 }
 CREVICE_INLINE bool all(WideMask<8> m) { return !any(!m); }
 template <int N>

@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include <glm/common.hpp>
+
 #include "rasterizer/approx_math.h"
 #include "rasterizer/scene.h"
 
@@ -28,6 +30,7 @@ CREVICE_INLINE Vec3<F> phong(const SurfacePoint<F>& s, const Material& material,
         const Vec3<F> to_light = spread<F>(-light.direction);
         const F facing = dot(s.n, to_light);
         ambient = ambient + spread<F>(light.ambient * material.ambient);
+        if (!any(facing > zero)) continue;  // would add zero
         diffuse = diffuse + max_of(facing, zero) * spread<F>(light.diffuse * material.diffuse);
         const Vec3<F> mirrored = F(2) * facing * s.n - to_light;
         const F highlight = power(max_of(dot(mirrored, s.to_eye), zero), F(material.shininess));
@@ -37,11 +40,25 @@ CREVICE_INLINE Vec3<F> phong(const SurfacePoint<F>& s, const Material& material,
     return s.texture_colour * (s.accessibility * ambient + diffuse) + specular;
 }
 
+// Up to this cosine between normal and half vector a highlight of blinn_schlick cannot be seen: added to the
+// albedo of an untextured surface it changes no bit. The highlight is at most its roughness term
+// (m + 8) / 8 cosine^m, and less than 2^-26 of every channel of the albedo rounds away.
+inline float invisible_highlight(const Material& material) {
+    const glm::vec3& albedo = material.diffuse;
+    const float m = material.shininess, smallest = glm::min(albedo.x, glm::min(albedo.y, albedo.z));
+    if (!(smallest > 0) || !(m > 0)) return 0;
+    const float log2_highest = log2_of(smallest) - 26 - log2_of((m + 8) / 8);
+    constexpr float margin = 0.999f;  // of the approximations above and of power()
+    return margin * exp2_of(log2_highest / m);
+}
+
 // Seed 002: one ambient term; each light's diffuse albedo plus a Blinn-Phong highlight, normalised, times
-// Schlick's Fresnel term and brought into [0,1) for a low dynamic range.
+// Schlick's Fresnel term and brought into [0,1) for a low dynamic range. Highlights up to `no_highlight_below`
+// (0, or invisible_highlight of an untextured surface) are left out.
 template <class F>
 CREVICE_INLINE Vec3<F> blinn_schlick(const SurfacePoint<F>& s, const Material& material,
-                                     const ViewLights& lights, const glm::vec3& ambient_light) {
+                                     const ViewLights& lights, const glm::vec3& ambient_light,
+                                     float no_highlight_below) {
     const F zero = F(0), one = F(1);
     const Vec3<F> albedo = s.texture_colour * spread<F>(material.diffuse), ones{one, one, one};
     const Vec3<F> r0 = spread<F>(material.specular);
@@ -49,9 +66,14 @@ CREVICE_INLINE Vec3<F> blinn_schlick(const SurfacePoint<F>& s, const Material& m
     for (const DirectionalLight& light : lights) {
         const Vec3<F> to_light = spread<F>(-light.direction);
         const F facing = max_of(dot(s.n, to_light), zero);
+        if (!any(facing > zero)) continue;  // would add zero
         const Vec3<F> half = normalize_or<F>(to_light + s.to_eye, s.n);
-        const F m = F(material.shininess);
-        const F roughness = (m + F(8)) * power(max_of(dot(s.n, half), zero), m) * F(0.125f);
+        const F m = F(material.shininess), cosine = max_of(dot(s.n, half), zero);
+        if (!any(cosine > F(no_highlight_below))) {
+            colour = colour + facing * (spread<F>(light.diffuse) * albedo);
+            continue;
+        }
+        const F roughness = (m + F(8)) * power(cosine, m) * F(0.125f);
         const F grazing = one - saturate(dot(half, to_light));
         const F grazing2 = grazing * grazing;
         const Vec3<F> fresnel = r0 + (grazing2 * grazing2 * grazing) * (ones - r0);

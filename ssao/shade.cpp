@@ -1,13 +1,13 @@
 #include "ssao/shade.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <glm/common.hpp>
 
-#include "rasterizer/sample_texture.h"
-#include "rasterizer/spaces.h"
-#include "ssao/lighting.h"
-#include "ssao/linear_taps.h"
+#include "rasterizer/error.h"
+#include "ssao/light_tile.h"
+#include "ssao/texture_colour.h"
 
 namespace crevice {
 
@@ -25,178 +25,189 @@ ViewLights lights_in_view(const Scene& scene, const CameraMatrices& matrices) {
     return lights;
 }
 
-// The texture's colour at each pixel of a group, sampled pixel by pixel.
-template <class F>
-CREVICE_INLINE Vec3<F> texture_colour(const Texture& texture, const Mesh& mesh, std::uint32_t first_vertex,
-                                      const ScreenTriangle& t, const Fragment<F>& f) {
-    const auto uv_at = [&](const Barycentric<F>& b) __attribute__((always_inline)) {
-        const glm::vec2 &uv0 = mesh.texcoords[t.vertex[0] - first_vertex],
-                        &uv1 = mesh.texcoords[t.vertex[1] - first_vertex],
-                        &uv2 = mesh.texcoords[t.vertex[2] - first_vertex];
-        return Vec3<F>{b.interpolate(uv0.x, uv1.x, uv2.x), b.interpolate(uv0.y, uv1.y, uv2.y), F(0)};
-    };
-    const Vec3<F> uv = uv_at(f.here), right = uv_at(f.away(t, 1, 0)), below = uv_at(f.away(t, 0, 1));
-    float u[3][kLanes<F>], v[3][kLanes<F>], colour[3][kLanes<F>] = {};
-    const Vec3<F>* const at[3] = {&uv, &right, &below};
-    for (int i = 0; i < 3; ++i) {
-        store(u[i], at[i]->x);
-        store(v[i], at[i]->y);
-    }
-    Int<F> passed = select(f.passed, Int<F>(1), Int<F>(0));
-    std::int32_t wanted[kLanes<F>];
-    store(wanted, passed);
-    for (int lane = 0; lane < kLanes<F>; ++lane) {
-        if (wanted[lane] == 0) continue;
-        const glm::vec2 here(u[0][lane], v[0][lane]);
-        const glm::vec3 c = sample_trilinear(texture, here, glm::vec2(u[1][lane], v[1][lane]) - here,
-                                             glm::vec2(u[2][lane], v[2][lane]) - here);
-        for (int k = 0; k < 3; ++k) colour[k][lane] = c[k];
-    }
-    return {load<F>(colour[0]), load<F>(colour[1]), load<F>(colour[2])};
-}
-
 bool any_texture(const Scene& scene) {
     return std::any_of(scene.materials.begin(), scene.materials.end(),
                        [](const Material& m) { return m.texture != nullptr; });
 }
 
-// An AO map seen at picture size, filtered linearly; all open when the map is empty.
-struct AoSampler {
-    const Image<float>& ao;
-    LinearTaps columns, rows;
-
-    AoSampler(const Image<float>& map, Size picture)
-        : ao(map), columns(picture.width, map.size.width), rows(picture.height, map.size.height) {}
-
-    template <class F>
-    CREVICE_INLINE F at(int x, int y) const {
-        if (ao.empty()) return F(1);
-        const auto row = static_cast<std::size_t>(y);
-        const float *above = ao.row(rows.first[row]), *below = ao.row(rows.second[row]);
-        const Int<F> left = load<F>(columns.first.data() + x), right = load<F>(columns.second.data() + x);
-        const F fx = load<F>(columns.weight_of_second.data() + x);
-        const F top = mix(F(gather(above, left)), F(gather(above, right)), fx);
-        const F bottom = mix(F(gather(below, left)), F(gather(below, right)), fx);
-        return mix(top, bottom, F(rows.weight_of_second[row]));
+// See blinn_schlick. One a material; with textures the albedo of a pixel is anything.
+std::vector<float> highlight_limits(const Scene& scene, const Run& run) {
+    std::vector<float> limits;
+    for (const Material& material : scene.materials) {
+        const bool plain = material.texture == nullptr && run.leaves_out(Skip::second_drawing);
+        limits.push_back(plain ? invisible_highlight(material) : 0);
     }
-};
+    return limits;
+}
 
-// Fragments only note what a pixel shows; the pixels are lit when the tile is complete, eight at a time
-// whatever the size of the triangles. Until then a pixel of `lit` holds its normal.
+template <class F>
+CREVICE_INLINE Vec3<F> load_vec3(const Image3& image, int x, int y) {
+    return {load<F>(image.x.row(y) + x), load<F>(image.y.row(y) + x), load<F>(image.z.row(y) + x)};
+}
+
+// The parts of the geometry's tiles that are drawn again; empty where none is.
+using PartsOfTiles = std::vector<PixelRect>;
+
+// The second drawing. Fragments only note what a pixel shows; the pixels are lit when the tile is complete. Until
+// then a pixel of `lit` holds its normal.
 struct LitShader {
-    const Scene& scene;
-    const ScreenGeometry& geometry;
-    const ViewLights& lights;
-    const AoSampler& accessibility;
-    Image3& lit;
-    Image<std::int32_t>& materials;  // index, or kSky
+    const TileLighting& lighting;
+    Image<std::int32_t>& materials;  // index, or kSkyMaterial
     Image3& textures;                // texture colours; empty when the scene has none
-    static constexpr std::int32_t kSky = -1;
+    const PartsOfTiles* parts;       // null: every tile is drawn
 
-    void begin_tile(PixelRect tile) const {
-        fill_tile(lit.x, tile, scene.sky.x);
-        fill_tile(lit.y, tile, scene.sky.y);
-        fill_tile(lit.z, tile, scene.sky.z);
-        fill_tile(materials, tile, kSky);
+    PixelRect wanted_part(int tile, PixelRect rect) const {
+        return parts == nullptr ? rect : (*parts)[static_cast<std::size_t>(tile)];
     }
+    void empty_tile(PixelRect tile) const {
+        fill_tile(lighting.lit.x, tile, lighting.scene.sky.x);
+        fill_tile(lighting.lit.y, tile, lighting.scene.sky.y);
+        fill_tile(lighting.lit.z, tile, lighting.scene.sky.z);
+    }
+    void begin_tile(PixelRect tile) const { fill_tile(materials, tile, kSkyMaterial); }
 
     template <class F>
     CREVICE_INLINE void fragment(const ScreenTriangle& t, const Fragment<F>& f) const {
-        store_where_passed(lit, f, interpolated_normal(geometry, t, f));
-        crevice::store_where_passed(materials.row(f.y), f, Int<F>(t.material));
+        const Scene& scene = lighting.scene;
+        store_vec3(lighting.lit, f, interpolated_normal(lighting.geometry, t, f));
+        store_where_passed(materials.row(f.y), f, Int<F>(t.material));
         if (textures.empty()) return;
         const Material& material = scene.materials[static_cast<std::size_t>(t.material)];
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(scene.instances[t.instance].mesh)];
         Vec3<F> colour{F(1), F(1), F(1)};
         if (material.texture != nullptr && !mesh.texcoords.empty()) {
-            colour =
-                texture_colour(*material.texture, mesh, geometry.vertices.first_vertex[t.instance], t, f);
+            colour = texture_colour(*material.texture, mesh,
+                                    lighting.geometry.vertices.first_vertex[t.instance], t, f);
         }
-        store_where_passed(textures, f, colour);
+        store_vec3(textures, f, colour);
     }
 
     template <class F>
     CREVICE_INLINE void finish_tile(PixelRect tile) const {
-        for (int y = tile.y0; y < tile.y1; ++y) {
-            for (int x = tile.x0; x < tile.x1; x += kLanes<F>) light_pixels<F>(x, y);
-        }
-    }
-
-    // One material after the other, until every lane has had its own.
-    template <class F>
-    CREVICE_INLINE void light_pixels(int x, int y) const {
-        const Int<F> material_index = load<F>(materials.row(y) + x);
-        auto left = material_index != Int<F>(kSky);
-        while (any(left)) {
-            const std::int32_t index = largest_of(select(left, material_index, Int<F>(kSky)));
-            const auto lanes = material_index == Int<F>(index);
-            const Vec3<F> now = load_vec3<F>(lit, x, y);
-            const Vec3<F> colour =
-                lit_colour<F>(scene.materials[static_cast<std::size_t>(index)], unit_normal(now), x, y);
-            store(lit.x.row(y) + x, select(lanes, colour.x, now.x));
-            store(lit.y.row(y) + x, select(lanes, colour.y, now.y));
-            store(lit.z.row(y) + x, select(lanes, colour.z, now.z));
-            left = left & (material_index != Int<F>(index));
-        }
+        const auto surface_at = [&](int x, int y) __attribute__((always_inline)) {
+            const Vec3<F> white{F(1), F(1), F(1)};
+            return Surface<F>{load<F>(materials.row(y) + x), unit_normal(load_vec3<F>(lighting.lit, x, y)),
+                              textures.empty() ? white : load_vec3<F>(textures, x, y)};
+        };
+        lighting.light_tile<F>(tile, surface_at);
     }
 
     template <class F>
-    CREVICE_INLINE Vec3<F> lit_colour(const Material& material, Vec3<F> n_view, int x, int y) const {
-        const F zero = F(0), one = F(1);
-        const Vec3<F> ray = view_ray_at<F>(geometry, x, y);
-        const Vec3<F> to_eye = normalize_or<F>({zero - ray.x, zero - ray.y, zero - ray.z}, ray);
-        const Vec3<F> texture = textures.empty() ? Vec3<F>{one, one, one} : load_vec3<F>(textures, x, y);
-        const SurfacePoint<F> s{n_view, to_eye, texture, accessibility.at<F>(x, y)};
-        return scene.lighting == LightingModel::phong
-                   ? phong(s, material, lights)
-                   : blinn_schlick(s, material, lights, scene.ambient_light);
-    }
-
-    template <class F>
-    CREVICE_INLINE static Vec3<F> load_vec3(const Image3& image, int x, int y) {
-        return {load<F>(image.x.row(y) + x), load<F>(image.y.row(y) + x), load<F>(image.z.row(y) + x)};
-    }
-    template <class F>
-    CREVICE_INLINE static void store_where_passed(Image3& image, const Fragment<F>& f, Vec3<F> value) {
-        crevice::store_where_passed(image.x.row(f.y), f, value.x);
-        crevice::store_where_passed(image.y.row(f.y), f, value.y);
-        crevice::store_where_passed(image.z.row(f.y), f, value.z);
+    CREVICE_INLINE static void store_vec3(Image3& image, const Fragment<F>& f, Vec3<F> value) {
+        store_where_passed(image.x.row(f.y), f, value.x);
+        store_where_passed(image.y.row(f.y), f, value.y);
+        store_where_passed(image.z.row(f.y), f, value.z);
     }
 };
 
-}  // namespace
+void draw_again(const TileLighting& lighting, const DepthBuffer& depth, DepthFunction test,
+                const PartsOfTiles* parts, const Run& run) {
+    Image<std::int32_t> materials(depth.size());
+    Image3 textures = any_texture(lighting.scene) ? Image3(depth.size()) : Image3();
+    rasterize(lighting.geometry, test, depth, LitShader{lighting, materials, textures, parts}, run);
+}
 
-Image<float> ao_at_picture_size(const Image<float>& ao, Size picture, const Run& run) {
-    Image<float> result(picture, 1.0f);
-    const AoSampler sampler(ao, picture);
-    parallel_rows(picture.height, run, [&](int first_row, int end_row) {
+void light_from(const GBuffer& g, const TileLighting& lighting, const PartsOfTiles& drawn_again,
+                const Run& run) {
+    const ScreenGeometry& geometry = lighting.geometry;
+    parallel_for(geometry.tile_count(), run, [&](int tile) {
+        const PixelRect rect = geometry.tile_rect(tile);
+        if (drawn_again[static_cast<std::size_t>(tile)] == rect) return;
+        if (g.tiles[static_cast<std::size_t>(tile)].triangles == 0) {
+            fill_tile(lighting.lit.x, rect, lighting.scene.sky.x);
+            fill_tile(lighting.lit.y, rect, lighting.scene.sky.y);
+            fill_tile(lighting.lit.z, rect, lighting.scene.sky.z);
+            return;
+        }
         run_kernel(
             run, [&](auto tag) __attribute__((always_inline)) {
                 using F = typename decltype(tag)::type;
-                for (int y = first_row; y < end_row; ++y) {
-                    for (int x = 0; x < picture.width; x += kLanes<F>) {
-                        store(result.row(y) + x, sampler.at<F>(x, y));
-                    }
-                }
+                const auto surface_at = [&](int x, int y) __attribute__((always_inline)) {
+                    const auto seen =
+                        load<F>(g.view_depth.row(y) + x) < F(std::numeric_limits<float>::infinity());
+                    const Int<F> material =
+                        g.material.empty() ? Int<F>(0) : Int<F>(load<F>(g.material.row(y) + x));
+                    return Surface<F>{select(seen, material, Int<F>(kSkyMaterial)),
+                                      load_vec3<F>(g.normal, x, y),
+                                      {F(1), F(1), F(1)}};
+                };
+                lighting.light_tile<F>(rect, surface_at);
             });
     });
-    return result;
+}
+
+bool shows_texture(const Scene& scene, const GBuffer& g, PixelRect tile) {
+    for (int y = tile.y0; y < tile.y1; ++y) {
+        for (int x = tile.x0; x < tile.x1; ++x) {
+            if (g.view_depth.at(x, y) == std::numeric_limits<float>::infinity()) continue;
+            const int material = g.material.empty() ? 0 : g.material.at(x, y);
+            if (scene.materials[static_cast<std::size_t>(material)].texture != nullptr) return true;
+        }
+    }
+    return false;
+}
+
+// See lit_tiles.
+PartsOfTiles parts_drawn_again(const Scene& scene, const ScreenGeometry& geometry, const GBuffer& gbuffer,
+                               const Run& run) {
+    const bool knows_surfaces = gbuffer.format == BufferFormat::float32 && !gbuffer.normal.empty() &&
+                                (scene.materials.size() == 1 || !gbuffer.material.empty()) &&
+                                run.leaves_out(Skip::second_drawing);
+    const bool textured = any_texture(scene);
+    PartsOfTiles parts(static_cast<std::size_t>(geometry.tile_count()));
+    parallel_for(geometry.tile_count(), run, [&](int tile) {
+        const PixelRect rect = geometry.tile_rect(tile);
+        const TileRecord& record = gbuffer.tiles[static_cast<std::size_t>(tile)];
+        PixelRect& part = parts[static_cast<std::size_t>(tile)];
+        if (record.triangles == 0) {
+            if (!run.leaves_out(Skip::empty_tiles)) part = rect;
+        } else if (!knows_surfaces || (textured && shows_texture(scene, gbuffer, rect))) {
+            part = rect;
+        } else {
+            part = record.tied;
+        }
+    });
+    return parts;
+}
+
+}  // namespace
+
+TileMap lit_tiles(const Scene& scene, const ScreenGeometry& geometry, const GBuffer& gbuffer,
+                  const Run& run) {
+    TileMap map(geometry.size, geometry.tile_size);
+    const PartsOfTiles parts = parts_drawn_again(scene, geometry, gbuffer, run);
+    for (int tile = 0; tile < geometry.tile_count(); ++tile) {
+        const auto at = static_cast<std::size_t>(tile);
+        if (!parts[at].empty()) continue;
+        map.tiles.at(tile % geometry.tiles.width, tile / geometry.tiles.width) =
+            gbuffer.tiles[at].triangles == 0 ? TileWork::background : TileWork::lit_once;
+    }
+    return map;
+}
+
+Image3 shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geometry, const GBuffer& gbuffer,
+             const Image<float>& ao, const Run& run) {
+    const ViewLights lights = lights_in_view(scene, camera_matrices(camera, geometry.size));
+    const AoTaps taps(ao, geometry.size);
+    const PartsOfTiles parts = parts_drawn_again(scene, geometry, gbuffer, run);
+    const std::vector<float> highlights = highlight_limits(scene, run);
+    Image3 lit(geometry.size);
+    const TileLighting lighting{scene, highlights, geometry, lights, taps, lit};
+    light_from(gbuffer, lighting, parts, run);
+    const bool any =
+        std::any_of(parts.begin(), parts.end(), [](const PixelRect& part) { return !part.empty(); });
+    if (any) draw_again(lighting, gbuffer.depth, DepthFunction::equal, &parts, run);
+    return lit;
 }
 
 Image3 shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geometry,
              const DepthBuffer& depth, const Image<float>& ao, const ShadeSettings& settings,
              const Run& run) {
-    const Size size = depth.size();
-    const CameraMatrices matrices = camera_matrices(camera, size);
-    const ViewLights lights = lights_in_view(scene, matrices);
-    const AoSampler accessibility(ao, size);
-
-    Image3 lit(size);
-    Image<std::int32_t> materials(size);
-    const bool textured = any_texture(scene);
-    Image3 textures = textured ? Image3(size) : Image3();
-    const LitShader shader{scene, geometry, lights, accessibility, lit, materials, textures};
-    rasterize(geometry, settings.depth_function, depth, shader, run);
+    const ViewLights lights = lights_in_view(scene, camera_matrices(camera, depth.size()));
+    const AoTaps taps(ao, depth.size());
+    const std::vector<float> highlights = highlight_limits(scene, run);
+    Image3 lit(depth.size());
+    draw_again({scene, highlights, geometry, lights, taps, lit}, depth, settings.depth_function, nullptr, run);
     return lit;
 }
 

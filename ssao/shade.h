@@ -6,12 +6,13 @@
 // Out:    RGB in linear light, >= 0, may exceed 1; sky colour where no fragment passed
 // Reads:  the AO map linear, clamped, at the pixel's centre
 // Differs from the tutorials: accessibility multiplies every ambient term (seed 000's text: the directional
-//         lights' only); no shadow map yet.
+//         lights' only); no shadow map yet; given the G-buffer, tiles of which it knows everything are lit
+//         from it and not drawn again, with the same bits.
 #pragma once
 
 #include "rasterizer/depth_buffer.h"
-#include "rasterizer/raster_tile.h"
-#include "rasterizer/screen_geometry.h"
+#include "rasterizer/normal_depth.h"
+#include "rasterizer/tile_map.h"
 
 namespace crevice {
 
@@ -31,7 +32,16 @@ Image3 shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geo
              const DepthBuffer& depth, const Image<float>& ao, const ShadeSettings& settings = {},
              const Run& run = {});
 
-// An AO map brought to picture size, filtered linearly. 1 everywhere when the map is empty.
-Image<float> ao_at_picture_size(const Image<float>& ao, Size picture, const Run& run = {});
+// The same with EQUAL, from the geometry and what the first pass made of it.
+Image3 shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geometry, const GBuffer& gbuffer,
+             const Image<float>& ao, const Run& run = {});
+
+// Which of the geometry's tiles that pass draws again, in part or as a whole (done), lights from the G-buffer (lit_once), or leaves to
+// the sky (background). A tile is drawn again
+// - around pixels where two fragments may have had the same depth: LESS keeps the first, EQUAL lights the last;
+// - when it shows a texture: its coordinates are not in the G-buffer;
+// - when the G-buffer's normals are rounded to 16 bits, or it holds no normals or no materials.
+TileMap lit_tiles(const Scene& scene, const ScreenGeometry& geometry, const GBuffer& gbuffer,
+                  const Run& run = {});
 
 }  // namespace crevice

@@ -77,6 +77,8 @@ inline const Run kPlainRun = {.threads = 1};
 struct CountingShader {
     Image<std::int32_t>& count;
 
+    PixelRect wanted_part(int, PixelRect tile) const { return tile; }
+    void empty_tile(PixelRect) const {}
     void begin_tile(PixelRect) const {}
     template <class F>
     CREVICE_INLINE void fragment(const ScreenTriangle&, const Fragment<F>& f) const {

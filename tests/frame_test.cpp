@@ -48,7 +48,7 @@ void everything_open(const Scene& scene) {
     for (const char* method : {"xjun", "luna", "none"}) {
         for (const bool keep_all : {false, true}) {
             FrameRequest request = request_for(method, {37, 23});
-            request.run.keep_all = keep_all;
+            request.run.kept = keep_all ? KeptWork::all() : KeptWork();
             CAPTURE(std::string(method));
             CAPTURE(keep_all);
             const Frame frame = render_frame(scene, scene.camera, request);
@@ -125,7 +125,7 @@ TEST_CASE("frame: a pass that is left out does not run, and what it would make s
         CHECK(frame.ao_raw.empty() != ran("ao"));
         CHECK(frame.ao_blurred.empty() != ran("blur"));
         CHECK(frame.lit.empty() != ran("lit"));
-        request.run.keep_all = true;
+        request.run.kept = KeptWork::all();
         CHECK(pass_names(render_frame(scene, scene.camera, request)).size() == 5);
     }
     CHECK(pass_names(render_frame(empty_scene(), scene.camera, request_for("xjun", {32, 24}))) ==

@@ -16,6 +16,8 @@ struct AttributeShader {
     const std::vector<float>& attribute;  // one a vertex
     Image<float>&value, &view_depth;
 
+    PixelRect wanted_part(int, PixelRect tile) const { return tile; }
+    void empty_tile(PixelRect tile) const { begin_tile(tile); }
     void begin_tile(PixelRect tile) const {
         fill_tile(value, tile, -1e30f);
         fill_tile(view_depth, tile, -1e30f);

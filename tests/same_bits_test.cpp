@@ -171,7 +171,7 @@ TEST_CASE("same bits: with --keep-all and without, in every built-in scene") {
                 FrameRequest request = request_for(method, {41, 27});
                 request.settings.blur.iterations = iterations;
                 const std::string without = hashes_of(scene, request);
-                request.run.keep_all = true;
+                request.run.kept = KeptWork::all();
                 CHECK(hashes_of(scene, request) == without);
             }
         }

@@ -1,4 +1,5 @@
 #include "ssao/shade.h"
+#include "ssao/widened_ao.h"
 
 #include <cmath>
 #include <memory>

@@ -1,0 +1,73 @@
+// Lights the pixels of a tile when it is known what they show: eight at a time, whatever the size of the triangles.
+#pragma once
+
+#include "ssao/lighting.h"
+#include "ssao/widened_ao.h"
+
+#include "rasterizer/fragment.h"
+
+namespace crevice {
+
+inline constexpr std::int32_t kSkyMaterial = -1;
+
+// What a group of pixels shows.
+template <class F>
+struct Surface {
+    Int<F> material;  // index into Scene::materials, or kSkyMaterial
+    Vec3<F> n_view;   // unit
+    Vec3<F> texture;  // colour
+};
+
+struct TileLighting {
+    const Scene& scene;
+    const std::vector<float>& no_highlight_below;  // of each material
+    const ScreenGeometry& geometry;
+    const ViewLights& lights;
+    const AoTaps& ao;
+    Image3& lit;
+
+    // surface_at(x, y) gives the Surface of the pixels from (x, y) on.
+    template <class F, class SurfaceAt>
+    CREVICE_INLINE void light_tile(PixelRect tile, const SurfaceAt& surface_at) const {
+        WidenedAo<F> accessibility(ao, tile.x0, tile.x1);
+        for (int y = tile.y0; y < tile.y1; ++y) {
+            accessibility.go_to_row(y);
+            for (int x = tile.x0; x < tile.x1; x += kLanes<F>) {
+                const Surface<F> surface = surface_at(x, y);
+                const Vec3<F> colour = colour_of(surface, accessibility.at(x), x, y);
+                store(lit.x.row(y) + x, colour.x);
+                store(lit.y.row(y) + x, colour.y);
+                store(lit.z.row(y) + x, colour.z);
+            }
+        }
+    }
+
+ private:
+    // One material after the other, until every lane has had its own.
+    template <class F>
+    CREVICE_INLINE Vec3<F> colour_of(const Surface<F>& surface, F accessibility, int x, int y) const {
+        Vec3<F> colour = spread<F>(scene.sky);
+        auto left = surface.material != Int<F>(kSkyMaterial);
+        if (!any(left)) return colour;
+        const Vec3<F> ray = view_ray_at<F>(geometry, x, y);
+        const Vec3<F> to_eye = normalize_or<F>({F(0) - ray.x, F(0) - ray.y, F(0) - ray.z}, ray);
+        const SurfacePoint<F> point{surface.n_view, to_eye, surface.texture, accessibility};
+        do {
+            const std::int32_t index = scene.materials.size() == 1
+                                           ? 0
+                                           : largest_of(select(left, surface.material, Int<F>(kSkyMaterial)));
+            const Material& material = scene.materials[static_cast<std::size_t>(index)];
+            const auto lanes = surface.material == Int<F>(index);
+            colour = select<F>(lanes,
+                               scene.lighting == LightingModel::phong
+                                   ? phong(point, material, lights)
+                                   : blinn_schlick(point, material, lights, scene.ambient_light,
+                                               no_highlight_below[static_cast<std::size_t>(index)]),
+                               colour);
+            left = left & !lanes;
+        } while (any(left));
+        return colour;
+    }
+};
+
+}  // namespace crevice
