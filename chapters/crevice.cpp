@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "chapters/bench/command.h"
 #include "chapters/chapter_command.h"
 #include "chapters/compare.h"
 #include "chapters/methods.h"
@@ -24,6 +25,7 @@ struct Words {
     std::string threads = "0", lanes = "8", tile = "64", repeat = "1", chapter_size, seed = "1";
     std::vector<std::string> params;
     CameraFlags camera;
+    BenchWords bench;
     bool keep_all = false, step = false, quiet = false;
 };
 
@@ -94,20 +96,43 @@ int chapter(const Words& words) {
     return chapter_command(words.which, options);
 }
 
+void add_camera(CLI::App& command, CameraFlags& camera) {
+    command.add_option("--eye", camera.eye, "where the camera stands, x,y,z in the scene's own coordinates");
+    command.add_option("--target", camera.target, "what it looks at, x,y,z");
+    command.add_option("--fov-y", camera.fov_y, "vertical field of view, degrees");
+    command.add_option("--near", camera.near_plane, "near plane, scene units");
+    command.add_option("--far", camera.far_plane, "far plane, scene units");
+    command.add_option("--ortho", camera.ortho, "orthographic camera; height of the picture, scene units");
+}
+
+void add_bench(CLI::App& app, BenchWords& words) {
+    CLI::App* bench = app.add_subcommand(
+        "bench", "Measure: ms per pass of scenes, or one of --peers --scale --instructions");
+    bench->add_option("SCENE", words.scenes, "scenes to measure; default: the built-in ones");
+    bench->add_flag("--peers", words.peers, "our passes against the same on Mesa's llvmpipe, in turns");
+    bench->add_flag("--scale", words.scale, "time and memory over pixels, triangles, samples and threads");
+    bench->add_flag("--instructions", words.instructions, "instructions per pass against the stored figures");
+    bench->add_option("--scene", words.scene, "with --peers: one scene; default: columns and columns_luna");
+    bench->add_option("--size", words.size, "size of the picture in pixels, WxH; default: 1280x720");
+    bench->add_option("--pairs", words.pairs, "with --peers: how many pairs of frames, 15..999; default: 21");
+    add_camera(*bench, words.camera);
+    bench->add_option("--threads", words.threads, "0: all; 1: a plain loop")->capture_default_str();
+    bench->add_flag("--quick", words.quick, "with --scale: smaller sizes, in about 20 s");
+    bench->add_flag("--bless", words.bless, "with --instructions: store the figures instead of comparing");
+    bench->add_option("--figures", words.figures,
+                      "with --instructions: where they are stored; default: tests/golden/instructions.json");
+    bench->add_option("--out", words.out, "the directory for tables (CSV, JSON) and pages");
+    // One measurement of --scale, which starts this program for each of them.
+    bench->add_option("--point", words.point)->group("");
+}
+
 void add_render(CLI::App& app, Words& words) {
     CLI::App* render = app.add_subcommand(
         "render", "Draw a scene and write every buffer as NAME.npy and NAME.png, with passes.json");
     render->add_option("SCENE", words.scene, "a built-in scene (crevice scenes) or the path of an OBJ file")
         ->required();
     render->add_option("--size", words.size, "size of the picture in pixels, WxH")->capture_default_str();
-    render->add_option("--eye", words.camera.eye,
-                       "where the camera stands, x,y,z in the scene's own coordinates");
-    render->add_option("--target", words.camera.target, "what it looks at, x,y,z");
-    render->add_option("--fov-y", words.camera.fov_y, "vertical field of view, degrees");
-    render->add_option("--near", words.camera.near_plane, "near plane, scene units");
-    render->add_option("--far", words.camera.far_plane, "far plane, scene units");
-    render->add_option("--ortho", words.camera.ortho,
-                       "orthographic camera; height of the picture, scene units");
+    add_camera(*render, words.camera);
     render->add_option("--ao", words.ao, "ambient-occlusion method (crevice methods)")->capture_default_str();
     render->add_option("--param", words.params, "name=value, any number of times (crevice params METHOD)")
         ->allow_extra_args(false);
@@ -133,6 +158,7 @@ int run(int argc, char** argv) {
         "Try: crevice render columns --out out     and open out/lit.png");
     app.require_subcommand(1);
     add_render(app, words);
+    add_bench(app, words.bench);
     CLI::App* chapter_app =
         app.add_subcommand("chapter", "Run a chapter, or all, and write its pictures and OUT/index.html");
     chapter_app->add_option("WHICH", words.which, "a number such as 07, or all")->required();
@@ -181,6 +207,7 @@ int run(int argc, char** argv) {
         return compare_command({words.a, words.b, html, compare_out});
     }
     if (app.got_subcommand("render")) return render(words);
+    if (app.got_subcommand("bench")) return bench_command(words.bench);
     return 0;
 }
 

@@ -1,79 +1,8 @@
 #include "chapters/frame.h"
 
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <ctime>
-
 #include "ssao/shade.h"
 
 namespace crevice {
-
-namespace {
-
-struct Clocks {
-    double wall_ms, cpu_ms;
-};
-
-Clocks clocks() {
-    timespec cpu{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &cpu);
-    const auto wall = std::chrono::steady_clock::now().time_since_epoch();
-    return {std::chrono::duration<double, std::milli>(wall).count(),
-            static_cast<double>(cpu.tv_sec) * 1e3 + static_cast<double>(cpu.tv_nsec) * 1e-6};
-}
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const std::size_t middle = values.size() / 2;
-    return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
-
-// The times of one pass over all repeats.
-struct Samples {
-    std::string name;
-    std::vector<double> wall_ms, cpu_ms;
-
-    PassTime summary() const {
-        PassTime time{name, median(wall_ms), median(cpu_ms), 0, static_cast<int>(wall_ms.size())};
-        std::vector<double> deviations;
-        for (const double ms : wall_ms) deviations.push_back(std::fabs(ms - time.wall_ms));
-        time.wall_ms_mad = median(deviations);
-        return time;
-    }
-};
-
-class Stopwatch {
- public:
-    // Runs one pass and adds its time to the samples of that name.
-    template <class Pass>
-    void time(const std::string& name, const Pass& pass) {
-        const Clocks before = clocks();
-        pass();
-        const Clocks after = clocks();
-        auto at =
-            std::find_if(samples_.begin(), samples_.end(), [&](const Samples& s) { return s.name == name; });
-        if (at == samples_.end()) at = samples_.insert(samples_.end(), {name, {}, {}});
-        at->wall_ms.push_back(after.wall_ms - before.wall_ms);
-        at->cpu_ms.push_back(after.cpu_ms - before.cpu_ms);
-    }
-
-    std::vector<PassTime> summaries() const {
-        std::vector<PassTime> times;
-        for (const Samples& samples : samples_) {
-            if (samples.name != "frame") times.push_back(samples.summary());
-        }
-        for (const Samples& samples : samples_) {
-            if (samples.name == "frame") times.push_back(samples.summary());
-        }
-        return times;
-    }
-
- private:
-    std::vector<Samples> samples_;
-};
-
-}  // namespace
 
 Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest& request) {
     const MethodSettings& settings = request.settings;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "chapters/methods.h"
+#include "chapters/stopwatch.h"
 #include "ssao/needs.h"
 
 namespace crevice {
@@ -16,13 +17,6 @@ struct FrameRequest {
     WantedBuffers wanted = all_buffers();
     int repeats = 1;  // >= 1; times are medians over them
     Run run;
-};
-
-struct PassTime {
-    std::string name;
-    double wall_ms = 0, cpu_ms = 0;  // medians; cpu over all threads of the process
-    double wall_ms_mad = 0;          // median absolute deviation of the wall time
-    int runs = 0;
 };
 
 struct Frame {

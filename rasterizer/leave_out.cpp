@@ -15,4 +15,18 @@ const char* skip_name(Skip skip) {
     return "unknown";
 }
 
+const char* skip_reason(Skip skip) {
+    switch (skip) {
+        case Skip::passes: return "nothing that was asked for reads them";
+        case Skip::off_screen_triangles: return "all three corners lie beyond one side of the view";
+        case Skip::hidden_triangles:
+            return "their nearest depth is behind the farthest that the tile shows there";
+        case Skip::empty_tiles: return "no triangle's bounding box and edges reach them";
+        case Skip::background_pixels: return "they show no surface";
+        case Skip::open_tiles: return "accessibility is exactly 1 in them and wherever they read";
+        case Skip::second_drawing: return "the first pass kept the normal and material that EQUAL would find";
+    }
+    return "unknown";
+}
+
 }  // namespace crevice

@@ -21,6 +21,9 @@ inline constexpr int kSkipCount = 7;
 // The short name of a kind, as it stands in passes.json.
 const char* skip_name(Skip skip);
 
+// Why it can change no pixel.
+const char* skip_reason(Skip skip);
+
 // The kinds of work to do all the same.
 class KeptWork {
  public:

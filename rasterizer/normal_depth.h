@@ -21,8 +21,9 @@ struct GBuffer {
     BufferFormat format = BufferFormat::float32;  // normal and view_depth hold only values this format can
 
     // For the lit pass, so that it need not draw the scene again (shade.h).
-    Image<std::int32_t> material;   // index into Scene::materials; background: anything; empty: not asked for
-    std::vector<TileRecord> tiles;  // of the geometry's tiles
+    Image<std::int32_t> material =
+        {};  // index into Scene::materials; background: anything; empty: not asked for
+    std::vector<TileRecord> tiles = {};  // of the geometry's tiles
 };
 
 struct NormalDepthSettings {

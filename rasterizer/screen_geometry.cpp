@@ -78,7 +78,15 @@ class BlockBuilder {
             return (bits & I(any_of)) != I(0);
         };
         Mask<F> wanted = (lane_index<F>() < I(left)) & !has(somewhere, kNotANumber);
-        if (leaves_out_off_screen_) wanted = wanted & !has(everywhere, kOutsideOneSide);
+        if (leaves_out_off_screen_) {
+            const Mask<F> beyond = wanted & has(everywhere, kOutsideOneSide);
+            if (any(beyond)) {
+                std::int32_t is_beyond[kLanes<F>];
+                store(is_beyond, select(beyond, I(1), I(0)));
+                for (const std::int32_t one : is_beyond) block_.off_screen += static_cast<std::size_t>(one);
+                wanted = wanted & !beyond;
+            }
+        }
         if (!any(wanted)) return;
         const Mask<F> clipped = wanted & has(somewhere, kNeedsClipping);
         const LaneCorner<F> corners[3] = {corner_of<F>(vertex[0], 0), corner_of<F>(vertex[1], 1),

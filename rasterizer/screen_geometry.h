@@ -21,6 +21,7 @@ namespace crevice {
 struct TriangleBlock {
     std::vector<ScreenTriangle> triangles;
     std::vector<ClippedCorners> clipped;
+    std::size_t off_screen = 0;  // triangles beyond one side of the view, left out
     std::vector<std::uint32_t>
         first_of_tile;  // one a tile and one more: where its list starts in triangle_of_tile
     std::vector<std::uint32_t> triangle_of_tile;  // indices into `triangles`
@@ -42,6 +43,11 @@ struct ScreenGeometry {
     std::vector<TriangleBlock> blocks;
     std::size_t submitted_triangles = 0;
 
+    std::size_t off_screen_triangles() const {
+        std::size_t count = 0;
+        for (const TriangleBlock& block : blocks) count += block.off_screen;
+        return count;
+    }
     int tile_count() const { return tiles.width * tiles.height; }
     PixelRect tile_rect(int tile) const {
         const int x0 = tile % tiles.width * tile_size, y0 = tile / tiles.width * tile_size;

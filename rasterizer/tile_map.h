@@ -27,9 +27,11 @@ struct TileMap {
           tile_px(side),
           tiles({(size.width + side - 1) / side, (size.height + side - 1) / side}, TileWork::done) {}
 
-    int count() const { return tiles.size.width * tiles.size.height; }
-    int count(TileWork work) const {
-        int total = 0;
+    std::size_t count() const {
+        return static_cast<std::size_t>(tiles.size.width) * static_cast<std::size_t>(tiles.size.height);
+    }
+    std::size_t count(TileWork work) const {
+        std::size_t total = 0;
         for (int y = 0; y < tiles.size.height; ++y) {
             for (int x = 0; x < tiles.size.width; ++x) total += tiles.at(x, y) == work ? 1 : 0;
         }

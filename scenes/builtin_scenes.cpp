@@ -5,7 +5,7 @@
 namespace crevice {
 namespace {
 
-constexpr std::array<BuiltinScene, 7> kScenes = {{
+constexpr std::array<BuiltinScene, 8> kScenes = {{
     {"columns", "the scene of seed 000: columns, spheres and a house with niches and eaves", "the tutorial's",
      columns_scene},
     {"columns_luna",
@@ -16,6 +16,8 @@ constexpr std::array<BuiltinScene, 7> kScenes = {{
     {"wall_corner", "closed form: the shade along a wall", "none, 1", wall_corner_scene},
     {"trench", "closed form: the shade in a trench as wide as deep", "none, 1", trench_scene},
     {"cornell", "a closed room: the measured Cornell box", "10 cm", cornell_scene},
+    {"noise_wall", "a textured wall of noise: the scene of which nothing can be left out", "none, 1",
+     noise_wall_scene},
     {"empty", "no triangles: every buffer is its background", "none, 1", empty_scene},
 }};
 

@@ -1,5 +1,7 @@
 #include "ssao/needs.h"
 
+#include <algorithm>
+
 namespace crevice {
 
 WantedBuffers all_buffers() { return {std::begin(kBufferNames), std::end(kBufferNames)}; }
@@ -34,6 +36,16 @@ Needs needs_of(const Scene& scene, const WantedBuffers& wanted, bool ao_on, int 
     if (!needs.ao && !needs.lit && !asked("normal")) {
         leave_out(needs.normals, "normals",
                   "neither the normals nor anything computed from them was asked for");
+    }
+    if (!needs.lit) {
+        leave_out(needs.texcoords, "texture coordinates", "only the lit image shows textures");
+        leave_out(needs.materials, "materials", "only the lit image shows materials");
+    } else {
+        const auto textured = [](const Material& material) { return material.texture != nullptr; };
+        if (std::none_of(scene.materials.begin(), scene.materials.end(), textured))
+            leave_out(needs.texcoords, "texture coordinates", "no material has a texture");
+        if (scene.materials.size() == 1)
+            leave_out(needs.materials, "materials", "the scene has only one: no pixel looks it up");
     }
     needs.left_out.push_back({"shadow", "no light of this scene casts a shadow"});
     needs.left_out.push_back({"sky", "the sky is one colour: the lit image starts with it"});

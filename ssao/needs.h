@@ -26,6 +26,8 @@ struct Needs {
     bool ao = true;
     bool blur = true;
     bool lit = true;
+    bool materials = true;  // the first pass keeps which material a pixel shows
+    bool texcoords = true;  // of the lit pass: texture coordinates interpolated, textures sampled
     std::vector<LeftOut> left_out;  // a reason for every "no", and for the passes that no scene has yet
 };
 

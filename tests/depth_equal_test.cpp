@@ -100,7 +100,7 @@ std::vector<Run> every_run() {
         for (const int lanes : {1, 8}) {
             for (const int threads : {1, 2, 7}) {
                 for (const int tile_size : {8, 32, 64})
-                    runs.push_back({threads, lanes, isa, tile_size, false});
+                    runs.push_back({threads, lanes, isa, tile_size});
             }
         }
     }

@@ -89,7 +89,7 @@ TEST_CASE("same bits: lanes x instruction sets x threads x tiles, odd sizes, bot
                                 CAPTURE(std::string(isa_name(isa)));
                                 CAPTURE(threads);
                                 CAPTURE(tile_size);
-                                request.run = {threads, lanes, isa, tile_size, false};
+                                request.run = {threads, lanes, isa, tile_size};
                                 CHECK(hashes_of(scene, request) == plain);
                             }
                         }
@@ -131,7 +131,7 @@ TEST_CASE("same bits: every format, projection, texture and the published text")
                             CAPTURE(ao_scale);
                             CAPTURE(lanes);
                             CAPTURE(std::string(isa_name(isa)));
-                            request.run = {2, lanes, isa, 16, false};
+                            request.run = {2, lanes, isa, 16};
                             CHECK(hashes_of(scene, request) == plain);
                         }
                     }

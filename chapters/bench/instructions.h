@@ -1,0 +1,28 @@
+// `crevice bench --instructions`: the instructions of small frames, counted by callgrind, against stored
+// figures.
+// How:  this program draws columns, columns_luna and cornell at 160x90 with --threads 1 --isa avx2, and
+//       callgrind writes down its counter whenever a pass's clock is read. Of two frames the second counts:
+//       the first also makes its buffers. Start-up and files lie outside every pass.
+// Says: counts repeat to four digits on any machine of one compiler, so a small change shows. They know
+//       nothing of lanes, caches and threads, and are never called time.
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <optional>
+
+namespace crevice {
+
+struct InstructionsOptions {
+    std::filesystem::path figures = "tests/golden/instructions.json";
+    bool bless = false;                        // store the figures instead of comparing with them
+    std::optional<std::filesystem::path> out;  // the directory for tables, if any
+    std::filesystem::path program;             // the crevice to be counted
+};
+
+// Returns 0, or 1 when a count changed; with figures of another compiler it says so and returns 0. Throws
+// InputError without valgrind, AVX2 or figures, or when the counting goes wrong or takes over a minute;
+// OutputError.
+int bench_instructions(const InstructionsOptions& options, std::ostream& out);
+
+}  // namespace crevice

@@ -1,0 +1,176 @@
+#include "chapters/bench/peers.h"
+
+#include <algorithm>
+#include <ostream>
+
+#include "chapters/bench/agreement.h"
+#include "chapters/bench/machine.h"
+#include "chapters/bench/statistics.h"
+#include "chapters/bench/table.h"
+#include "chapters/progress.h"
+#include "rasterizer/error.h"
+#include "rasterizer/image_summary.h"
+
+namespace crevice {
+
+namespace {
+
+constexpr std::size_t kPasses = kPeerPasses.size();
+// How many times as fast as the peer each pass is meant to be; DESIGN, section 10.
+constexpr std::array<double, kPasses> kAims = {8, 15, 150, 10, 25};
+
+using FrameClock = std::array<PassClock, kPasses>;
+
+// The times of all frames of one side, pass by pass.
+struct Side {
+    std::array<PassSamples, kPasses> passes;
+
+    void add(const FrameClock& frame) {
+        for (std::size_t i = 0; i < kPasses; ++i) {
+            passes[i].wall_ms.push_back(frame[i].wall_ms);
+            passes[i].cpu_ms.push_back(frame[i].cpu_ms);
+        }
+    }
+};
+
+struct Duel {
+    Side ours, theirs;
+    std::string renderer, first_hash, last_hash;  // hashes of our lit image
+    std::vector<Agreement> agreement;
+};
+
+FrameClock times_of(const Frame& frame, const std::string& scene) {
+    FrameClock times;
+    for (std::size_t i = 0; i < kPasses; ++i) {
+        const auto pass = std::find_if(frame.passes.begin(), frame.passes.end(),
+                                       [&](const PassTime& time) { return time.name == kPeerPasses[i]; });
+        if (pass == frame.passes.end()) {
+            throw UsageError(scene + ": we have nothing to do in one pass (" + kPeerPasses[i] +
+                             "); compare with a scene that needs all of them");
+        }
+        times[i] = {pass->wall_ms, pass->cpu_ms};
+    }
+    return times;
+}
+
+Duel fight(const SceneArgument& argument, const std::string& name, PeerSession& peer,
+           const PeersOptions& options) {
+    FrameRequest request;
+    request.size = options.size;
+    request.method = &find_method("xjun");
+    request.settings = settings_of(*request.method, {}, argument.scene.length_unit);
+    request.run = options.run;
+    const Camera camera = chosen_camera(argument, options.camera);
+
+    Duel duel;
+    Progress progress(name, options.pairs + 1);
+    duel.renderer = peer.load(peer_scene(argument.scene, camera, options.size, request.settings));
+    for (int pair = 0; pair <= options.pairs; ++pair) {
+        const Frame frame = render_frame(argument.scene, camera, request);
+        const FrameClock ours = times_of(frame, name), theirs = peer.frame();
+        if (pair == 0) {
+            duel.first_hash = content_hash(frame.lit);
+        } else {
+            duel.ours.add(ours);
+            duel.theirs.add(theirs);
+        }
+        if (pair == options.pairs) {
+            duel.last_hash = content_hash(frame.lit);
+            duel.agreement = agreement(argument.scene, request, frame, peer.buffers());
+        }
+        progress.advance();
+    }
+    return duel;
+}
+
+// Frames 0, 2, 4 ... over frames 1, 3, 5 ...
+MedianInterval noise_floor(const std::vector<double>& wall_ms) {
+    std::vector<double> even, odd;
+    for (std::size_t i = 0; i + 1 < wall_ms.size(); i += 2) {
+        even.push_back(wall_ms[i]);
+        odd.push_back(wall_ms[i + 1]);
+    }
+    return ratio_interval(even, odd);
+}
+
+void add_times(Table& table, const std::string& scene, const Duel& duel) {
+    for (std::size_t i = 0; i < kPasses; ++i) {
+        const PassSamples &ours = duel.ours.passes[i], &theirs = duel.theirs.passes[i];
+        const PassTime our_time = ours.summary(), their_time = theirs.summary();
+        const MedianInterval ratio = ratio_interval(theirs.wall_ms, ours.wall_ms);
+        table.rows.push_back({scene, kPeerPasses[i], Cell(our_time.wall_ms, 3), Cell(our_time.wall_ms_mad, 3),
+                              Cell(our_time.cpu_ms, 3), their_time.wall_ms, their_time.wall_ms_mad,
+                              their_time.cpu_ms, ratio.median, ratio.low, ratio.high,
+                              Cell(100 * ratio.confidence, 1), Cell(kAims[i], 0),
+                              verdict_name(verdict(ratio, kAims[i]))});
+    }
+    const PassSamples& frames = duel.ours.passes.back();
+    const MedianInterval floor = noise_floor(frames.wall_ms);
+    table.rows.push_back({scene, "frame, ours/ours", Cell(frames.summary().wall_ms, 3), Cell(), Cell(),
+                          Cell(), Cell(), Cell(), Cell(floor.median, 3), Cell(floor.low, 3),
+                          Cell(floor.high, 3), Cell(100 * floor.confidence, 1), Cell(), Cell()});
+}
+
+// False when the two sides did not draw the same picture.
+bool add_agreement(Table& table, const std::string& scene, const Duel& duel, std::ostream& out) {
+    bool same = duel.first_hash == duel.last_hash;
+    if (!same) {
+        out << scene << ": our first and last picture differ (" << duel.first_hash << ", " << duel.last_hash
+            << "); run the tests\n";
+    }
+    for (const Agreement& a : duel.agreement) {
+        same = same && a.holds();
+        table.rows.push_back({scene, a.buffer, a.measure, Cell(a.value, 5), Cell(a.limit, 5),
+                              a.holds() ? "same" : "DIFFERENT"});
+    }
+    return same;
+}
+
+std::string size_text(Size size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
+
+void require_sensible(const PeersOptions& options) {
+    validate(options.run);
+    if (options.pairs < kFewestPairs || options.pairs > kMostPairs) {
+        throw UsageError("--pairs: not in " + std::to_string(kFewestPairs) + ".." +
+                         std::to_string(kMostPairs) + " (" + std::to_string(options.pairs) + "); choose one");
+    }
+    if (options.size.width < kSmallestCompared.width || options.size.height < kSmallestCompared.height) {
+        throw UsageError("--size: too small to compare with the peer (" + size_text(options.size) +
+                         "); give at least " + size_text(kSmallestCompared));
+    }
+}
+
+}  // namespace
+
+int bench_peers(const PeersOptions& options, std::ostream& out) {
+    require_sensible(options);
+    PeerSession peer(options.program, thread_count(options.run), options.patience_s);
+    BenchReport report{"peers", machine_facts(options.run), {}};
+    Table times{"peers",
+                {"scene", "pass", "ours_ms", "ours_mad", "ours_cpu", "peer_ms", "peer_mad", "peer_cpu",
+                 "ratio", "low", "high", "confidence_%", "aim", "verdict"},
+                {}};
+    Table pictures{"agreement", {"scene", "buffer", "measure", "value", "limit", "verdict"}, {}};
+    report.facts.push_back({"size", size_text(options.size)});
+    report.facts.push_back({"pairs", std::to_string(options.pairs)});
+    bool same = true;
+    for (const std::string& name : options.scenes) {
+        const SceneArgument argument = load_scene(name, false);
+        const std::size_t triangles = triangle_count(argument.scene);
+        if (triangles == 0) throw UsageError(name + ": no triangles to compare; choose another --scene");
+        const Duel duel = fight(argument, name, peer, options);
+        if (&name == &options.scenes.front()) report.facts.push_back({"peer", duel.renderer});
+        report.facts.push_back({name, std::to_string(triangles) + " triangles, lit image " + duel.last_hash});
+        add_times(times, name, duel);
+        same = add_agreement(pictures, name, duel, out) && same;
+        const std::string note = busy_note(duel.ours.passes.back().summary(), thread_count(options.run));
+        if (!note.empty()) out << name << ": " << note << "\n";
+    }
+    out << facts_text(report.facts) << "\n" << table_text(times) << "\n" << table_text(pictures);
+    if (!same) out << "The two sides did not draw the same picture: their times do not compare.\n";
+    report.tables = {times, pictures};
+    if (options.out) write_report(report, *options.out, out);
+    return static_cast<int>(same ? ExitCode::done : ExitCode::check_failed);
+}
+
+}  // namespace crevice
