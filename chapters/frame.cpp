@@ -1,5 +1,6 @@
 #include "chapters/frame.h"
 
+#include "ssao/open_tiles.h"
 #include "ssao/shade.h"
 
 namespace crevice {
@@ -14,17 +15,17 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
     frame.camera.reversed_z = settings.reversed_z;
     frame.left_out = needs.left_out;
 
+    ScreenGeometry geometry;
+    AoInputs inputs;
     Stopwatch stopwatch;
     for (int repeat = 0; repeat < request.repeats; ++repeat) {
         stopwatch.time("frame", [&] {
-            ScreenGeometry geometry;
-            AoInputs inputs;
             stopwatch.time("normal_depth", [&] {
                 GeometrySettings geometry_with = geometry_settings(settings.buffers);
                 geometry_with.with_normals = needs.normals;
                 geometry = screen_geometry(scene, frame.camera, request.size, geometry_with, request.run);
                 NormalDepthSettings buffers = settings.buffers;
-                buffers.with_material = needs.lit && scene.materials.size() > 1;
+                buffers.with_material = needs.lit && needs.materials;
                 frame.gbuffer = normal_depth(geometry, frame.camera.reversed_z, buffers, request.run);
             });
             if (needs.ao) {
@@ -49,6 +50,11 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
         });
     }
     frame.passes = stopwatch.summaries();
+    frame.tiles.raster = raster_tiles(geometry);
+    if (needs.ao) frame.tiles.ao = ao_tiles(inputs, settings.ao, request.run);
+    if (needs.blur) frame.tiles.blur = open_blur_tiles(frame.ao_raw, settings.blur, request.run);
+    if (needs.lit) frame.tiles.lit = lit_tiles(scene, geometry, frame.gbuffer, request.run);
+    frame.skipped = skipped_work(geometry, frame.gbuffer, frame.tiles);
     // Buffers that were asked for but had nothing to compute: everything is open.
     const Size ao_size = ao_map_size(request.size, settings.ao.ao_scale);
     if (frame.ao_raw.empty() && request.wanted.contains("ao_raw")) frame.ao_raw = Image<float>(ao_size, 1.0f);

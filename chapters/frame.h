@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "chapters/left_out.h"
 #include "chapters/methods.h"
 #include "chapters/stopwatch.h"
 #include "ssao/needs.h"
@@ -25,7 +26,9 @@ struct Frame {
     Image<float> ao_raw, ao_blurred;  // empty when left out
     Image3 lit;                       // empty when left out
     std::vector<PassTime> passes;     // those that ran, and last the frame
-    std::vector<LeftOut> left_out;
+    std::vector<LeftOut> left_out;    // passes and data, with reasons
+    FrameTiles tiles;
+    std::vector<SkippedWork> skipped;
 };
 
 Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest& request);

@@ -1,11 +1,13 @@
 #include "chapters/render.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 
 #include <nlohmann/json.hpp>
 
 #include "chapters/picture.h"
+#include "chapters/savings.h"
 #include "rasterizer/error.h"
 #include "rasterizer/image_io.h"
 #include "rasterizer/write_file.h"
@@ -61,7 +63,18 @@ Json described_buffers(const Frame& frame, const FrameRequest& request, const st
     return writer.described_;
 }
 
-Json passes_json(const RenderOptions& options, const Frame& frame, Json buffers) {
+// Pairs of frames that one kind of work is measured with, at most.
+constexpr int kMostSavingPairs = 9;
+
+// Null when it was not measured.
+const Saving* saving_of(Skip skip, const std::vector<Saving>& savings) {
+    const auto at =
+        std::find_if(savings.begin(), savings.end(), [&](const Saving& s) { return s.skip == skip; });
+    return at == savings.end() ? nullptr : &*at;
+}
+
+Json passes_json(const RenderOptions& options, const Frame& frame, const std::vector<Saving>& savings,
+                 const std::vector<LoadStep>& load_steps, Json buffers) {
     const FrameRequest& request = options.request;
     Json passes = Json::array(), left_out = Json::array();
     for (const PassTime& pass : frame.passes) {
@@ -72,6 +85,22 @@ Json passes_json(const RenderOptions& options, const Frame& frame, Json buffers)
                           {"runs", pass.runs}});
     }
     for (const LeftOut& item : frame.left_out) left_out.push_back({{"what", item.what}, {"why", item.why}});
+    for (const SkippedWork& work : frame.skipped) {
+        if (work.count == 0) continue;
+        Json entry = {{"what", skip_name(work.skip)},
+                      {"why", skip_reason(work.skip)},
+                      {"count", work.count},
+                      {"of", work.of},
+                      {"unit", work.unit}};
+        if (const Saving* saving = saving_of(work.skip, savings)) {
+            entry["saved_ms"] = saving->saved_ms.median;
+            entry["saved_ms_interval"] = {saving->saved_ms.low, saving->saved_ms.high};
+        }
+        left_out.push_back(entry);
+    }
+    Json loading = Json::array();
+    for (const LoadStep& step : load_steps)
+        loading.push_back({{"step", step.name}, {"wall_ms", step.wall_ms}});
     Json parameters = Json::object();
     for (const Parameter& p : parameters_of(*request.method)) parameters[p.name] = p.get(request.settings);
     return {{"scene", options.scene},
@@ -81,6 +110,7 @@ Json passes_json(const RenderOptions& options, const Frame& frame, Json buffers)
             {"threads", thread_count(request.run)},
             {"lanes", request.run.lanes},
             {"isa", isa_name(request.run.isa)},
+            {"loading", loading},
             {"passes", passes},
             {"left_out", left_out},
             {"buffers", std::move(buffers)}};
@@ -98,13 +128,28 @@ void try_output_directory(const std::filesystem::path& out) {
     std::filesystem::remove(trial, error);
 }
 
-void print_times(const Frame& frame) {
+void print_times(const Frame& frame, const std::vector<Saving>& savings,
+                 const std::vector<LoadStep>& load_steps) {
+    double load_ms = 0;
+    for (const LoadStep& step : load_steps) load_ms += step.wall_ms;
+    std::printf("%-13s %8.2f ms wall", "load", load_ms);
+    for (const LoadStep& step : load_steps) std::printf("; %s %.1f", step.name, step.wall_ms);
+    std::printf("\n");
     for (const PassTime& pass : frame.passes) {
         std::printf("%-13s %8.2f ms wall  %8.2f ms cpu  (median of %d)\n", pass.name.c_str(), pass.wall_ms,
                     pass.cpu_ms, pass.runs);
     }
     for (const LeftOut& item : frame.left_out)
         std::printf("left out: %s, because %s\n", item.what.c_str(), item.why.c_str());
+    for (const SkippedWork& work : frame.skipped) {
+        if (work.count == 0) continue;
+        std::printf("left out: %s, %zu of %zu %s", skip_name(work.skip), work.count, work.of, work.unit);
+        if (const Saving* saving = saving_of(work.skip, savings)) {
+            std::printf(", saves %.2f ms (%.2f .. %.2f)", saving->saved_ms.median, saving->saved_ms.low,
+                        saving->saved_ms.high);
+        }
+        std::printf("\n");
+    }
 }
 
 }  // namespace
@@ -125,10 +170,19 @@ void render_command(const RenderOptions& given) {
     if (triangle_count(argument.scene) == 0)
         std::cerr << options.scene << ": 0 triangles; only the sky will be seen\n";
     const Frame frame = render_frame(argument.scene, camera, request);
+    // Who asks for medians is told what leaving out saves, too; with everything kept there is nothing to tell.
+    const bool measures = request.repeats > 1 && request.run.leaves_out(Skip::passes);
+    std::vector<Skip> found;
+    for (const SkippedWork& work : frame.skipped) {
+        if (measures && work.count > 0) found.push_back(work.skip);
+    }
+    const std::vector<Saving> savings =
+        measure_savings(argument.scene, camera, request, found, std::min(request.repeats, kMostSavingPairs));
     Json buffers = described_buffers(frame, options.request, options.out);
     const std::filesystem::path report = options.out / "passes.json";
-    write_file_atomically(report, passes_json(options, frame, std::move(buffers)).dump(1) + "\n");
-    print_times(frame);
+    write_file_atomically(
+        report, passes_json(options, frame, savings, argument.load_steps, std::move(buffers)).dump(1) + "\n");
+    print_times(frame, savings, argument.load_steps);
     std::cout.flush();
     std::printf("%s\n", report.string().c_str());
 }

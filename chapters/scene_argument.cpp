@@ -5,15 +5,19 @@
 #include <iostream>
 
 #include "chapters/parse.h"
+#include "chapters/stopwatch.h"
 #include "rasterizer/approx_math.h"
 #include "rasterizer/error.h"
-#include "rasterizer/obj_load.h"
 #include "scenes/builtin_scenes.h"
 
 namespace crevice {
 
 SceneArgument load_scene(const std::string& name_or_path, bool with_textures) {
-    if (const BuiltinScene* builtin = find_builtin_scene(name_or_path)) return {builtin->make(), false};
+    if (const BuiltinScene* builtin = find_builtin_scene(name_or_path)) {
+        const Clocks before = clocks();
+        Scene scene = builtin->make();
+        return {std::move(scene), false, {{"make the scene", clocks().wall_ms - before.wall_ms}}};
+    }
     std::error_code ignored;
     if (!std::filesystem::exists(name_or_path, ignored)) {
         throw InputError(name_or_path +
@@ -23,7 +27,7 @@ SceneArgument load_scene(const std::string& name_or_path, bool with_textures) {
     options.want_textures = with_textures;
     LoadedObj loaded = load_obj(name_or_path, options);
     for (const std::string& warning : loaded.report.warnings) std::cerr << warning << "\n";
-    return {std::move(loaded.scene), true};
+    return {std::move(loaded.scene), true, std::move(loaded.steps)};
 }
 
 Camera chosen_camera(const SceneArgument& argument, const CameraFlags& flags) {

@@ -4,13 +4,14 @@
 #include <optional>
 #include <string>
 
-#include "rasterizer/scene.h"
+#include "rasterizer/obj_load.h"
 
 namespace crevice {
 
 struct SceneArgument {
     Scene scene;
-    bool from_obj = false;  // its coordinates are right-handed
+    bool from_obj = false;             // its coordinates are right-handed
+    std::vector<LoadStep> load_steps;  // what making or reading it took
 };
 
 // Warnings of the OBJ loader go to stderr. `with_textures` false leaves texture files unread. Throws

@@ -1,5 +1,7 @@
 #include "rasterizer/obj_load.h"
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <iterator>
 #include <new>
@@ -75,18 +77,44 @@ void add_light(Scene& scene) {
     scene.lights[2].diffuse = glm::vec3(0);
 }
 
+// Notes the time since the last step ended.
+class StepTimer {
+ public:
+    explicit StepTimer(std::vector<LoadStep>& steps) : steps_(steps) {}
+    void finish(const char* name) {
+        const Clock::time_point now = Clock::now();
+        steps_.push_back({name, std::chrono::duration<double, std::milli>(now - started_).count()});
+        started_ = now;
+    }
+
+ private:
+    using Clock = std::chrono::steady_clock;
+    std::vector<LoadStep>& steps_;
+    Clock::time_point started_ = Clock::now();
+};
+
 LoadedObj loaded_from(const std::filesystem::path& path, const ObjOptions& options) {
     const std::string name = path.string();
-    ObjPrescan prescan = prescan_obj(read_file(path, kMaxObjBytes), name);
+    LoadedObj loaded;
+    StepTimer timer(loaded.steps);
+    const std::string bytes = read_file(path, kMaxObjBytes);
+    timer.finish("read the file");
+    ObjPrescan prescan = prescan_obj(bytes, name);
+    timer.finish("numbers and structure");
     const ObjFaces faces = parse_faces(prescan);
+    timer.finish("faces");
     ObjTriangles triangles = triangulate_obj(prescan, faces, std::move(prescan.report));
+    timer.finish("triangles");
     ObjMaterials materials =
         load_obj_materials(path, prescan.libraries, faces.materials, options.want_textures);
+    timer.finish("materials and textures");
     const int no_material = static_cast<int>(materials.materials.size()) - 1;
-    ObjMesh built = build_obj_mesh(prescan, faces, triangles, materials.of_use, no_material,
-                                   options.want_textures, options.crease_angle_rad);
+    const bool textured = std::any_of(materials.materials.begin(), materials.materials.end(),
+                                      [](const Material& m) { return m.texture != nullptr; });
+    ObjMesh built = build_obj_mesh(prescan, faces, triangles, materials.of_use, no_material, textured,
+                                   options.crease_angle_rad);
+    timer.finish("vertices and normals");
 
-    LoadedObj loaded;
     ObjReport& report = loaded.report = std::move(triangles.report);
     report.generated_normals = built.generated_normals;
     const std::size_t skipped = report.too_few_corners.count + report.too_many_corners.count;

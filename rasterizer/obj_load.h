@@ -22,12 +22,20 @@ struct ObjOptions {
     // [0, pi] rad; edges sharper than this stay sharp in GENERATED normals. pi: all smooth. The file's own
     // are kept.
     double crease_angle_rad = kSmoothEverywhere_rad;
-    bool want_textures = true;  // false: neither textures nor texture coordinates are read
+    // false: no textures are read. Without a texture no vertex gets texture coordinates.
+    bool want_textures = true;
+};
+
+// What a part of the loading took.
+struct LoadStep {
+    const char* name;
+    double wall_ms;
 };
 
 struct LoadedObj {
     Scene scene;
     ObjReport report;
+    std::vector<LoadStep> steps;  // in their order
 };
 
 // One mesh and one identity instance, two-sided; a part is a run of faces of one material, in file order. The

@@ -12,15 +12,19 @@ constexpr int kColumns = 80, kRows = 48;  // vertices; a little more than the vi
 constexpr double kCell = 0.25,
                  kBump = 0.2;  // less steep than the view's outermost rays: nothing hides anything
 
-// In [0,1]; a hash of the grid position (Wang's 32-bit mix).
-double noise(int column, int row) {
-    auto h = static_cast<std::uint32_t>(column * 7919 + row * 104729 + 1);
+// Wang's mix of 32 bits.
+std::uint32_t mixed(std::uint32_t h) {
     h = (h ^ 61) ^ (h >> 16);
     h *= 9;
     h ^= h >> 4;
     h *= 0x27d4eb2d;
-    h ^= h >> 15;
-    return h / 4294967295.0;
+    return h ^ (h >> 15);
+}
+
+// In [0,1]; unrelated from one vertex to the next.
+double noise(int column, int row) {
+    return mixed(mixed(static_cast<std::uint32_t>(column + 1000)) + static_cast<std::uint32_t>(row + 1000)) /
+           4294967295.0;
 }
 
 // Facing the eye at -z, bumps towards and away from it.
@@ -36,7 +40,7 @@ Mesh bumpy_wall() {
             const glm::dvec3 along_x = position(column + 1, row) - position(column - 1, row),
                              along_y = position(column, row - 1) - position(column, row + 1);
             mesh.normals.emplace_back(glm::normalize(glm::cross(along_y, along_x)));
-            mesh.texcoords.emplace_back(0.5f * static_cast<float>(column), 0.5f * static_cast<float>(row));
+            mesh.texcoords.emplace_back(static_cast<float>(column), static_cast<float>(row));
         }
     }
     const auto vertex = [](int column, int row) {
@@ -54,9 +58,13 @@ Mesh bumpy_wall() {
 }
 
 Texture checks() {
-    Image3 base({2, 2}, glm::vec3(0.9f));
-    base.set(0, 1, glm::vec3(0.6f));
-    base.set(1, 0, glm::vec3(0.6f));
+    constexpr int side = 16;
+    Image3 base({side, side}, glm::vec3(0.9f));
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+            if ((x < side / 2) != (y < side / 2)) base.set(x, y, glm::vec3(0.6f));
+        }
+    }
     return build_texture(std::move(base));
 }
 

@@ -6,12 +6,14 @@
 // Reach:  5 texels in x and in y for each iteration
 // Differs from the tutorials: a tap outside the map is rejected (as seeds 002 and 003; seed 000 repeats the
 //         edge texel).
-// Cost:   normals and depths do not change between iterations: which taps count is decided once, into ten
-//         bits a direction.
+// Cost:   normals and depths do not change between iterations: which taps count is decided once a texel, into
+//         ten bits a direction. Up to eight iterations run in one sweep down the map (blur_band.h), so that
+//         only a few rows of each are in use at a time. Texels that keep their value are only copied.
 #pragma once
 
 #include <array>
 
+#include "rasterizer/tile_map.h"
 #include "ssao/ao_inputs.h"
 
 namespace crevice {
@@ -27,7 +29,7 @@ inline constexpr BlurWeights kLunaBlurWeights = {.022190548f, .045589000f, .0798
                                                  .079811408f, .045589000f, .022190548f};
 
 struct BlurSettings {
-    BlurWeights weights = kXjunBlurWeights;  // each > 0; their sum does not matter
+    BlurWeights weights = kXjunBlurWeights;  // each > 0, their sum finite, whatever it is
     int iterations = 4;                      // [0, 64] times horizontal + vertical; 0 leaves the map as it is
     float normal_threshold = 0.8f;           // [-1, 1]; taps count when n_c . n_i is at least this
     float depth_threshold = 0.2f;            // [0, inf) scene units; ... and |z_c - z_i| at most this
@@ -45,5 +47,14 @@ Image<float> bilateral_blur(const Image<float>& ao, const AoInputs& inputs,
 Image<float> bilateral_blur(const Image<float>& ao, const GBuffer& gbuffer, const Camera& camera,
                             const AoFetch& fetch, const BlurSettings& settings = kXjunBlur,
                             const Run& run = {});
+
+// Side of the tiles that the blur may leave at 1, texels.
+inline constexpr int kBlurTile = 16;
+
+// TileWork::open where every texel of a tile and every texel within the reach of all iterations is exactly 1:
+// no iteration changes such a tile, whatever its normals and depths. TileWork::done elsewhere. Texels outside
+// the map do not matter. Throws UsageError as validate().
+TileMap open_blur_tiles(const Image<float>& ao, const BlurSettings& settings = kXjunBlur,
+                        const Run& run = {});
 
 }  // namespace crevice

@@ -7,6 +7,7 @@
 #include "rasterizer/error.h"
 #include "rasterizer/isa.h"
 #include "rasterizer/parallel.h"
+#include "ssao/open_tiles.h"
 
 namespace crevice {
 
@@ -28,22 +29,25 @@ void validate(const LunaSettings& s) {
 
 Image<float> luna_occlusion(const AoInputs& inputs, const LunaSettings& settings, const Run& run) {
     validate(settings);
+    const TileMap tiles = ao_tiles(inputs, settings, run);
+    Image<float> ao(inputs.size(), 1.0f);
+    if (tiles.count(TileWork::done) == 0) return ao;
     const LunaKernel kernel(inputs, settings);
     const RandomMap map = random_map(settings.seed);
-    const Size size = inputs.size();
-    Image<float> ao(size, 1.0f);
-    parallel_rows(size.height, run, [&](int first_row, int end_row) {
+    const bool skip_background = run.leaves_out(Skip::background_pixels);
+    parallel_rows(ao.size.height, run, [&](int first_row, int end_row) {
         run_kernel(
             run, [&](auto tag) __attribute__((always_inline)) {
                 using F = typename decltype(tag)::type;
                 for (int y = first_row; y < end_row; ++y) {
-                    const F v = F((static_cast<float>(y) + 0.5f) / static_cast<float>(size.height));
-                    for (int x = 0; x < size.width; x += kLanes<F>) {
+                    for (int x = 0; x < ao.size.width; x += kLanes<F>) {
+                        if (tiles.tiles.at(x / kAoTile, y / kAoTile) != TileWork::done) continue;
                         const F z = load<F>(inputs.view_depth.row(y) + x);
                         const auto surface = z < F(std::numeric_limits<float>::infinity());
-                        if (!any(surface)) continue;
+                        if (skip_background && !any(surface)) continue;
                         const F u = (F(to_float(lane_index<F>() + Int<F>(x))) + F(0.5f)) /
-                                    F(static_cast<float>(size.width));
+                                    F(static_cast<float>(ao.size.width));
+                        const F v = F((static_cast<float>(y) + 0.5f) / static_cast<float>(ao.size.height));
                         const Vec3<F> n = {load<F>(inputs.normal.x.row(y) + x),
                                            load<F>(inputs.normal.y.row(y) + x),
                                            load<F>(inputs.normal.z.row(y) + x)};

@@ -8,11 +8,13 @@
 //         rejected; sign(0) is +1; r = p counts nothing; fade_end = fade_start is a step. `as_published`
 //         restores the first and third. It is a weighted vote, not cosine-weighted visibility: it does not
 //         converge to ray-cast AO.
-// Cost:   about 70 operations and four depth reads a sample.
+// Cost:   about 100 operations and four depth reads a sample; half of that where nothing is in front. The tiles
+//         of open_tiles.h cost nothing.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "rasterizer/approx_math.h"
 #include "rasterizer/half.h"
@@ -43,74 +45,133 @@ Image<float> luna_occlusion(const AoInputs& inputs, const LunaSettings& settings
 
 // ---- the kernel, for one texel or eight
 
+// A position between four pixels of the depth map.
+template <class F>
+struct MapCell {
+    Int<F> upper_left;  // index into Image::pixels
+    F x, y;             // [0,1] from the upper left one to the right and to the lower one
+};
+
 struct LunaKernel {
     const AoInputs& inputs;
     const LunaSettings& settings;
     std::array<glm::vec3, kCubeVectors> offsets;
-    float inverse_fade;  // 1 / (fade_end - fade_start), very large for a step
+    float inverse_fade;      // 1 / (fade_end - fade_start), very large for a step
+    float nearest_occluder;  // epsilon; infinite for radius 0: then q = p, which nothing occludes
 
     LunaKernel(const AoInputs& ao_inputs, const LunaSettings& luna)
         : inputs(ao_inputs), settings(luna), offsets(cube_offsets(luna.seed)) {
         const float range = luna.fade_end - luna.fade_start;
         inverse_fade = range > 0 ? 1 / range : 3e38f;
+        nearest_occluder = luna.radius > 0 ? luna.epsilon : std::numeric_limits<float>::infinity();
     }
 
-    // View depth that the depth map shows at a screen position, filtered linearly.
+    // Where a screen position lies between the pixels of the depth map, outside the picture on its border.
     template <class F>
-    CREVICE_INLINE F depth_at(Screen2<F> p_screen) const {
-        const Image<float>& map = inputs.depth_map;
+    CREVICE_INLINE MapCell<F> cell_at(Screen2<F> p_screen) const {
         const F width = F(static_cast<float>(inputs.picture.width)),
                 height = F(static_cast<float>(inputs.picture.height));
         const F x = min_of(max_of(p_screen.x - F(0.5f), F(-1)), width),
                 y = min_of(max_of(p_screen.y - F(0.5f), F(-1)), height);
         const Int<F> x0 = floor_to_int(x), y0 = floor_to_int(y);
-        const F fx = x - F(to_float(x0)), fy = y - F(to_float(y0));
-        const Int<F> at = (y0 + Int<F>(1)) * Int<F>(map.stride) + x0 + Int<F>(1);
-        const auto upper = gather_pair(map.pixels.data(), at),
-                   lower = gather_pair(map.pixels.data() + map.stride, at);
-        const F top = mix(F(upper.first), F(upper.second), fx);
-        const F bottom = mix(F(lower.first), F(lower.second), fx);
-        const F depth = mix(top, bottom, fy);
+        const int stride = inputs.depth_map.stride;
+        return {y0 * Int<F>(stride) + x0 + Int<F>(stride + 1), x - F(to_float(x0)), y - F(to_float(y0))};
+    }
+
+    // View depth that the depth map shows there, filtered linearly.
+    template <class F>
+    CREVICE_INLINE F depth_in(const MapCell<F>& cell) const {
+        const Image<float>& map = inputs.depth_map;
+        const auto pixels = gather_square(map.pixels.data(), map.stride, cell.upper_left);
+        const F top = mix(F(pixels.upper_left), F(pixels.upper_right), cell.x);
+        const F bottom = mix(F(pixels.lower_left), F(pixels.lower_right), cell.x);
+        const F depth = mix(top, bottom, cell.y);
         return inputs.fetch.depth == DepthSource::view_depth ? depth : inputs.view_from_ndc(depth);
+    }
+    template <class F>
+    CREVICE_INLINE F depth_at(Screen2<F> p_screen) const {
+        return depth_in(cell_at(p_screen));
     }
 
     // How much an occluder `distance_z` in front of p counts, in [0,1].
     template <class F>
     CREVICE_INLINE F occlusion(F distance_z) const {
         const F fading = saturate((F(settings.fade_end) - distance_z) * F(inverse_fade));
-        return select(distance_z > F(settings.epsilon), fading, F(0));
+        return select(distance_z > F(nearest_occluder), fading, F(0));
     }
 
-    // What one offset vector contributes, in [0,1] for a unit normal.
+    // The point q around p that one offset vector leads to.
     template <class F>
-    CREVICE_INLINE F sample(Vec3<F> p, Vec3<F> n, Vec3<F> random, const glm::vec3& offset) const {
-        if (settings.radius == 0) return F(0);  // q = p, which nothing occludes
+    CREVICE_INLINE Vec3<F> sample_point(Vec3<F> p, Vec3<F> n, Vec3<F> random, const glm::vec3& offset) const {
         const Vec3<F> o = spread<F>(offset);
         const Vec3<F> d = o - F(2) * dot(o, random) * random;
-        const F facing = dot(d, n);
-        F flip = select(facing < F(0), F(-1), F(1));
-        if (settings.as_published) flip = select(facing == F(0), F(0), flip);
-        const Vec3<F> q = p + flip * F(settings.radius) * d;
+        const F facing = dot(d, n), radius = F(settings.radius);
+        F length = select(facing < F(0), -radius, radius);
+        if (settings.as_published) length = select(facing == F(0), F(0), length);
+        return p + length * d;
+    }
 
-        // q in front of the near plane projects nowhere, behind the eye it would be mirrored.
-        const auto visible = q.z > F(inputs.near_plane);
-        const F inverse_z = F(1) / select(visible, q.z, F(1));
-        const F r_z = depth_at(inputs.rays.p_screen(q, inverse_z));
+    // q in front of the near plane projects nowhere, behind the eye it would be mirrored.
+    template <class F>
+    CREVICE_INLINE Mask<F> visible(F q_z) const {
+        return q_z > F(inputs.near_plane);
+    }
+    template <class F>
+    CREVICE_INLINE F inverse_depth(F q_z) const {
+        return F(1) / select(visible(q_z), q_z, F(1));
+    }
+
+    // What the surface at view depth r_z, seen in the direction of q, takes from p, in [0,1] for a unit
+    // normal.
+    template <class F>
+    CREVICE_INLINE F contribution(Vec3<F> p, Vec3<F> n, Vec3<F> q, F inverse_z, F r_z) const {
         const Vec3<F> from_p = inputs.rays.at_depth(q, inverse_z, r_z) - p;
-
         const F squared = dot(from_p, from_p);
         const auto apart = squared > F(settings.radius) * F(settings.radius) * F(1e-12f);
         const F along_n = dot(n, from_p) / square_root(select(apart, squared, F(1)));
-        const F dp = select(apart & visible & (along_n > F(0)), along_n, F(0));
+        const F dp = select(apart & visible(q.z) & (along_n > F(0)), along_n, F(0));
         return dp * occlusion(p.z - r_z);
     }
 
-    // 1 - the mean of all samples, before the exponent.
+    // What one offset vector contributes: where it leads, what the depth map shows there, what that takes.
+    template <class F>
+    CREVICE_INLINE F sample(Vec3<F> p, Vec3<F> n, Vec3<F> random, const glm::vec3& offset) const {
+        const Vec3<F> q = sample_point(p, n, random, offset);
+        const F inverse_z = inverse_depth(q.z);
+        return contribution(p, n, q, inverse_z, depth_at(inputs.rays.p_screen(q, inverse_z)));
+    }
+
+    // 1 - the mean of all samples, before the exponent. A loop a step of sample(): one sample is a long chain
+    // of operations that wait for each other, and the processor overlaps the short chains of a step better
+    // (twice as fast). The steps keep plain arrays, not structs, which GCC copies through memory.
     template <class F>
     CREVICE_INLINE F accessibility(Vec3<F> p, Vec3<F> n, Vec3<F> random) const {
+        F q_x[kCubeVectors], q_y[kCubeVectors], q_z[kCubeVectors], inverse_z[kCubeVectors];
+        for (int i = 0; i < settings.samples; ++i) {
+            const Vec3<F> q = sample_point(p, n, random, offsets[static_cast<std::size_t>(i)]);
+            q_x[i] = q.x;
+            q_y[i] = q.y;
+            q_z[i] = q.z;
+            inverse_z[i] = inverse_depth(q.z);
+        }
+        Int<F> cell[kCubeVectors];
+        F cell_x[kCubeVectors], cell_y[kCubeVectors];
+        for (int i = 0; i < settings.samples; ++i) {
+            const MapCell<F> at = cell_at(inputs.rays.p_screen<F>({q_x[i], q_y[i], q_z[i]}, inverse_z[i]));
+            cell[i] = at.upper_left;
+            cell_x[i] = at.x;
+            cell_y[i] = at.y;
+        }
+        F r_z[kCubeVectors];
+        auto occluded = F(0) > F(0);
+        for (int i = 0; i < settings.samples; ++i) {
+            r_z[i] = depth_in(MapCell<F>{cell[i], cell_x[i], cell_y[i]});
+            occluded = occluded | (p.z - r_z[i] > F(nearest_occluder));
+        }
+        if (!any(occluded)) return F(1);
         F sum = F(0);
         for (int i = 0; i < settings.samples; ++i)
-            sum = sum + sample(p, n, random, offsets[static_cast<std::size_t>(i)]);
+            sum = sum + contribution(p, n, {q_x[i], q_y[i], q_z[i]}, inverse_z[i], r_z[i]);
         return F(1) - sum / F(static_cast<float>(settings.samples));
     }
 

@@ -47,12 +47,14 @@ RandomMap random_map(std::uint32_t seed) {
     constexpr std::uint32_t kTexels = kRandomMapSide * kRandomMapSide;
     RandomMap map;
     for (std::vector<float>* plane : {&map.x, &map.y, &map.z}) plane->resize(kTexels);
-    const auto signed_unit = [](std::uint32_t byte) { return 2 * (static_cast<float>(byte) / 255) - 1; };
+    std::array<float, 256> signed_unit;
+    for (std::size_t byte = 0; byte < 256; ++byte)
+        signed_unit[byte] = 2 * (static_cast<float>(byte) / 255) - 1;
     for (std::uint32_t texel = 0; texel < kTexels; ++texel) {
         const std::uint32_t bits = hash_of(seed, kMapStream, texel);
-        map.x[texel] = signed_unit(bits >> 24);
-        map.y[texel] = signed_unit(bits >> 16 & 0xff);
-        map.z[texel] = signed_unit(bits >> 8 & 0xff);
+        map.x[texel] = signed_unit[bits >> 24];
+        map.y[texel] = signed_unit[bits >> 16 & 0xff];
+        map.z[texel] = signed_unit[bits >> 8 & 0xff];
     }
     return map;
 }

@@ -154,3 +154,33 @@ TEST_CASE("every depth format and projection sees the depths that the rasterizer
         }
     }
 }
+
+TEST_CASE("every way to load the pixels gives the same bits: lanes, widths, and with background kept") {
+    // Widths where groups of eight texels load contiguous pixels, end inside a row, and gather.
+    for (const Size size : {Size{1, 1}, {2, 2}, {16, 6}, {17, 9}, {18, 6}, {30, 14}, {34, 10}, {64, 3}}) {
+        for (const float scale : {0.5f, 1.0f}) {
+            for (const float sky : {0.0f, 0.3f, 0.97f}) {
+                for (AoFetch fetch : {kXjunFetch, kLunaFetch, published(kXjunFetch), published(kLunaFetch)}) {
+                    fetch.scale = scale;
+                    CAPTURE(size.width);
+                    CAPTURE(scale);
+                    CAPTURE(sky);
+                    CAPTURE(fetch.as_published);
+                    CAPTURE(static_cast<int>(fetch.depth));
+                    const GBuffer g = made_up_gbuffer(size, sky);
+                    Run one_lane;
+                    one_lane.lanes = 1;
+                    const AoInputs expected = ao_inputs(g, made_up_camera(), fetch, one_lane);
+                    Run keeping;
+                    keeping.kept = KeptWork::only(Skip::background_pixels);
+                    for (const Run& run : {Run{}, keeping}) {
+                        const AoInputs inputs = ao_inputs(g, made_up_camera(), fetch, run);
+                        CHECK(content_hash(inputs.normal) == content_hash(expected.normal));
+                        CHECK(content_hash(inputs.view_depth) == content_hash(expected.view_depth));
+                        CHECK(content_hash(inputs.depth_map) == content_hash(expected.depth_map));
+                    }
+                }
+            }
+        }
+    }
+}

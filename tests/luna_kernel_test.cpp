@@ -106,3 +106,55 @@ TEST_CASE("eight lanes of the kernel give the bits of one lane eight times, on e
         }
     }
 }
+
+TEST_CASE("squares of pixels and pairs are loaded as one lane loads them") {
+    const Image<float> image = noise_image({24, 9}, 17);
+    const float* pixels = image.pixels.data();
+    WideInt<8> index;
+    for (int i = 0; i < 8; ++i) index.v[i] = (5 * i + 3) % 8 * image.stride + 7 * i % 23;
+    const Square<Wide<8>> squares = gather_square(pixels, image.stride, index);
+    const Pair<Wide<8>> pairs = load_pairs<Wide<8>>(pixels + 3);
+    for (int i = 0; i < 8; ++i) {
+        CAPTURE(i);
+        const Square<float> square = gather_square(pixels, image.stride, index[i]);
+        CHECK(square.upper_left == pixels[index[i]]);
+        CHECK(square.upper_right == pixels[index[i] + 1]);
+        CHECK(square.lower_left == pixels[index[i] + image.stride]);
+        CHECK(square.lower_right == pixels[index[i] + image.stride + 1]);
+        CHECK(squares.upper_left[i] == square.upper_left);
+        CHECK(squares.upper_right[i] == square.upper_right);
+        CHECK(squares.lower_left[i] == square.lower_left);
+        CHECK(squares.lower_right[i] == square.lower_right);
+        const Pair<float> pair = load_pairs<float>(pixels + 3 + 2 * i);
+        CHECK(pair.first == pixels[3 + 2 * i]);
+        CHECK(pair.second == pixels[4 + 2 * i]);
+        CHECK(pairs.first[i] == pair.first);
+        CHECK(pairs.second[i] == pair.second);
+    }
+}
+
+TEST_CASE("a texel's steps, a loop each, are the sum of its samples one by one") {
+    for (const TutorialMethod& method : kTutorialMethods) {
+        CAPTURE(method.name);
+        const PreparedStillLife scene(method);
+        for (const int samples : {1, 5, 14}) {
+            CAPTURE(samples);
+            LunaSettings settings = scene.settings;
+            settings.samples = samples;
+            const LunaKernel kernel(scene.inputs, settings);
+            int unlike = 0, occluded = 0;
+            for (const Point& point : points_of(scene)) {
+                float sum = 0;
+                for (int i = 0; i < samples; ++i) {
+                    const glm::vec3& offset = kernel.offsets[static_cast<std::size_t>(i)];
+                    sum = sum + kernel.sample<float>(point.p, point.n, point.random, offset);
+                }
+                const float one_by_one = 1 - sum / static_cast<float>(samples);
+                unlike += kernel.accessibility<float>(point.p, point.n, point.random) != one_by_one;
+                occluded += one_by_one < 1;
+            }
+            CHECK(unlike == 0);
+            CHECK(occluded > 50);
+        }
+    }
+}
