@@ -50,9 +50,13 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
         });
     }
     frame.passes = stopwatch.summaries();
-    frame.tiles.raster = raster_tiles(geometry);
+    frame.tiles.raster = raster_tiles(geometry, request.run);
     if (needs.ao) frame.tiles.ao = ao_tiles(inputs, settings.ao, request.run);
-    if (needs.blur) frame.tiles.blur = open_blur_tiles(frame.ao_raw, settings.blur, request.run);
+    if (needs.blur) {
+        frame.tiles.blur = request.run.leaves_out(Skip::open_tiles)
+                               ? open_blur_tiles(frame.ao_raw, settings.blur, request.run)
+                               : TileMap(frame.ao_raw.size, kBlurTile);
+    }
     if (needs.lit) frame.tiles.lit = lit_tiles(scene, geometry, frame.gbuffer, request.run);
     frame.skipped = skipped_work(geometry, frame.gbuffer, frame.tiles);
     // Buffers that were asked for but had nothing to compute: everything is open.

@@ -2,10 +2,10 @@
 
 namespace crevice {
 
-TileMap raster_tiles(const ScreenGeometry& geometry) {
+TileMap raster_tiles(const ScreenGeometry& geometry, const Run& run) {
     TileMap map(geometry.size, geometry.tile_size);
     for (int tile = 0; tile < geometry.tile_count(); ++tile) {
-        if (geometry.triangles_of_tile(tile) > 0) continue;
+        if (geometry.triangles_of_tile(tile) > 0 || !run.leaves_out(Skip::empty_tiles)) continue;
         map.tiles.at(tile % geometry.tiles.width, tile / geometry.tiles.width) = TileWork::background;
     }
     return map;

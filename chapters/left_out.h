@@ -25,6 +25,6 @@ std::vector<SkippedWork> skipped_work(const ScreenGeometry& geometry, const GBuf
                                       const FrameTiles& tiles);
 
 // The tiles of the first pass: background where no triangle is.
-TileMap raster_tiles(const ScreenGeometry& geometry);
+TileMap raster_tiles(const ScreenGeometry& geometry, const Run& run);
 
 }  // namespace crevice

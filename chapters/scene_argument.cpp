@@ -25,6 +25,7 @@ SceneArgument load_scene(const std::string& name_or_path, bool with_textures) {
     }
     ObjOptions options;
     options.want_textures = with_textures;
+    options.want_unused_texcoords = false;
     LoadedObj loaded = load_obj(name_or_path, options);
     for (const std::string& warning : loaded.report.warnings) std::cerr << warning << "\n";
     return {std::move(loaded.scene), true, std::move(loaded.steps)};
