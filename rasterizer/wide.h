@@ -9,7 +9,6 @@
 // would change its calling convention with the instruction set. In gdb: `skip -gfi *wide.h`.
 #pragma once
 
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -145,12 +144,6 @@ CREVICE_INLINE std::int32_t float_bits(float a) { return __builtin_bit_cast(std:
 CREVICE_INLINE float float_from_bits(std::int32_t a) { return __builtin_bit_cast(float, a); }
 CREVICE_INLINE float gather(const float* base, std::int32_t index) { return base[index]; }
 CREVICE_INLINE std::int32_t gather(const std::int32_t* base, std::int32_t index) { return base[index]; }
-// base[index] and base[index + 1].
-template <class F>
-struct Pair {
-    F first, second;
-};
-CREVICE_INLINE Pair<float> gather_pair(const float* base, std::int32_t index) { return {base[index], base[index + 1]}; }
 template <class F>
     requires(kLanes<F> == 1)
 CREVICE_INLINE F load(const float* at) {
@@ -160,21 +153,6 @@ template <class F>
     requires(kLanes<F> == 1)
 CREVICE_INLINE std::int32_t load(const std::int32_t* at) {
     return *at;
-}
-// base[index] and base[index + 1], and the same two of the next row. index >= 0.
-template <class F>
-struct Square {
-    F upper_left, upper_right, lower_left, lower_right;
-};
-CREVICE_INLINE Square<float> gather_square(const float* base, int stride, std::int32_t index) {
-    const float *upper = base + index, *lower = upper + stride;
-    return {upper[0], upper[1], lower[0], lower[1]};
-}
-// The even and the odd ones of as many pairs as there are lanes.
-template <class F>
-    requires(kLanes<F> == 1)
-CREVICE_INLINE Pair<float> load_pairs(const float* at) {
-    return {at[0], at[1]};
 }
 CREVICE_INLINE void store(float* at, float a) { *at = a; }
 CREVICE_INLINE void store(std::int32_t* at, std::int32_t a) { *at = a; }
@@ -252,56 +230,12 @@ CREVICE_INLINE WideOf<T, N> gather(const T* base, WideInt<N> index) {
     for (int i = 0; i < N; ++i) r.v[i] = base[index.v[i]];
     return r;
 }
-// One 64-bit load a lane instead of two.
-template <int N>
-CREVICE_INLINE Pair<Wide<N>> gather_pair(const float* base, WideInt<N> index) {
-    typename VectorOf<std::int64_t, N>::type both{};
-    for (int i = 0; i < N; ++i) {
-        std::int64_t bits;
-        std::memcpy(&bits, base + index.v[i], sizeof bits);
-        both[i] = bits;
-    }
-    const WideInt<N> low(__builtin_convertvector(both, typename WideInt<N>::V));
-    const WideInt<N> high(__builtin_convertvector(both >> 32, typename WideInt<N>::V));
-    static_assert(std::endian::native == std::endian::little);
-    return {float_from_bits(low), float_from_bits(high)};
-}
 template <class F, class T>
     requires(kLanes<F> > 1)
 CREVICE_INLINE WideOf<T, kLanes<F>> load(const T* at) {
     WideOf<T, kLanes<F>> r;
     std::memcpy(&r.v, at, sizeof r.v);
     return r;
-}
-// The first and the second ones of eight pairs, given as those of lanes 0 1 4 5 and 2 3 6 7: then one shuffle
-// inside each 128-bit half parts them.
-CREVICE_INLINE Pair<Wide<8>> part_pairs(Wide<8> lanes_0145, Wide<8> lanes_2367) {
-    return {Wide<8>(__builtin_shufflevector(lanes_0145.v, lanes_2367.v, 0, 2, 8, 10, 4, 6, 12, 14)),
-            Wide<8>(__builtin_shufflevector(lanes_0145.v, lanes_2367.v, 1, 3, 9, 11, 5, 7, 13, 15))};
-}
-// One 64-bit load a lane and row instead of two. Unsigned, because that needs no sign extension.
-CREVICE_INLINE Square<Wide<8>> gather_square(const float* base, int stride, WideInt<8> index) {
-    typedef std::int64_t FourPairs __attribute__((vector_size(32)));
-    const auto pairs = [&](const float* row, int a, int b, int c, int d) __attribute__((always_inline)) {
-        const auto pair = [&](int lane) __attribute__((always_inline)) {
-            std::int64_t bits;
-            std::memcpy(&bits, row + static_cast<std::uint32_t>(index.v[lane]), sizeof bits);
-            return bits;
-        };
-        const FourPairs four = {pair(a), pair(b), pair(c), pair(d)};
-        return Wide<8>(__builtin_bit_cast(Wide<8>::V, four));
-    };
-    const float* next = base + stride;
-    const Pair<Wide<8>> upper = part_pairs(pairs(base, 0, 1, 4, 5), pairs(base, 2, 3, 6, 7));
-    const Pair<Wide<8>> lower = part_pairs(pairs(next, 0, 1, 4, 5), pairs(next, 2, 3, 6, 7));
-    return {upper.first, upper.second, lower.first, lower.second};
-}
-template <class F>
-    requires(kLanes<F> == 8)
-CREVICE_INLINE Pair<F> load_pairs(const float* at) {
-    const F low = load<F>(at), high = load<F>(at + 8);
-    return {F(__builtin_shufflevector(low.v, high.v, 0, 2, 4, 6, 8, 10, 12, 14)),
-            F(__builtin_shufflevector(low.v, high.v, 1, 3, 5, 7, 9, 11, 13, 15))};
 }
 template <class T, int N>
 CREVICE_INLINE void store(T* at, WideOf<T, N> a) {

@@ -18,6 +18,7 @@
 
 #include "rasterizer/approx_math.h"
 #include "rasterizer/half.h"
+#include "rasterizer/wide_pairs.h"
 #include "ssao/ao_inputs.h"
 #include "ssao/random_vectors.h"
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "rasterizer/wide_pairs.h"
 #include "ssao/ao_inputs.h"
 #include "ssao/linear_taps.h"
 

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "rasterizer/isa.h"
+#include "rasterizer/wide_pairs.h"
 #include "tests/test_scenes.h"
 
 using namespace crevice;
