@@ -107,11 +107,12 @@ void add_camera(CLI::App& command, CameraFlags& camera) {
 
 void add_bench(CLI::App& app, BenchWords& words) {
     CLI::App* bench = app.add_subcommand(
-        "bench", "Measure: ms per pass of scenes, or one of --peers --scale --instructions");
+        "bench", "Measure: ms per pass of scenes, or one of --peers --scale --instructions --left-out");
     bench->add_option("SCENE", words.scenes, "scenes to measure; default: the built-in ones");
     bench->add_flag("--peers", words.peers, "our passes against the same on Mesa's llvmpipe, in turns");
     bench->add_flag("--scale", words.scale, "time and memory over pixels, triangles, samples and threads");
     bench->add_flag("--instructions", words.instructions, "instructions per pass against the stored figures");
+    bench->add_flag("--left-out", words.left_out, "what leaving out saves, kind by kind");
     bench->add_option("--scene", words.scene, "with --peers: one scene; default: columns and columns_luna");
     bench->add_option("--size", words.size, "size of the picture in pixels, WxH; default: 1280x720");
     bench->add_option("--pairs", words.pairs, "with --peers: how many pairs of frames, 15..999; default: 21");

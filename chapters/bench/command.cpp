@@ -6,6 +6,7 @@
 
 #include "chapters/bench/frames.h"
 #include "chapters/bench/instructions.h"
+#include "chapters/bench/left_out.h"
 #include "chapters/bench/peers.h"
 #include "chapters/bench/scale.h"
 #include "chapters/bench/table.h"
@@ -62,20 +63,32 @@ int instructions(const BenchWords& words) {
     return bench_instructions(options, std::cout);
 }
 
+int left_out(const BenchWords& words) {
+    LeftOutOptions options;
+    options.scenes = words.scenes;
+    options.camera = words.camera;
+    if (words.size) options.size = parse_size("--size", *words.size);
+    options.run = run_of(words);
+    options.out = directory_of(words);
+    return bench_left_out(options, std::cout);
+}
+
 int point(const BenchWords& words) {
     std::cout << figures_json(measure(point_from_word(*words.point))) << "\n";
     return static_cast<int>(ExitCode::done);
 }
 
 // The benchmarks, and which words belong to each.
-enum class Bench { frames, peers, scale, instructions, point };
+enum class Bench { frames, peers, scale, instructions, left_out, point };
 
 Bench chosen_bench(const BenchWords& words) {
-    if (words.peers + words.scale + words.instructions > 1)
-        throw UsageError("bench: more than one of --peers --scale --instructions; give one at a time");
+    if (words.peers + words.scale + words.instructions + words.left_out > 1)
+        throw UsageError(
+            "bench: more than one of --peers --scale --instructions --left-out; give one at a time");
     if (words.point) return Bench::point;
     if (words.peers) return Bench::peers;
     if (words.scale) return Bench::scale;
+    if (words.left_out) return Bench::left_out;
     return words.instructions ? Bench::instructions : Bench::frames;
 }
 
@@ -88,12 +101,14 @@ void require_used(const BenchWords& words, Bench bench) {
     };
     const CameraFlags& c = words.camera;
     const bool camera = c.eye || c.target || c.fov_y || c.near_plane || c.far_plane || c.ortho;
-    only_with(!words.scenes.empty(), "SCENE", {Bench::frames}, "only without --peers --scale --instructions");
+    only_with(!words.scenes.empty(), "SCENE", {Bench::frames, Bench::left_out},
+              "not with --peers --scale --instructions");
     only_with(words.scene.has_value(), "--scene", {Bench::peers}, "only with --peers");
     only_with(words.pairs.has_value(), "--pairs", {Bench::peers}, "only with --peers");
-    only_with(words.size.has_value(), "--size", {Bench::frames, Bench::peers},
+    only_with(words.size.has_value(), "--size", {Bench::frames, Bench::peers, Bench::left_out},
               "not with --scale --instructions");
-    only_with(camera, "camera flags", {Bench::frames, Bench::peers}, "not with --scale --instructions");
+    only_with(camera, "camera flags", {Bench::frames, Bench::peers, Bench::left_out},
+              "not with --scale --instructions");
     only_with(words.quick, "--quick", {Bench::scale}, "only with --scale");
     only_with(words.bless, "--bless", {Bench::instructions}, "only with --instructions");
     only_with(words.figures.has_value(), "--figures", {Bench::instructions}, "only with --instructions");
@@ -110,6 +125,7 @@ int bench_command(const BenchWords& words) {
         case Bench::peers: return peers(words);
         case Bench::scale: return scale(words);
         case Bench::instructions: return instructions(words);
+        case Bench::left_out: return left_out(words);
         case Bench::point: return point(words);
     }
     return static_cast<int>(ExitCode::usage);

@@ -11,11 +11,11 @@ namespace crevice {
 
 // As they were typed.
 struct BenchWords {
-    std::vector<std::string> scenes;  // of the plain benchmark
+    std::vector<std::string> scenes;  // of the plain benchmark and --left-out
     std::optional<std::string> scene, size, pairs, out, figures, point;
     std::string threads = "0";
     CameraFlags camera;
-    bool peers = false, scale = false, quick = false, instructions = false, bless = false;
+    bool peers = false, scale = false, quick = false, instructions = false, bless = false, left_out = false;
 };
 
 // Runs it and returns its exit code. Throws UsageError for words that do not go together, and what the

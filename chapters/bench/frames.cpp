@@ -20,14 +20,6 @@ namespace {
 constexpr const char* kPasses[] = {"normal_depth", "ao", "blur", "lit"};
 constexpr double kPatience_s = 300;  // for one program run
 
-std::vector<std::string> scenes_with_triangles() {
-    std::vector<std::string> names;
-    for (const BuiltinScene& scene : builtin_scenes()) {
-        if (triangle_count(scene.make()) > 0) names.emplace_back(scene.name);
-    }
-    return names;
-}
-
 // To make a built-in scene, or to read a file and its textures.
 PassTime loading(const std::string& name) {
     const BuiltinScene* const builtin = find_builtin_scene(name);
@@ -92,6 +84,14 @@ SceneFigures measured(const FramesOptions& options, const std::string& name) {
 }
 
 }  // namespace
+
+std::vector<std::string> scenes_with_triangles() {
+    std::vector<std::string> names;
+    for (const BuiltinScene& scene : builtin_scenes()) {
+        if (triangle_count(scene.make()) > 0) names.emplace_back(scene.name);
+    }
+    return names;
+}
 
 int bench_frames(const FramesOptions& options, std::ostream& out) {
     validate(options.run);

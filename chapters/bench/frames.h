@@ -25,6 +25,9 @@ struct FramesOptions {
 // spread; `load`, ms to make or read the scene; `start_up`, ms of a whole `crevice render --size 320x180`
 // that writes the lit picture. All medians of kBenchRuns. Returns 0. Throws UsageError, InputError,
 // OutputError.
+// The built-in scenes that have any.
+std::vector<std::string> scenes_with_triangles();
+
 inline constexpr int kBenchRuns = 15;
 int bench_frames(const FramesOptions& options, std::ostream& out);
 

@@ -1,0 +1,89 @@
+#include "chapters/bench/left_out.h"
+
+#include <ostream>
+
+#include "chapters/bench/frames.h"
+#include "chapters/bench/machine.h"
+#include "chapters/bench/table.h"
+#include "chapters/savings.h"
+#include "rasterizer/error.h"
+
+namespace crevice {
+
+namespace {
+
+constexpr int kPairs = 31;  // of the two whole frames; one in a thousand of run time is a small difference
+
+FrameRequest request_of(const LeftOutOptions& options, const Scene& scene) {
+    FrameRequest request;
+    request.size = options.size;
+    request.method = &find_method("xjun");
+    request.settings = settings_of(*request.method, {}, scene.length_unit);
+    request.run = options.run;
+    return request;
+}
+
+double frame_ms(const Scene& scene, const Camera& camera, const FrameRequest& request) {
+    return render_frame(scene, camera, request).passes.back().wall_ms;
+}
+
+// Frame time with everything left out over that with all work kept, in turns.
+MedianInterval overhead(const Scene& scene, const Camera& camera, const FrameRequest& request) {
+    FrameRequest keeping = request;
+    keeping.run.kept = KeptWork::all();
+    std::vector<double> leaving_ms, keeping_ms;
+    for (int i = 0; i < kPairs; ++i) {
+        leaving_ms.push_back(frame_ms(scene, camera, request));
+        keeping_ms.push_back(frame_ms(scene, camera, keeping));
+    }
+    return ratio_interval(leaving_ms, keeping_ms);
+}
+
+}  // namespace
+
+int bench_left_out(const LeftOutOptions& options, std::ostream& out) {
+    validate(options.run);
+    Table kinds{"left_out", {"scene", "what", "count", "of", "unit", "saved_ms", "low", "high"}, {}};
+    Table frames{"left_out_frames",
+                 {"scene", "left_out_over_kept", "low", "high", "confidence_%", "limit", "verdict"},
+                 {}};
+    bool holds = true;
+    for (const std::string& name : options.scenes.empty() ? scenes_with_triangles() : options.scenes) {
+        const SceneArgument argument = load_scene(name, true);
+        const Camera camera = chosen_camera(argument, options.camera);
+        const FrameRequest request = request_of(options, argument.scene);
+        const Frame frame = render_frame(argument.scene, camera, request);
+        std::vector<Skip> found;
+        for (const SkippedWork& work : frame.skipped) {
+            if (work.count > 0) found.push_back(work.skip);
+        }
+        const std::vector<Saving> savings =
+            measure_savings(argument.scene, camera, request, found, kBenchRuns);
+        bool anything = false;
+        for (std::size_t i = 0, next = 0; i < frame.skipped.size(); ++i) {
+            const SkippedWork& work = frame.skipped[i];
+            if (work.count == 0) continue;
+            // Triangles out of view cost nothing that a picture of the rest could be slower by.
+            anything = anything || work.skip != Skip::off_screen_triangles;
+            const MedianInterval& saved = savings[next++].saved_ms;
+            kinds.rows.push_back({name, skip_name(work.skip), Cell(static_cast<double>(work.count), 0),
+                                  Cell(static_cast<double>(work.of), 0), work.unit, Cell(saved.median, 3),
+                                  Cell(saved.low, 3), Cell(saved.high, 3)});
+        }
+        const MedianInterval ratio = overhead(argument.scene, camera, request);
+        const bool slower = ratio.high >= kMostOverhead;
+        holds = holds && (anything || !slower);
+        frames.rows.push_back({name, Cell(ratio.median, 3), Cell(ratio.low, 3), Cell(ratio.high, 3),
+                               Cell(100 * ratio.confidence, 1), Cell(kMostOverhead, 2),
+                               slower ? "slower" : "not slower"});
+    }
+    BenchReport report{"left_out", machine_facts(options.run), {kinds, frames}};
+    report.facts.push_back(
+        {"size", std::to_string(options.size.width) + "x" + std::to_string(options.size.height)});
+    out << facts_text(report.facts) << "\n" << table_text(kinds) << "\n" << table_text(frames);
+    if (!holds) out << "Leaving out made a frame slower of which nothing could be left out.\n";
+    if (options.out) write_report(report, *options.out, out);
+    return static_cast<int>(holds ? ExitCode::done : ExitCode::check_failed);
+}
+
+}  // namespace crevice
