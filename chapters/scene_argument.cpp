@@ -1,11 +1,11 @@
 #include "chapters/scene_argument.h"
 
+#include <chrono>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
 
 #include "chapters/parse.h"
-#include "chapters/stopwatch.h"
 #include "rasterizer/approx_math.h"
 #include "rasterizer/error.h"
 #include "scenes/builtin_scenes.h"
@@ -14,9 +14,10 @@ namespace crevice {
 
 SceneArgument load_scene(const std::string& name_or_path, bool with_textures) {
     if (const BuiltinScene* builtin = find_builtin_scene(name_or_path)) {
-        const Clocks before = clocks();
+        const auto start = std::chrono::steady_clock::now();
         Scene scene = builtin->make();
-        return {std::move(scene), false, {{"make the scene", clocks().wall_ms - before.wall_ms}}};
+        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+        return {std::move(scene), false, {{"make the scene", took.count()}}};
     }
     std::error_code ignored;
     if (!std::filesystem::exists(name_or_path, ignored)) {

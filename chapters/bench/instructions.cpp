@@ -54,7 +54,7 @@ void count_scene(const fs::path& program, const std::string& scene, double patie
         run_child({"valgrind",
                    {"--tool=callgrind", "--callgrind-out-file=" + profile.string(),
                     "--dump-before=crevice::clocks()", program.string(), "render", scene, "--size", "160x90",
-                    "--threads", "1", "--isa", "avx2", "--repeat", "2", "--out", out.string()},
+                    "--threads", "1", "--isa", "avx2", "--out", out.string()},
                    {"CREVICE_ISA=avx2"},
                    patience_s});
     if (outcome.exit_code != 0) {
@@ -66,15 +66,15 @@ void count_scene(const fs::path& program, const std::string& scene, double patie
     // reading lies the start-up; dump i lies before reading i.
     std::vector<std::string> passes = pass_names(out);
     passes.pop_back();
-    const std::size_t readings = 2 + 2 * passes.size(), last_frame = readings;
+    const std::size_t readings = 2 + 2 * passes.size();
     const auto dump = [&](std::size_t reading) { return profile.string() + "." + std::to_string(reading); };
-    if (!fs::exists(dump(2 * readings)) || fs::exists(dump(2 * readings + 1))) {
-        throw InputError("valgrind: not two frames of " + std::to_string(passes.size()) + " passes in " +
+    if (!fs::exists(dump(readings)) || fs::exists(dump(readings + 1))) {
+        throw InputError("valgrind: not one frame of " + std::to_string(passes.size()) + " passes in " +
                          scene + "; a pass is timed in another way than stopwatch.h does");
     }
     long long frame = 0;
     for (std::size_t reading = 2; reading <= readings; ++reading) {
-        const long long instructions = counted(dump(last_frame + reading));
+        const long long instructions = counted(dump(reading));
         frame += instructions;
         if (reading % 2 == 1) figures.counts.push_back({scene, passes[reading / 2 - 1], instructions});
     }
