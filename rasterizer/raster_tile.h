@@ -51,13 +51,13 @@ struct LaneEdge {
     }
 };
 
-// Whether all three are >= 0. Of integers one look at the joined sign bits is enough.
+// Whether all three, whole numbers and none of them -0, are >= 0: one look at the joined sign bits is enough.
 template <class F, class E>
 CREVICE_INLINE Mask<F> none_negative(E a, E b, E c) {
     if constexpr (std::is_same_v<E, Int<F>>) {
         return (a | b | c) >= E(0);
     } else {
-        return (a >= E(0)) & (b >= E(0)) & (c >= E(0));
+        return (upper_bits(a) | upper_bits(b) | upper_bits(c)) >= Int<F>(0);
     }
 }
 

@@ -38,6 +38,16 @@ struct VectorOf<double, 8> {
     typedef double type __attribute__((vector_size(64)));
 };
 
+// Eight doubles are compared and selected four at a time: GCC 12 has no better for AVX2 than one at a time.
+template <class V>
+CREVICE_INLINE auto low_half(V v) {
+    return __builtin_shufflevector(v, v, 0, 1, 2, 3);
+}
+template <class V>
+CREVICE_INLINE auto high_half(V v) {
+    return __builtin_shufflevector(v, v, 4, 5, 6, 7);
+}
+
 // One truth value a lane: all bits set, or none.
 template <int N>
 struct WideMask {
@@ -72,21 +82,35 @@ struct WideOf {
     CREVICE_INLINE friend WideOf operator|(WideOf a, WideOf b) { return WideOf(a.v | b.v); }
     CREVICE_INLINE friend WideOf operator<<(WideOf a, int bits) { return WideOf(a.v << bits); }
     CREVICE_INLINE friend WideOf operator>>(WideOf a, int bits) { return WideOf(a.v >> bits); }
-    CREVICE_INLINE friend WideMask<N> operator<(WideOf a, WideOf b) { return narrow(a.v < b.v); }
-    CREVICE_INLINE friend WideMask<N> operator<=(WideOf a, WideOf b) { return narrow(a.v <= b.v); }
-    CREVICE_INLINE friend WideMask<N> operator>(WideOf a, WideOf b) { return narrow(a.v > b.v); }
-    CREVICE_INLINE friend WideMask<N> operator>=(WideOf a, WideOf b) { return narrow(a.v >= b.v); }
-    CREVICE_INLINE friend WideMask<N> operator==(WideOf a, WideOf b) { return narrow(a.v == b.v); }
-    CREVICE_INLINE friend WideMask<N> operator!=(WideOf a, WideOf b) { return narrow(a.v != b.v); }
+    CREVICE_INLINE friend WideMask<N> operator<(WideOf a, WideOf b) {
+        return compare(a, b, [](auto x, auto y) __attribute__((always_inline)) { return x < y; });
+    }
+    CREVICE_INLINE friend WideMask<N> operator<=(WideOf a, WideOf b) {
+        return compare(a, b, [](auto x, auto y) __attribute__((always_inline)) { return x <= y; });
+    }
+    CREVICE_INLINE friend WideMask<N> operator>(WideOf a, WideOf b) {
+        return compare(a, b, [](auto x, auto y) __attribute__((always_inline)) { return x > y; });
+    }
+    CREVICE_INLINE friend WideMask<N> operator>=(WideOf a, WideOf b) {
+        return compare(a, b, [](auto x, auto y) __attribute__((always_inline)) { return x >= y; });
+    }
+    CREVICE_INLINE friend WideMask<N> operator==(WideOf a, WideOf b) {
+        return compare(a, b, [](auto x, auto y) __attribute__((always_inline)) { return x == y; });
+    }
+    CREVICE_INLINE friend WideMask<N> operator!=(WideOf a, WideOf b) {
+        return compare(a, b, [](auto x, auto y) __attribute__((always_inline)) { return x != y; });
+    }
 
    private:
-    // A comparison of doubles gives 64-bit lanes; masks have 32.
-    template <class M>
-    CREVICE_INLINE static WideMask<N> narrow(M m) {
+    template <class Comparison>
+    CREVICE_INLINE static WideMask<N> compare(WideOf a, WideOf b, Comparison holds) {
         if constexpr (sizeof(T) == sizeof(std::int32_t)) {
-            return {m};
+            return {holds(a.v, b.v)};
         } else {
-            return {__builtin_convertvector(m, typename WideMask<N>::V)};
+            typedef std::int32_t Half __attribute__((vector_size(16)));
+            const Half low = __builtin_convertvector(holds(low_half(a.v), low_half(b.v)), Half),
+                       high = __builtin_convertvector(holds(high_half(a.v), high_half(b.v)), Half);
+            return {__builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7)};
         }
     }
 };
@@ -141,6 +165,9 @@ CREVICE_INLINE double to_double(float a) { return static_cast<double>(a); }
 CREVICE_INLINE double to_double(std::int32_t a) { return static_cast<double>(a); }
 // Not std::bit_cast: in Debug builds that is a call, and a Wide would change its calling convention.
 CREVICE_INLINE std::int32_t float_bits(float a) { return __builtin_bit_cast(std::int32_t, a); }
+CREVICE_INLINE std::int32_t upper_bits(double a) {
+    return static_cast<std::int32_t>(__builtin_bit_cast(std::int64_t, a) >> 32);
+}
 CREVICE_INLINE float float_from_bits(std::int32_t a) { return __builtin_bit_cast(float, a); }
 CREVICE_INLINE float gather(const float* base, std::int32_t index) { return base[index]; }
 CREVICE_INLINE std::int32_t gather(const std::int32_t* base, std::int32_t index) { return base[index]; }
@@ -169,9 +196,7 @@ CREVICE_INLINE std::int32_t lane_index() {
 CREVICE_INLINE bool any(WideMask<8> m) {
     // Halves joined while still vectors, then two 64-bit words: the shortest that both compilers find.
     typedef std::int64_t Words __attribute__((vector_size(16)));
-    const auto halves =
-        __builtin_shufflevector(m.v, m.v, 0, 1, 2, 3) | __builtin_shufflevector(m.v, m.v, 4, 5, 6, 7);
-    const Words words = __builtin_bit_cast(Words, halves);
+    const Words words = __builtin_bit_cast(Words, low_half(m.v) | high_half(m.v));
     return (words[0] | words[1]) != 0;
 }
 CREVICE_INLINE bool all(WideMask<8> m) { return !any(!m); }
@@ -181,13 +206,25 @@ CREVICE_INLINE std::int32_t largest_of(WideInt<N> a) {
     for (int i = 1; i < N; ++i) largest = a.v[i] > largest ? a.v[i] : largest;
     return largest;
 }
+template <class Half>
+CREVICE_INLINE WideDouble<8> joined(Half low, Half high) {
+    return WideDouble<8>(__builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7));
+}
+// The upper 32 bits of each: the sign comes first.
+CREVICE_INLINE WideInt<8> upper_bits(WideDouble<8> a) {
+    typedef std::int32_t Words __attribute__((vector_size(64)));
+    const Words words = __builtin_bit_cast(Words, a.v);
+    return WideInt<8>(__builtin_shufflevector(words, words, 1, 3, 5, 7, 9, 11, 13, 15));
+}
 template <class T, int N>
 CREVICE_INLINE WideOf<T, N> select(WideMask<N> m, WideOf<T, N> a, WideOf<T, N> b) {
     if constexpr (sizeof(T) == sizeof(std::int32_t)) {
         return WideOf<T, N>(m.v ? a.v : b.v);
     } else {
-        using Long = typename VectorOf<std::int64_t, N>::type;
-        return WideOf<T, N>(__builtin_convertvector(m.v, Long) ? a.v : b.v);
+        typedef std::int64_t Half __attribute__((vector_size(32)));
+        const auto low = __builtin_convertvector(low_half(m.v), Half) ? low_half(a.v) : low_half(b.v);
+        const auto high = __builtin_convertvector(high_half(m.v), Half) ? high_half(a.v) : high_half(b.v);
+        return joined(low, high);
     }
 }
 template <int N>
@@ -260,6 +297,17 @@ CREVICE_INLINE A max_of(A a, A b) {
 template <class A>
 CREVICE_INLINE A min_of(A a, A b) {
     return select(a < b, a, b);
+}
+// Of doubles without the way through a 32-bit mask.
+template <int N>
+CREVICE_INLINE WideDouble<N> max_of(WideDouble<N> a, WideDouble<N> b) {
+    const auto larger = [](auto x, auto y) __attribute__((always_inline)) { return x > y ? x : y; };
+    return joined(larger(low_half(a.v), low_half(b.v)), larger(high_half(a.v), high_half(b.v)));
+}
+template <int N>
+CREVICE_INLINE WideDouble<N> min_of(WideDouble<N> a, WideDouble<N> b) {
+    const auto smaller = [](auto x, auto y) __attribute__((always_inline)) { return x < y ? x : y; };
+    return joined(smaller(low_half(a.v), low_half(b.v)), smaller(high_half(a.v), high_half(b.v)));
 }
 // a clamped to [0,1]; NaN becomes 0.
 template <class F>
