@@ -7,6 +7,8 @@
 // 2017, "FrameGraph"); the bounds of the tutorials' own formulas (seeds 000 and 002).
 // Look for: which tiles keep their colours. Only those were computed.
 // Run: crevice chapter 23
+#include <algorithm>
+
 #include "chapters/chapter.h"
 #include "chapters/frame.h"
 #include "rasterizer/image_summary.h"
@@ -42,7 +44,9 @@ Picture painted(const Image3& lit, const TileMap& map) {
             image.set(x, y, (1 - kTint) * lit.at(x, y) + kTint * shade * paint);
         }
     }
-    return lit_picture(image);
+    Picture picture = lit_picture(image);
+    picture.mapping = "the lit picture; painted blue: background, green: open, yellow: lit once";
+    return picture;
 }
 
 std::string hashes_of(const Frame& frame) {
@@ -78,7 +82,9 @@ std::vector<std::string> left_out_of(Notebook& book, const std::string& name, co
                same && hashes_of(kept) == expected);
     std::size_t still_left_out = 0;
     for (const SkippedWork& work : kept.skipped) still_left_out += work.count;
-    book.check(name + ": --keep-all leaves nothing out", still_left_out == 0);
+    const bool nothing_to_compute = triangle_count(scene) == 0;
+    book.check(name + ": --keep-all leaves nothing out",
+               still_left_out == 0 && (kept.left_out.empty() || nothing_to_compute));
 
     std::vector<std::string> row = {name};
     for (const SkippedWork& work : frame.skipped) row.push_back(share_text(work));
@@ -115,7 +121,9 @@ void left_out(Notebook& book) {
     for (const SkippedWork& work : render_frame(noise, noise.camera, request).skipped) {
         if (work.skip != Skip::off_screen_triangles) left_out_of_noise += work.count;
     }
-    book.check("noise_wall: no tile and no visible triangle is left out", left_out_of_noise == 0);
+    // Of a picture smaller than its bumps, a tile may be flat.
+    if (std::min(book.size().width, book.size().height) >= 64)
+        book.check("noise_wall: no tile and no visible triangle is left out", left_out_of_noise == 0);
     request.wanted = {"view_depth"};
     std::string reasons;
     for (const LeftOut& item : render_frame(noise, noise.camera, request).left_out)
@@ -124,7 +132,9 @@ void left_out(Notebook& book) {
               reasons);
     book.try_it({
         "Set `xjun`'s `epsilon` to 1: nearly every tile turns green, and the contact shadows are gone.",
-        "Give `columns` two materials with a texture: the tiles that show it are drawn again.",
+        "In `left_out_of`, let a copy of the scene have `noise_wall_scene().materials[0].texture` in its "
+        "first "
+        "material: the tiles that show it are drawn again.",
         "`crevice render columns --repeat 9` measures what each kind saves; `--keep-all` leaves nothing out.",
     });
 }

@@ -146,7 +146,9 @@ void add_render(CLI::App& app, Words& words) {
     render->add_option("--lanes", words.lanes, "pixels at a time, 1 or 8")->capture_default_str();
     render->add_option("--isa", words.isa, "baseline, avx2 or avx512; default: the best this CPU has");
     render->add_option("--tile", words.tile, "tile size in pixels, 8 16 32 64 or 128")->capture_default_str();
-    render->add_option("--repeat", words.repeat, "draw the frame this often; times are medians")
+    render
+        ->add_option("--repeat", words.repeat,
+                     "draw the frame this often: times are medians, and what leaving out saves is measured")
         ->capture_default_str();
     render->add_option("--out", words.out, "the directory for the files")->capture_default_str();
 }

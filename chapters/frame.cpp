@@ -5,6 +5,26 @@
 
 namespace crevice {
 
+namespace {
+
+// What the passes left out, from the same functions by which they decided it.
+FrameTiles tiles_of(const Scene& scene, const ScreenGeometry& geometry, const AoInputs& inputs,
+                    const Frame& frame, const Needs& needs, const FrameRequest& request) {
+    const MethodSettings& settings = request.settings;
+    const Run& run = request.run;
+    FrameTiles tiles;
+    tiles.raster = raster_tiles(geometry, run);
+    if (needs.ao) tiles.ao = ao_tiles(inputs, settings.ao, run);
+    if (needs.blur) {
+        tiles.blur = run.leaves_out(Skip::open_tiles) ? open_blur_tiles(frame.ao_raw, settings.blur, run)
+                                                      : TileMap(frame.ao_raw.size, kBlurTile);
+    }
+    if (needs.lit) tiles.lit = lit_tiles(scene, geometry, frame.gbuffer, run);
+    return tiles;
+}
+
+}  // namespace
+
 Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest& request) {
     const MethodSettings& settings = request.settings;
     const Method& method = *request.method;
@@ -50,14 +70,7 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
         });
     }
     frame.passes = stopwatch.summaries();
-    frame.tiles.raster = raster_tiles(geometry, request.run);
-    if (needs.ao) frame.tiles.ao = ao_tiles(inputs, settings.ao, request.run);
-    if (needs.blur) {
-        frame.tiles.blur = request.run.leaves_out(Skip::open_tiles)
-                               ? open_blur_tiles(frame.ao_raw, settings.blur, request.run)
-                               : TileMap(frame.ao_raw.size, kBlurTile);
-    }
-    if (needs.lit) frame.tiles.lit = lit_tiles(scene, geometry, frame.gbuffer, request.run);
+    frame.tiles = tiles_of(scene, geometry, inputs, frame, needs, request);
     frame.skipped = skipped_work(geometry, frame.gbuffer, frame.tiles);
     // Buffers that were asked for but had nothing to compute: everything is open.
     const Size ao_size = ao_map_size(request.size, settings.ao.ao_scale);

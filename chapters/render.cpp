@@ -95,6 +95,7 @@ Json passes_json(const RenderOptions& options, const Frame& frame, const std::ve
         if (const Saving* saving = saving_of(work.skip, savings)) {
             entry["saved_ms"] = saving->saved_ms.median;
             entry["saved_ms_interval"] = {saving->saved_ms.low, saving->saved_ms.high};
+            entry["confidence"] = saving->saved_ms.confidence;
         }
         left_out.push_back(entry);
     }
@@ -145,8 +146,9 @@ void print_times(const Frame& frame, const std::vector<Saving>& savings,
         if (work.count == 0) continue;
         std::printf("left out: %s, %zu of %zu %s", skip_name(work.skip), work.count, work.of, work.unit);
         if (const Saving* saving = saving_of(work.skip, savings)) {
-            std::printf(", saves %.2f ms (%.2f .. %.2f)", saving->saved_ms.median, saving->saved_ms.low,
-                        saving->saved_ms.high);
+            const MedianInterval& ms = saving->saved_ms;
+            std::printf(", saves %.2f ms (%.2f .. %.2f with %.0f %% confidence)", ms.median, ms.low, ms.high,
+                        100 * ms.confidence);
         }
         std::printf("\n");
     }

@@ -17,8 +17,10 @@ std::vector<Saving> measure_savings(const Scene& scene, const Camera& camera, co
     for (const Skip skip : kinds) {
         std::vector<double> differences;
         for (int i = 0; i < pairs; ++i) {
-            const double kept_ms = frame_ms(KeptWork::only(skip));
-            differences.push_back(kept_ms - frame_ms(KeptWork()));
+            // Each goes first in every second pair.
+            const double first_ms = frame_ms(i % 2 == 0 ? KeptWork::only(skip) : KeptWork()),
+                         second_ms = frame_ms(i % 2 == 0 ? KeptWork() : KeptWork::only(skip));
+            differences.push_back(i % 2 == 0 ? first_ms - second_ms : second_ms - first_ms);
             progress.advance();
         }
         savings.push_back({skip, median_interval(std::move(differences))});

@@ -10,6 +10,7 @@ const char* skip_name(Skip skip) {
         case Skip::empty_tiles: return "empty tiles";
         case Skip::background_pixels: return "background pixels";
         case Skip::open_tiles: return "open tiles";
+        case Skip::faint_highlights: return "faint highlights";
         case Skip::second_drawing: return "second drawing";
     }
     return "unknown";
@@ -24,6 +25,7 @@ const char* skip_reason(Skip skip) {
         case Skip::empty_tiles: return "no triangle's bounding box and edges reach them";
         case Skip::background_pixels: return "they show no surface";
         case Skip::open_tiles: return "accessibility is exactly 1 in them and wherever they read";
+        case Skip::faint_highlights: return "added to the albedo they round away";
         case Skip::second_drawing: return "the first pass kept the normal and material that EQUAL would find";
     }
     return "unknown";

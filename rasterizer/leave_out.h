@@ -13,10 +13,11 @@ enum class Skip {
     hidden_triangles,      // behind everything a part of a tile already shows
     empty_tiles,           // no triangle touches them: they keep their clear values
     background_pixels,     // of full-screen passes: no surface, nothing to compute
-    open_tiles,      // of AO and blur: accessibility is exactly 1 in all their pixels and all those read
-    second_drawing,  // of the lit pass: the first pass kept what these pixels show
+    open_tiles,        // of AO and blur: accessibility is exactly 1 in all their pixels and all those read
+    faint_highlights,  // of the lit pass: too faint to change the last bit of the colour
+    second_drawing,    // of the lit pass: the first pass kept what these pixels show
 };
-inline constexpr int kSkipCount = 7;
+inline constexpr int kSkipCount = 8;
 
 // The short name of a kind, as it stands in passes.json.
 const char* skip_name(Skip skip);

@@ -45,11 +45,11 @@ struct NormalDepthShader {
         if (!geometry.vertices.with_normals) return;
         for (int y = tile.y0; y < tile.y1; ++y) {
             for (int x = tile.x0; x < tile.x1; x += kLanes<F>) {
-                const F z = load<F>(g.view_depth.row(y) + x);
-                if (!any(z < F(std::numeric_limits<float>::infinity()))) continue;
                 float *const at_x = g.normal.x.row(y) + x, *const at_y = g.normal.y.row(y) + x,
                              *const at_z = g.normal.z.row(y) + x;
-                const Vec3<F> n = unit_normal<F>({load<F>(at_x), load<F>(at_y), load<F>(at_z)});
+                const Vec3<F> interpolated{load<F>(at_x), load<F>(at_y), load<F>(at_z)};
+                if (!any(dot(interpolated, interpolated) > F(0))) continue;
+                const Vec3<F> n = unit_normal<F>(interpolated);
                 store(at_x, stored_as(n.x, g.format));
                 store(at_y, stored_as(n.y, g.format));
                 store(at_z, stored_as(n.z, g.format));
@@ -67,6 +67,7 @@ GBuffer normal_depth(const ScreenGeometry& geometry, bool reversed_z, const Norm
               {settings.depth_format, Image<std::int32_t>(geometry.size)},
               settings.buffer_format,
               settings.with_material ? Image<std::int32_t>(geometry.size) : Image<std::int32_t>(),
+              geometry.tile_size,
               {}};
     const std::int32_t clear_code = depth_code(settings.depth_format, reversed_z ? 0.0f : 1.0f, 0.0);
     const NormalDepthShader shader{geometry, g, clear_code};

@@ -22,7 +22,8 @@ struct GBuffer {
 
     // For the lit pass, so that it need not draw the scene again (shade.h).
     Image<std::int32_t> material =
-        {};  // index into Scene::materials; background: anything; empty: not asked for
+        {};             // index into Scene::materials; background: anything; empty: not asked for
+    int tile_size = 0;  // of the geometry it was drawn from, pixels
     std::vector<TileRecord> tiles = {};  // of the geometry's tiles
 };
 

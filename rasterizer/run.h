@@ -19,7 +19,7 @@ struct Run {
     int lanes = 8;    // 1 (plain floats, to step through) or 8 pixels at a time
     Isa isa = best_isa();  // which of the three compiled forms of each kernel
     int tile_size = 64;    // pixels, a power of two in 8..128
-    KeptWork kept = {};         // work that cannot change a pixel, and is done all the same
+    KeptWork kept = {};    // work that cannot change a pixel, and is done all the same
 
     bool leaves_out(Skip skip) const { return !kept.contains(skip); }
 };

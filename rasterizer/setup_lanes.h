@@ -55,12 +55,10 @@ struct SetupLanes {
         back_facing = area < D(0);
         const I left = min_of(min_of(a.x, b.x), c.x), right = max_of(max_of(a.x, b.x), c.x),
                 top = min_of(min_of(a.y, b.y), c.y), bottom = max_of(max_of(a.y, b.y), c.y);
-        // covered_centres
-        const I half(kSubpixelSteps / 2), up(kSubpixelSteps / 2 - 1);
-        x0 = (left + up) >> kSubpixelBits;
-        y0 = (top + up) >> kSubpixelBits;
-        x1 = ((right - half) >> kSubpixelBits) + I(1);
-        y1 = ((bottom - half) >> kSubpixelBits) + I(1);
+        x0 = first_centre(left);
+        y0 = first_centre(top);
+        x1 = last_centre(right) + I(1);
+        y1 = last_centre(bottom) + I(1);
         drawn = wanted & (area != D(0)) & (x0 < x1) & (y0 < y1);
         if (cull_back_faces) drawn = drawn & !back_facing;
 

@@ -59,9 +59,16 @@ struct SetupSettings {
 struct PixelSpan {
     int first, last;
 };
+template <class I>
+CREVICE_INLINE I first_centre(I low) {
+    return (low + I(kSubpixelSteps / 2 - 1)) >> kSubpixelBits;
+}
+template <class I>
+CREVICE_INLINE I last_centre(I high) {
+    return (high - I(kSubpixelSteps / 2)) >> kSubpixelBits;
+}
 inline PixelSpan covered_centres(std::int32_t low, std::int32_t high) {
-    constexpr std::int32_t half = kSubpixelSteps / 2;
-    return {(low - half + kSubpixelSteps - 1) >> kSubpixelBits, (high - half) >> kSubpixelBits};
+    return {first_centre(low), last_centre(high)};
 }
 
 // Which corner of the input became corner 0, 1, 2.

@@ -1,10 +1,13 @@
 #include "rasterizer/vertex_transform.h"
 
 #include <cmath>
+#include <limits>
+#include <string>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "rasterizer/error.h"
 #include "rasterizer/isa.h"
 #include "rasterizer/parallel.h"
 #include "rasterizer/spaces.h"
@@ -15,6 +18,9 @@ namespace {
 
 // Vertices are handed out in blocks of this many.
 constexpr int kBlockVertices = 4096;
+// Members of ProjectedVertex are reached by 32-bit offsets (triangle_blocks.cpp).
+constexpr std::size_t kMostVertices =
+    std::numeric_limits<std::int32_t>::max() / (sizeof(ProjectedVertex) / 4);
 
 // The matrices of one instance under one PositionOrder: p_clip = after * (linear * p + offset, 1).
 struct PositionTransform {
@@ -131,12 +137,9 @@ void transform_block(const VertexBlock& block, Size size, TransformedVertices& o
                 const std::size_t at = index + static_cast<std::size_t>(lane);
                 out.p_clip[at] = {element(clip.x, lane), element(clip.y, lane), element(clip.z, lane),
                                   element(clip.w, lane)};
-                out.projected[at] = {element(projected.x, lane),
-                                     element(projected.y, lane),
-                                     element(projected.x_rest, lane),
-                                     element(projected.y_rest, lane),
-                                     element(projected.z_ndc, lane),
-                                     element(projected.inverse_w, lane),
+                out.projected[at] = {element(projected.x, lane),      element(projected.y, lane),
+                                     element(projected.x_rest, lane), element(projected.y_rest, lane),
+                                     element(projected.z_ndc, lane),  element(projected.inverse_w, lane),
                                      element(projected.outside, lane)};
             }
             if (!out.with_normals) continue;
@@ -195,6 +198,10 @@ TransformedVertices transform_vertices(const Scene& scene, const Camera& camera,
                               total + static_cast<std::size_t>(first)});
         }
         total += static_cast<std::size_t>(count);
+    }
+    if (total > kMostVertices) {
+        throw InputError("scene: too many vertices, its instances counted (" + std::to_string(total) +
+                         "); draw it in parts of at most " + std::to_string(kMostVertices));
     }
     result.p_clip.resize(total);
     result.projected.resize(total);

@@ -21,7 +21,7 @@ namespace crevice {
 enum class PositionOrder {
     relative,       // clip_from_relative * (world_from_object * p - eye): what every pass uses
     premultiplied,  // (clip_from_world * world_from_object) * p: seed 000's BasicEffect, x(WVP)
-    view_first,  // clip_from_view * ((view_from_world * world_from_object) * p): its normal pass, (x(WV))P
+    view_first,     // clip_from_view * ((view_from_world * world_from_object) * p): its normal pass, (x(WV))P
 };
 
 // What is wrong with a vertex for the clipper; see clip.h. Bits of ProjectedVertex::outside.
@@ -64,6 +64,7 @@ struct TransformedVertices {
 
 ProjectedVertex project_vertex(glm::vec4 p_clip, Size size);
 
+// Throws InputError when there are more vertices than 32-bit offsets reach, 306,783,378.
 TransformedVertices transform_vertices(const Scene& scene, const Camera& camera, Size size,
                                        PositionOrder order, bool with_normals, const Run& run);
 

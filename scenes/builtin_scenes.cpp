@@ -16,7 +16,7 @@ constexpr std::array<BuiltinScene, 8> kScenes = {{
     {"wall_corner", "closed form: the shade along a wall", "none, 1", wall_corner_scene},
     {"trench", "closed form: the shade in a trench as wide as deep", "none, 1", trench_scene},
     {"cornell", "a closed room: the measured Cornell box", "10 cm", cornell_scene},
-    {"noise_wall", "a textured wall of noise: the scene of which nothing can be left out", "none, 1",
+    {"noise_wall", "a textured wall of noise: nothing that is seen of it can be left out", "none, 1",
      noise_wall_scene},
     {"empty", "no triangles: every buffer is its background", "none, 1", empty_scene},
 }};

@@ -45,7 +45,7 @@ Scene trench_scene();
 // The Cornell box as measured: room open to the front, short and tall block.
 Scene cornell_scene();
 
-// A textured wall of noise that fills the view: no tile, no triangle, no pixel can be left out.
+// A textured wall of noise, larger than the view: no tile and no triangle that is seen can be left out.
 Scene noise_wall_scene();
 
 // No triangles: every buffer is its background.

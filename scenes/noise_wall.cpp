@@ -1,4 +1,4 @@
-// A textured wall of noise that fills the view: nothing of it can be left out.
+// A textured wall of noise that fills the view: nothing that is seen of it can be left out.
 #include <glm/geometric.hpp>
 
 #include "rasterizer/approx_math.h"

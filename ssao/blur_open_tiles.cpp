@@ -2,31 +2,21 @@
 #include <algorithm>
 
 #include "rasterizer/isa.h"
+#include "rasterizer/pixel_rect.h"
 #include "ssao/bilateral_blur.h"
 
 namespace crevice {
 
 namespace {
 
-// Texels [left, right) x [top, bottom).
-struct Rectangle {
-    int left, top, right, bottom;
-};
-
-Rectangle tile_rectangle(int column, int row) {
+PixelRect tile_rectangle(int column, int row) {
     return {column * kBlurTile, row * kBlurTile, (column + 1) * kBlurTile, (row + 1) * kBlurTile};
 }
 
-// The part of a inside b.
-Rectangle common(const Rectangle& a, const Rectangle& b) {
-    return {std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right),
-            std::min(a.bottom, b.bottom)};
-}
-
-bool all_one(const Image<float>& ao, const Rectangle& texels) {
-    for (int y = texels.top; y < texels.bottom; ++y) {
+bool all_one(const Image<float>& ao, const PixelRect& texels) {
+    for (int y = texels.y0; y < texels.y1; ++y) {
         const float* row = ao.row(y);
-        if (!std::all_of(row + texels.left, row + texels.right, [](float a) { return a == 1; })) return false;
+        if (!std::all_of(row + texels.x0, row + texels.x1, [](float a) { return a == 1; })) return false;
     }
     return true;
 }
@@ -54,15 +44,16 @@ class OneTiles {
  private:
     template <class F>
     CREVICE_INLINE static bool tile_is_one(const Image<float>& ao, int column, int row) {
-        const Rectangle tile = common(tile_rectangle(column, row), {0, 0, ao.size.width, ao.size.height});
-        const int whole_groups = tile.left + (tile.right - tile.left) / kLanes<F> * kLanes<F>;
-        for (int y = tile.top; y < tile.bottom; ++y) {
+        const PixelRect tile =
+            common_part(tile_rectangle(column, row), {0, 0, ao.size.width, ao.size.height});
+        const int whole_groups = tile.x0 + (tile.x1 - tile.x0) / kLanes<F> * kLanes<F>;
+        for (int y = tile.y0; y < tile.y1; ++y) {
             const float* texels = ao.row(y);
-            for (int x = tile.left; x < whole_groups; x += kLanes<F>) {
+            for (int x = tile.x0; x < whole_groups; x += kLanes<F>) {
                 if (any(load<F>(texels + x) != F(1))) return false;
             }
         }
-        return all_one(ao, {whole_groups, tile.top, tile.right, tile.bottom});
+        return all_one(ao, {whole_groups, tile.y0, tile.x1, tile.y1});
     }
 
     Image<unsigned char> one_;
@@ -91,14 +82,14 @@ Image<unsigned char> surrounded(const OneTiles& one, Size count, int reach) {
 
 // The ring of tiles that a reach of so many texels enters and does not cross: is all it enters 1?
 bool ring_is_one(const Image<float>& ao, const OneTiles& one, int column, int row, int reach_px) {
-    const Rectangle map = {0, 0, ao.size.width, ao.size.height}, tile = tile_rectangle(column, row);
-    const Rectangle read = common(
-        {tile.left - reach_px, tile.top - reach_px, tile.right + reach_px, tile.bottom + reach_px}, map);
+    const PixelRect map = {0, 0, ao.size.width, ao.size.height}, tile = tile_rectangle(column, row);
+    const PixelRect read =
+        common_part({tile.x0 - reach_px, tile.y0 - reach_px, tile.x1 + reach_px, tile.y1 + reach_px}, map);
     const int distance = reach_px / kBlurTile + 1;
     for (int r = row - distance; r <= row + distance; ++r) {
         const bool whole_row = r == row - distance || r == row + distance;
         for (int c = column - distance; c <= column + distance; c += whole_row ? 1 : 2 * distance) {
-            if (!one.at(c, r) && !all_one(ao, common(tile_rectangle(c, r), read))) return false;
+            if (!one.at(c, r) && !all_one(ao, common_part(tile_rectangle(c, r), read))) return false;
         }
     }
     return true;

@@ -62,13 +62,13 @@ struct SurfaceRow {
 };
 
 template <class F>
-struct Surface {
+struct BlurSurface {
     Vec3<F> normal;
     F view_depth;
 };
 
 template <class F>
-CREVICE_INLINE Surface<F> surface_at(const SurfaceRow& row, std::ptrdiff_t x) {
+CREVICE_INLINE BlurSurface<F> surface_at(const SurfaceRow& row, std::ptrdiff_t x) {
     return {{load<F>(row.normal_x + x), load<F>(row.normal_y + x), load<F>(row.normal_z + x)},
             load<F>(row.view_depth + x)};
 }
@@ -79,7 +79,7 @@ struct Thresholds {
 
 // False where either has no surface: the difference of their depths is infinite, or not a number.
 template <class F>
-CREVICE_INLINE Mask<F> counts(const Surface<F>& a, const Surface<F>& b, Thresholds least) {
+CREVICE_INLINE Mask<F> counts(const BlurSurface<F>& a, const BlurSurface<F>& b, Thresholds least) {
     const F distance = a.view_depth - b.view_depth;
     return (dot(a.normal, b.normal) >= F(least.normal)) & (distance <= F(least.depth)) &
            (distance >= F(-least.depth));
@@ -97,7 +97,7 @@ constexpr std::int32_t pair_bits(int shift, int j) {
 template <class F>
 CREVICE_INLINE Int<F> pairs_at(const SurfaceRow& padded, const SurfaceRow& row, std::ptrdiff_t stride,
                                int rows_below, Thresholds least, int x) {
-    const Surface<F> centre = surface_at<F>(padded, x);
+    const BlurSurface<F> centre = surface_at<F>(padded, x);
     Int<F> bits(0);
     each_tap([&](auto k) __attribute__((always_inline)) {
         constexpr int j = k - kBlurRadius;

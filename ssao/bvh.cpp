@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <tuple>
+#include <utility>
 
 #include "rasterizer/error.h"
 #include "rasterizer/parallel.h"
@@ -20,20 +22,21 @@ constexpr std::size_t kLeaf = kBvhWidth;
 constexpr std::size_t kSubtreeShare = 64;
 constexpr std::size_t kSmallSubtree = 2048;
 
-// Into how many parts a node cuts its range, and which: the largest first.
+// The parts a node cuts its range into. While there is room the one with the largest box is cut, or the one with
+// the most triangles where that decides, or boxes are equal.
 std::vector<TriangleRange> children_of(const TriangleRange& range, bool by_area, const Run& run) {
     std::vector<TriangleRange> children = {range};
-    const auto size = [&](const TriangleRange& r) {
-        if (r.triangles.size() <= kLeaf) return -1.0;
-        return by_area ? r.box.half_area() : static_cast<double>(r.triangles.size());
+    const auto rank = [&](const TriangleRange& r) {
+        const bool cut = r.triangles.size() > kLeaf;
+        return std::tuple(cut, by_area ? r.box.half_area() : 0.0, r.triangles.size());
     };
     while (children.size() < kBvhWidth) {
-        const auto largest =
+        const auto next =
             std::max_element(children.begin(), children.end(),
-                             [&](const TriangleRange& a, const TriangleRange& b) { return size(a) < size(b); });
-        if (size(*largest) < 0) break;
-        auto [left, right] = by_area ? split_by_area(*largest, run) : split_in_halves(*largest, run);
-        *largest = left;
+                             [&](const TriangleRange& a, const TriangleRange& b) { return rank(a) < rank(b); });
+        if (next->triangles.size() <= kLeaf) break;
+        auto [left, right] = by_area ? split_by_area(*next, run) : split_in_halves(*next, run);
+        *next = left;
         children.push_back(right);
     }
     return children;
@@ -52,11 +55,11 @@ struct Builder {
     Run run;
     std::size_t subtree_size;  // ranges of at most this many are left for later; 0: none
     std::vector<BvhNode> nodes = {};
-    std::vector<TriangleBlock> blocks = {};
+    std::vector<BvhBlock> blocks = {};
     std::vector<Subtree> later = {};
 
     std::int32_t add_block(const TriangleRange& range) {
-        TriangleBlock block;
+        BvhBlock block;
         for (std::size_t lane = 0; lane < kBvhWidth; ++lane) {
             const BoxedTriangle& boxed = range.triangles[lane < range.triangles.size() ? lane : 0];
             const Corners& corners = triangles[static_cast<std::size_t>(boxed.triangle)];
@@ -153,7 +156,7 @@ Bvh build_bvh(std::span<const Corners> triangles, const Run& run) {
 }
 
 std::size_t size_bytes(const Bvh& bvh) {
-    return bvh.nodes.size() * sizeof(BvhNode) + bvh.blocks.size() * sizeof(TriangleBlock);
+    return bvh.nodes.size() * sizeof(BvhNode) + bvh.blocks.size() * sizeof(BvhBlock);
 }
 
 }  // namespace crevice

@@ -33,14 +33,14 @@ struct alignas(32) BvhNode {
 };
 
 // Up to eight triangles. Lanes without one repeat the first, which changes no answer.
-struct alignas(32) TriangleBlock {
+struct alignas(32) BvhBlock {
     float corner[3][3][kBvhWidth];     // corner, axis, lane
     std::int32_t triangle[kBvhWidth];  // index into the triangles that the tree was built of
 };
 
 struct Bvh {
     std::vector<BvhNode> nodes;  // the root first; empty without triangles
-    std::vector<TriangleBlock> blocks;
+    std::vector<BvhBlock> blocks;
     float reach = 0;  // the largest absolute coordinate of any corner
 };
 

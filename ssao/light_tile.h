@@ -12,7 +12,7 @@ inline constexpr std::int32_t kSkyMaterial = -1;
 
 // What a group of pixels shows.
 template <class F>
-struct Surface {
+struct ShownSurface {
     Int<F> material;  // index into Scene::materials, or kSkyMaterial
     Vec3<F> n_view;   // unit
     Vec3<F> texture;  // colour
@@ -26,14 +26,14 @@ struct TileLighting {
     const AoTaps& ao;
     Image3& lit;
 
-    // surface_at(x, y) gives the Surface of the pixels from (x, y) on.
+    // surface_at(x, y) gives the ShownSurface of the pixels from (x, y) on.
     template <class F, class SurfaceAt>
     CREVICE_INLINE void light_tile(PixelRect tile, const SurfaceAt& surface_at) const {
         WidenedAo<F> accessibility(ao, tile.x0, tile.x1);
         for (int y = tile.y0; y < tile.y1; ++y) {
             accessibility.go_to_row(y);
             for (int x = tile.x0; x < tile.x1; x += kLanes<F>) {
-                const Surface<F> surface = surface_at(x, y);
+                const ShownSurface<F> surface = surface_at(x, y);
                 const Vec3<F> colour = colour_of(surface, accessibility.at(x), x, y);
                 store(lit.x.row(y) + x, colour.x);
                 store(lit.y.row(y) + x, colour.y);
@@ -45,7 +45,7 @@ struct TileLighting {
  private:
     // One material after the other, until every lane has had its own.
     template <class F>
-    CREVICE_INLINE Vec3<F> colour_of(const Surface<F>& surface, F accessibility, int x, int y) const {
+    CREVICE_INLINE Vec3<F> colour_of(const ShownSurface<F>& surface, F accessibility, int x, int y) const {
         Vec3<F> colour = spread<F>(scene.sky);
         auto left = surface.material != Int<F>(kSkyMaterial);
         if (!any(left)) return colour;
@@ -62,7 +62,7 @@ struct TileLighting {
                                scene.lighting == LightingModel::phong
                                    ? phong(point, material, lights)
                                    : blinn_schlick(point, material, lights, scene.ambient_light,
-                                               no_highlight_below[static_cast<std::size_t>(index)]),
+                                                   no_highlight_below[static_cast<std::size_t>(index)]),
                                colour);
             left = left & !lanes;
         } while (any(left));

@@ -37,18 +37,17 @@ Needs needs_of(const Scene& scene, const WantedBuffers& wanted, bool ao_on, int 
         leave_out(needs.normals, "normals",
                   "neither the normals nor anything computed from them was asked for");
     }
+    bool texcoords = true;  // shade() sees by itself whether there are textures
     if (!needs.lit) {
-        leave_out(needs.texcoords, "texture coordinates", "only the lit image shows textures");
+        leave_out(texcoords, "texture coordinates", "only the lit image shows textures");
         leave_out(needs.materials, "materials", "only the lit image shows materials");
     } else {
         const auto textured = [](const Material& material) { return material.texture != nullptr; };
         if (std::none_of(scene.materials.begin(), scene.materials.end(), textured))
-            leave_out(needs.texcoords, "texture coordinates", "no material has a texture");
+            leave_out(texcoords, "texture coordinates", "no material has a texture");
         if (scene.materials.size() == 1)
             leave_out(needs.materials, "materials", "the scene has only one: no pixel looks it up");
     }
-    needs.left_out.push_back({"shadow", "no light of this scene casts a shadow"});
-    needs.left_out.push_back({"sky", "the sky is one colour: the lit image starts with it"});
     return needs;
 }
 

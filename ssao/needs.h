@@ -27,8 +27,7 @@ struct Needs {
     bool blur = true;
     bool lit = true;
     bool materials = true;  // the first pass keeps which material a pixel shows
-    bool texcoords = true;  // of the lit pass: texture coordinates interpolated, textures sampled
-    std::vector<LeftOut> left_out;  // a reason for every "no", and for the passes that no scene has yet
+    std::vector<LeftOut> left_out;  // a reason for every "no"
 };
 
 // `ao_on` is false for the method `none`; `blur_iterations` 0 asks for no blur. With `keep_all` every pass

@@ -34,7 +34,7 @@ bool any_texture(const Scene& scene) {
 std::vector<float> highlight_limits(const Scene& scene, const Run& run) {
     std::vector<float> limits;
     for (const Material& material : scene.materials) {
-        const bool plain = material.texture == nullptr && run.leaves_out(Skip::second_drawing);
+        const bool plain = material.texture == nullptr && run.leaves_out(Skip::faint_highlights);
         limits.push_back(plain ? invisible_highlight(material) : 0);
     }
     return limits;
@@ -85,9 +85,14 @@ struct LitShader {
     template <class F>
     CREVICE_INLINE void finish_tile(PixelRect tile) const {
         const auto surface_at = [&](int x, int y) __attribute__((always_inline)) {
-            const Vec3<F> white{F(1), F(1), F(1)};
-            return Surface<F>{load<F>(materials.row(y) + x), unit_normal(load_vec3<F>(lighting.lit, x, y)),
-                              textures.empty() ? white : load_vec3<F>(textures, x, y)};
+            // Where nothing was drawn the planes hold anything.
+            const Int<F> material = load<F>(materials.row(y) + x);
+            const auto drawn = material != Int<F>(kSkyMaterial);
+            const Vec3<F> white{F(1), F(1), F(1)}, nothing{F(0), F(0), F(0)};
+            const Vec3<F> n = select<F>(drawn, load_vec3<F>(lighting.lit, x, y), nothing);
+            return ShownSurface<F>{
+                material, unit_normal(n),
+                textures.empty() ? white : select<F>(drawn, load_vec3<F>(textures, x, y), white)};
         };
         lighting.light_tile<F>(tile, surface_at);
     }
@@ -103,7 +108,8 @@ struct LitShader {
 void draw_again(const TileLighting& lighting, const DepthBuffer& depth, DepthFunction test,
                 const PartsOfTiles* parts, const Run& run) {
     Image<std::int32_t> materials(depth.size());
-    Image3 textures = any_texture(lighting.scene) ? Image3(depth.size()) : Image3();
+    Image3 textures =
+        any_texture(lighting.scene) || !run.leaves_out(Skip::passes) ? Image3(depth.size()) : Image3();
     rasterize(lighting.geometry, test, depth, LitShader{lighting, materials, textures, parts}, run);
 }
 
@@ -113,7 +119,7 @@ void light_from(const GBuffer& g, const TileLighting& lighting, const PartsOfTil
     parallel_for(geometry.tile_count(), run, [&](int tile) {
         const PixelRect rect = geometry.tile_rect(tile);
         if (drawn_again[static_cast<std::size_t>(tile)] == rect) return;
-        if (g.tiles[static_cast<std::size_t>(tile)].triangles == 0) {
+        if (geometry.triangles_of_tile(tile) == 0) {
             fill_tile(lighting.lit.x, rect, lighting.scene.sky.x);
             fill_tile(lighting.lit.y, rect, lighting.scene.sky.y);
             fill_tile(lighting.lit.z, rect, lighting.scene.sky.z);
@@ -127,9 +133,9 @@ void light_from(const GBuffer& g, const TileLighting& lighting, const PartsOfTil
                         load<F>(g.view_depth.row(y) + x) < F(std::numeric_limits<float>::infinity());
                     const Int<F> material =
                         g.material.empty() ? Int<F>(0) : Int<F>(load<F>(g.material.row(y) + x));
-                    return Surface<F>{select(seen, material, Int<F>(kSkyMaterial)),
-                                      load_vec3<F>(g.normal, x, y),
-                                      {F(1), F(1), F(1)}};
+                    return ShownSurface<F>{select(seen, material, Int<F>(kSkyMaterial)),
+                                           load_vec3<F>(g.normal, x, y),
+                                           {F(1), F(1), F(1)}};
                 };
                 lighting.light_tile<F>(rect, surface_at);
             });
@@ -150,21 +156,22 @@ bool shows_texture(const Scene& scene, const GBuffer& g, PixelRect tile) {
 // See lit_tiles.
 PartsOfTiles parts_drawn_again(const Scene& scene, const ScreenGeometry& geometry, const GBuffer& gbuffer,
                                const Run& run) {
-    const bool knows_surfaces = gbuffer.format == BufferFormat::float32 && !gbuffer.normal.empty() &&
-                                (scene.materials.size() == 1 || !gbuffer.material.empty()) &&
-                                run.leaves_out(Skip::second_drawing);
+    const bool same_tiles = gbuffer.tile_size == geometry.tile_size &&
+                            gbuffer.tiles.size() == static_cast<std::size_t>(geometry.tile_count());
+    const bool knows_surfaces =
+        same_tiles && gbuffer.format == BufferFormat::float32 && !gbuffer.normal.empty() &&
+        (scene.materials.size() == 1 || !gbuffer.material.empty()) && run.leaves_out(Skip::second_drawing);
     const bool textured = any_texture(scene);
     PartsOfTiles parts(static_cast<std::size_t>(geometry.tile_count()));
     parallel_for(geometry.tile_count(), run, [&](int tile) {
         const PixelRect rect = geometry.tile_rect(tile);
-        const TileRecord& record = gbuffer.tiles[static_cast<std::size_t>(tile)];
         PixelRect& part = parts[static_cast<std::size_t>(tile)];
-        if (record.triangles == 0) {
+        if (geometry.triangles_of_tile(tile) == 0) {
             if (!run.leaves_out(Skip::empty_tiles)) part = rect;
         } else if (!knows_surfaces || (textured && shows_texture(scene, gbuffer, rect))) {
             part = rect;
         } else {
-            part = record.tied;
+            part = gbuffer.tiles[static_cast<std::size_t>(tile)].tied;
         }
     });
     return parts;
@@ -180,7 +187,7 @@ TileMap lit_tiles(const Scene& scene, const ScreenGeometry& geometry, const GBuf
         const auto at = static_cast<std::size_t>(tile);
         if (!parts[at].empty()) continue;
         map.tiles.at(tile % geometry.tiles.width, tile / geometry.tiles.width) =
-            gbuffer.tiles[at].triangles == 0 ? TileWork::background : TileWork::lit_once;
+            geometry.triangles_of_tile(tile) == 0 ? TileWork::background : TileWork::lit_once;
     }
     return map;
 }
@@ -207,7 +214,8 @@ Image3 shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geo
     const AoTaps taps(ao, depth.size());
     const std::vector<float> highlights = highlight_limits(scene, run);
     Image3 lit(depth.size());
-    draw_again({scene, highlights, geometry, lights, taps, lit}, depth, settings.depth_function, nullptr, run);
+    draw_again({scene, highlights, geometry, lights, taps, lit}, depth, settings.depth_function, nullptr,
+               run);
     return lit;
 }
 

@@ -193,8 +193,8 @@ TEST_CASE("the lists name every scene, method and parameter") {
     const Outcome scenes = crevice_says("scenes"), methods = crevice_says("methods"),
                   params = crevice_says("params xjun");
     CHECK(scenes.code == 0);
-    for (const char* name :
-         {"columns", "columns_luna", "sphere_on_plane", "wall_corner", "trench", "cornell", "empty"}) {
+    for (const char* name : {"columns", "columns_luna", "sphere_on_plane", "wall_corner", "trench", "cornell",
+                             "noise_wall", "empty"}) {
         CAPTURE(name);
         CHECK(scenes.text.find(name) != std::string::npos);
     }

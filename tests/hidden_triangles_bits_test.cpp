@@ -1,5 +1,8 @@
 // Hierarchical depth: triangles that are left out change neither a depth nor a normal nor how many fragments
 // pass.
+#include <array>
+#include <cmath>
+
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
@@ -48,6 +51,22 @@ ClipSpaceScene stack(RandomSequence& random, Size size, int count, bool nearest_
     return scene;
 }
 
+// Triangles of all sizes that face the eye, at few depths: many tie, and squares hold near and far pixels.
+ClipSpaceScene rubble(RandomSequence& random, Size size, int count) {
+    ClipSpaceScene scene{size, {}, {}};
+    for (int i = 0; i < count; ++i) {
+        const double z = random.whole(1, 7) / 8.0, reach = std::exp2(random.between(2, 9));
+        const double x = random.between(0, size.width), y = random.between(0, size.height);
+        const auto corner = [&] {
+            const double px = x + random.between(-reach, reach), py = y + random.between(-reach, reach);
+            return scene.at_screen(px, py, z);
+        };
+        const glm::vec4 a = corner(), b = corner(), c = corner();
+        scene.add_triangle(a, b, c);
+    }
+    return scene;
+}
+
 std::string inequality(const Drawn& a, const Drawn& b) {
     return differences(a.depth.codes, b.depth.codes) + differences(a.count, b.count);
 }
@@ -83,6 +102,32 @@ TEST_CASE("hidden triangles: stacks drawn with and without leaving out, all func
         if (test == DepthFunction::never || test == DepthFunction::equal || nearest_first != from_zero) {
             if (ordered) CHECK(some.hidden > 0);
         }
+    }
+}
+
+TEST_CASE(
+    "hidden triangles: rubble that ties drawn with and without leaving out, all functions and formats") {
+    const Size size = {83, 61};
+    std::array<std::uint32_t, std::size(kFunctions)> hidden{};
+    for (std::uint64_t seed = 0; seed < 144; ++seed) {
+        RandomSequence random(seed);
+        const std::size_t function = seed % 8;
+        const SetupSettings setup{false, kFormats[seed / 8 % 3], {}};
+        const Run run{.threads = 1, .lanes = seed % 5 == 0 ? 1 : 8, .tile_size = 16 << random.whole(0, 3)};
+        INFO("seed " << seed << ", function " << static_cast<int>(kFunctions[function]));
+        const ScreenGeometry geometry = geometry_of(rubble(random, size, 500), setup, run);
+        // Over other rubble, so that every function has something to pass and to fail.
+        const DepthBuffer before = draw(rubble(random, size, 30), DepthFunction::always, setup, run).depth;
+        const Drawn all = drawn_over(before, geometry, kFunctions[function], run, false);
+        const Drawn some = drawn_over(before, geometry, kFunctions[function], run, true);
+        REQUIRE(inequality(some, all) == "");
+        hidden[function] += some.hidden;
+    }
+    for (std::size_t function = 0; function < std::size(kFunctions); ++function) {
+        CAPTURE(function);
+        const bool ordered =
+            kFunctions[function] != DepthFunction::always && kFunctions[function] != DepthFunction::not_equal;
+        CHECK((hidden[function] > 0) == ordered);
     }
 }
 

@@ -1,5 +1,5 @@
 // Leaving out changes no bit: 1,000 random scenes, each drawn with everything left out that can be, with each kind of
-// work kept alone, and with all of it kept; and the scenes in which everything, or nothing, can be left out.
+// work kept alone, and with all of it kept.
 #include <map>
 #include <memory>
 
@@ -111,7 +111,8 @@ FrameRequest random_request(RandomSequence& random) {
     settings.buffers.depth_format = formats[random.whole(0, 2)];
     settings.reversed_z = settings.buffers.depth_format == DepthFormat::d32f && random.whole(0, 1) == 1;
     if (random.whole(0, 4) == 0) settings.buffers.buffer_format = BufferFormat::float16_nearest_even;
-    request.run.threads = 1;
+    request.run.threads = random.whole(1, 2);
+    if (random.whole(0, 9) == 0) request.run.lanes = 1;
     request.run.tile_size = 8 << random.whole(0, 4);
     return request;
 }

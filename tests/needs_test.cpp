@@ -103,10 +103,8 @@ TEST_CASE(
                         CHECK(needs.blur == reason(needs, "blur").empty());
                         CHECK(needs.lit == reason(needs, "lit").empty());
                         CHECK(needs.materials == reason(needs, "materials").empty());
-                        CHECK(needs.texcoords == reason(needs, "texture coordinates").empty());
                         CHECK((!needs.blur || needs.ao));
                         CHECK((!(needs.ao || needs.lit) || needs.normals));
-                        CHECK(reason(needs, "shadow") != "");
                         if (!keep_all) continue;
                         CHECK(needs.normals);
                         CHECK(needs.lit);

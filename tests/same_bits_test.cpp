@@ -177,3 +177,33 @@ TEST_CASE("same bits: with --keep-all and without, in every built-in scene") {
         }
     }
 }
+
+TEST_CASE("same bits: depths beyond the largest half keep unit normals") {
+    // From 65520 on a half rounds to infinity, which is the background's view depth.
+    Mesh wall = quad_mesh({glm::vec3(-50000, 30000, 65000),
+                           {50000, 30000, 66000},
+                           {50000, -30000, 66000},
+                           {-50000, -30000, 65000}},
+                          {0, 0, -1});
+    wall.normals = {{-0.6f, 0, -0.8f}, {0.6f, 0, -0.8f}, {0.6f, 0, -0.8f}, {-0.6f, 0, -0.8f}};
+    Scene scene = scene_of({wall});
+    scene.camera.near_plane = 100;
+    scene.camera.far_plane = 100000;
+    const NormalDepthSettings settings{.buffer_format = BufferFormat::float16_nearest_even};
+    const Size size = {161, 91};
+    const GBuffer eight = normal_depth(scene, scene.camera, size, settings, {.lanes = 8});
+    const GBuffer one = normal_depth(scene, scene.camera, size, settings, {.lanes = 1});
+    CHECK(content_hash(eight.normal) == content_hash(one.normal));
+    const std::int32_t cleared = cleared_depth(size, DepthFormat::d32f, false).codes.at(0, 0);
+    int drawn = 0;
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+            if (eight.depth.codes.at(x, y) == cleared) continue;
+            ++drawn;
+            CAPTURE(x);
+            CAPTURE(y);
+            CHECK(std::fabs(glm::length(glm::dvec3(eight.normal.at(x, y))) - 1) < 1e-3);
+        }
+    }
+    CHECK(drawn > 10000);
+}

@@ -1,5 +1,5 @@
-// The lit pass from the G-buffer against the scene drawn again with EQUAL: the same bits at every pixel, above
-// all where depths tie; and that it does leave out the second drawing where nothing ties.
+// The lit pass from the G-buffer against the scene drawn again with EQUAL: the same bits at every pixel, also
+// where depths tie; and that it does leave out the second drawing where nothing ties.
 #include <memory>
 
 #include <doctest/doctest.h>

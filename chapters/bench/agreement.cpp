@@ -18,13 +18,13 @@ namespace {
 constexpr double kNdcTolerance = 2.4e-7, kViewTolerance = 1e-4;
 constexpr double kNormalTolerance_rad = 0.1 * 3.14159265358979 / 180;
 
-// Above the largest values seen (tests/peers/README.md), and below what other work gives: a radius 10 %
-// larger moves the blurred AO by 0.0012, another seed by 0.0034, a blur iteration less by 0.0010. Ndc depth
-// is told and not judged: the two programs round the planes of a triangle that reaches far beyond the picture
-// differently, by more than 2.4e-7 at once for all its pixels.
+// Above the largest values seen of equal work (tests/peers/README.md). On `columns` other work lies above the
+// limit of the blurred AO: a radius 10 % larger gives 0.0012, another seed 0.0034, a blur iteration less 0.0010.
+// The AO as timed is fetched in another way than the peer's, so its limit only notices what is badly wrong. Ndc
+// depth is told and not judged: the two programs round the planes of a triangle that reaches far beyond the
+// picture differently, by more than 2.4e-7 at once for all its pixels.
 constexpr double kCoverageLimit_percent = 0.05, kViewDepthLimit_percent = 0.05, kNormalLimit_percent = 3;
-constexpr double kAoLimit = 0.003, kBlurredLimit = 0.0009, kAsTimedLimit = 0.02, kLitLimit = 0.0015;
-constexpr double kNotJudged = 100;
+constexpr double kAoLimit = 0.003, kBlurredLimit = 0.0008, kAsTimedLimit = 0.02, kLitLimit = 0.0015;
 
 struct PixelCounts {
     double all = 0, one_sided = 0, covered = 0, ndc_off = 0, view_off = 0, normal_off = 0;
@@ -91,7 +91,7 @@ std::vector<Agreement> agreement(const Scene& scene, const FrameRequest& request
     return {
         {"coverage", "pixels covered on one side only, %", 100 * counts.one_sided / counts.all,
          kCoverageLimit_percent},
-        {"ndc_depth", "pixels off by more than 2.4e-7, %", to_percent * counts.ndc_off, kNotJudged},
+        {"ndc_depth", "pixels off by more than 2.4e-7, %", to_percent * counts.ndc_off, std::nullopt},
         {"view_depth", "pixels off by more than 0.01 %, %", to_percent * counts.view_off,
          kViewDepthLimit_percent},
         {"normal", "pixels off by more than 0.1 degree, %", to_percent * counts.normal_off,

@@ -5,6 +5,7 @@
 // show several surfaces, and is compared loosely.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "chapters/bench/peer_session.h"
@@ -15,9 +16,10 @@ namespace crevice {
 struct Agreement {
     const char* buffer;
     const char* measure;  // and its unit
-    double value, limit;
+    double value;
+    std::optional<double> limit;  // none: told, not judged
 
-    bool holds() const { return value <= limit; }  // NaN does not
+    bool holds() const { return !limit || value <= *limit; }  // NaN does not
 };
 
 // All measures, in the order of the passes. `ours` is the frame drawn of `scene` as `request` says, with

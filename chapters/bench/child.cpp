@@ -10,9 +10,11 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <thread>
 #include <utility>
 
 #include "chapters/stopwatch.h"
@@ -88,9 +90,11 @@ bool read_to_end(int descriptor, double patience_s, std::string& text) {
     for (;;) {
         const double left_ms = until_ms - clocks().wall_ms;
         pollfd waiting{descriptor, POLLIN, 0};
-        if (left_ms <= 0 || (poll(&waiting, 1, static_cast<int>(left_ms) + 1) == 0)) return false;
+        if (left_ms <= 0) return false;
+        if (poll(&waiting, 1, static_cast<int>(left_ms) + 1) <= 0) continue;
         const ssize_t count = read(descriptor, buffer, sizeof buffer);
         if (count == 0) return true;
+        if (count < 0 && errno != EINTR) return false;
         if (count > 0) text.append(buffer, static_cast<std::size_t>(count));
     }
 }
@@ -181,7 +185,7 @@ std::string Child::read_bytes(std::size_t count) {
 ChildOutcome run_child(const ChildCommand& command) {
     int ends[2];
     const File nothing{open("/dev/null", O_RDONLY | O_CLOEXEC)};
-    if (pipe2(ends, O_CLOEXEC) != 0) {
+    if (nothing.descriptor < 0 || pipe2(ends, O_CLOEXEC) != 0) {
         throw InputError(command.program.string() + ": its output cannot be read (" + std::strerror(errno) +
                          "); close some programs");
     }
@@ -196,8 +200,16 @@ ChildOutcome run_child(const ChildCommand& command) {
         throw InputError(command.program.string() + ": not done after " +
                          std::to_string(static_cast<int>(command.patience_s)) + " s; measure less at once");
     }
+    // Its output is closed: it is at its end, or will not come to one.
     int status = 0;
-    waitpid(pid, &status, 0);
+    while (waitpid(pid, &status, WNOHANG) == 0) {
+        if (clocks().wall_ms - before_ms > command.patience_s * 1e3) {
+            end(pid);
+            throw InputError(command.program.string() +
+                             ": closed its output and does not end; run it by hand");
+        }
+        std::this_thread::sleep_for(std::chrono::microseconds(50));
+    }
     outcome.wall_ms = clocks().wall_ms - before_ms;
     outcome.exit_code = exit_code_of(status);
     return outcome;

@@ -109,6 +109,8 @@ void require_used(const BenchWords& words, Bench bench) {
               "not with --scale --instructions");
     only_with(camera, "camera flags", {Bench::frames, Bench::peers, Bench::left_out},
               "not with --scale --instructions");
+    only_with(words.threads != "0", "--threads", {Bench::frames, Bench::peers, Bench::left_out, Bench::scale},
+              "not with --instructions");
     only_with(words.quick, "--quick", {Bench::scale}, "only with --scale");
     only_with(words.bless, "--bless", {Bench::instructions}, "only with --instructions");
     only_with(words.figures.has_value(), "--figures", {Bench::instructions}, "only with --instructions");

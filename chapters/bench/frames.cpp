@@ -22,11 +22,10 @@ constexpr double kPatience_s = 300;  // for one program run
 
 // To make a built-in scene, or to read a file and its textures.
 PassTime loading(const std::string& name) {
-    const BuiltinScene* const builtin = find_builtin_scene(name);
     Stopwatch stopwatch;
     for (int i = 0; i < kBenchRuns; ++i) {
-        Scene scene;
-        stopwatch.time("load", [&] { scene = builtin != nullptr ? builtin->make() : load_obj(name).scene; });
+        SceneArgument scene;
+        stopwatch.time("load", [&] { scene = load_scene(name); });
     }
     return stopwatch.summaries().front();
 }

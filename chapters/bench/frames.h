@@ -21,13 +21,13 @@ struct FramesOptions {
     std::filesystem::path program;             // the crevice whose start-up is measured
 };
 
+// The built-in scenes that have triangles.
+std::vector<std::string> scenes_with_triangles();
+
 // One table: of each scene, triangles, ms of each pass by method xjun (0: left out) and of the frame with its
 // spread; `load`, ms to make or read the scene; `start_up`, ms of a whole `crevice render --size 320x180`
 // that writes the lit picture. All medians of kBenchRuns. Returns 0. Throws UsageError, InputError,
 // OutputError.
-// The built-in scenes that have any.
-std::vector<std::string> scenes_with_triangles();
-
 inline constexpr int kBenchRuns = 15;
 int bench_frames(const FramesOptions& options, std::ostream& out);
 

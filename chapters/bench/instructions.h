@@ -1,8 +1,8 @@
 // `crevice bench --instructions`: the instructions of small frames, counted by callgrind, against stored
 // figures.
 // How:  this program draws columns, columns_luna and cornell at 160x90 with --threads 1 --isa avx2, and
-//       callgrind writes down its counter whenever a pass's clock is read. Of two frames the second counts:
-//       the first also makes its buffers. Start-up and files lie outside every pass.
+//       callgrind writes down its counter whenever a pass's clock is read. Start-up and files lie outside
+//       every pass.
 // Says: counts repeat to four digits on any machine of one compiler, so a small change shows. They know
 //       nothing of lanes, caches and threads, and are never called time.
 #pragma once
@@ -20,7 +20,8 @@ struct InstructionsOptions {
     std::filesystem::path program;             // the crevice to be counted
 };
 
-// Returns 0, or 1 when a count changed; with figures of another compiler it says so and returns 0. Throws
+// Returns 0, or 1 when a count changed; with figures of another compiler it says so and returns 0, or 1
+// where the environment has CI. Throws
 // InputError without valgrind, AVX2 or figures, or when the counting goes wrong or takes over a minute;
 // OutputError.
 int bench_instructions(const InstructionsOptions& options, std::ostream& out);

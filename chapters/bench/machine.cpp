@@ -53,7 +53,7 @@ std::string busy_note(const PassTime& frame, int threads) {
     constexpr double kShortest_ms = 5, kLeastShare = 0.8;
     const double share = frame.cpu_ms / (frame.wall_ms * threads);
     if (frame.wall_ms < kShortest_ms || share >= kLeastShare) return "";
-    return "Other programs ran: our frames had " + std::to_string(static_cast<int>(100 * share)) +
+    return "Perhaps other programs ran: our frames had " + std::to_string(static_cast<int>(100 * share)) +
            " % of the processors they could use. Ratios of pairs hold better than times; repeat on a quiet "
            "machine.";
 }

@@ -66,8 +66,12 @@ Duel fight(const SceneArgument& argument, const std::string& name, PeerSession& 
     Progress progress(name, options.pairs + 1);
     duel.renderer = peer.load(peer_scene(argument.scene, camera, options.size, request.settings));
     for (int pair = 0; pair <= options.pairs; ++pair) {
+        // Each goes first in every second pair.
+        FrameClock theirs;
+        if (pair % 2 == 1) theirs = peer.frame();
         const Frame frame = render_frame(argument.scene, camera, request);
-        const FrameClock ours = times_of(frame, name), theirs = peer.frame();
+        const FrameClock ours = times_of(frame, name);
+        if (pair % 2 == 0) theirs = peer.frame();
         if (pair == 0) {
             duel.first_hash = content_hash(frame.lit);
         } else {
@@ -120,8 +124,9 @@ bool add_agreement(Table& table, const std::string& scene, const Duel& duel, std
     }
     for (const Agreement& a : duel.agreement) {
         same = same && a.holds();
-        table.rows.push_back({scene, a.buffer, a.measure, Cell(a.value, 5), Cell(a.limit, 5),
-                              a.holds() ? "same" : "DIFFERENT"});
+        table.rows.push_back({scene, a.buffer, a.measure, Cell(a.value, 5),
+                              a.limit ? Cell(*a.limit, 5) : Cell(),
+                              !a.limit ? "told" : (a.holds() ? "same" : "DIFFERENT")});
     }
     return same;
 }

@@ -1,5 +1,6 @@
 #include "chapters/bench/point.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "chapters/bench/child.h"

@@ -152,6 +152,13 @@ int bench_scale(const ScaleOptions& options, std::ostream& out) {
                        {point_table(studies), exponent_table(studies), memory_table(need), thread_table()}};
     out << facts_text(report.facts);
     for (const Table& table : report.tables) out << "\n" << table_text(table);
+    for (const ScaleStudy& study : studies) {
+        for (const PointFigures& figures : study.figures) {
+            const std::string note = busy_note(figures.passes.back(), thread_count(run));
+            if (!note.empty())
+                out << study.name << ", " << figures.triangles << " triangles: " << note << "\n";
+        }
+    }
     const bool fits = need.largest_picture_bytes < kMemoryLimit_bytes;
     if (!fits) out << "7680x4320 needs more than " << kMemoryLimit_bytes / kMegabyte << " MB.\n";
     if (options.out) {
