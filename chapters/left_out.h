@@ -20,7 +20,8 @@ struct SkippedWork {
     const char* unit = "";
 };
 
-// One entry a kind, those with count 0 too. `passes` is not among them: its reasons are Needs::left_out.
+// One entry a kind that can be counted, those with count 0 too. `passes` is not among them: its reasons are
+// Needs::left_out; nor are faint highlights, which are left out eight pixels here and there.
 std::vector<SkippedWork> skipped_work(const ScreenGeometry& geometry, const GBuffer& gbuffer,
                                       const FrameTiles& tiles);
 

@@ -46,9 +46,13 @@ CREVICE_INLINE Vec3<F> phong(const SurfacePoint<F>& s, const Material& material,
 inline float invisible_highlight(const Material& material) {
     const glm::vec3& albedo = material.diffuse;
     const float m = material.shininess, smallest = glm::min(albedo.x, glm::min(albedo.y, albedo.z));
-    if (!(smallest > 0) || !(m > 0)) return 0;
+    // With a specular reflectance above 1 so may be the Fresnel term, and a highlight is more than its roughness.
+    const bool bounded =
+        glm::max(material.specular.x, glm::max(material.specular.y, material.specular.z)) <= 1;
+    if (!(smallest > 0) || !(m > 0) || !bounded) return 0;
     const float log2_highest = log2_of(smallest) - 26 - log2_of((m + 8) / 8);
-    constexpr float margin = 0.999f;  // of the approximations above and of power()
+    if (log2_highest < -125) return 0;  // power() ends at 2^-126
+    constexpr float margin = 0.999f;    // of the approximations above and of power()
     return margin * exp2_of(log2_highest / m);
 }
 

@@ -115,7 +115,7 @@ TEST_CASE("the peer draws the same picture, and another radius is noticed") {
             CHECK(a.holds());
         }
         MethodSettings wrong = request.settings;
-        wrong.ao.radius *= 2;
+        wrong.ao.radius *= 1.1f;
         peer.load(peer_scene(scene, scene.camera, request.size, wrong));
         bool noticed = false;
         for (const Agreement& a : agreement(scene, request, ours, peer.buffers()))

@@ -56,7 +56,7 @@ Lit lit_at(RandomSequence& random, const Material& material, double cosine) {
 // Shininess over its whole range; reflectances bright, dark, very dark, or zero in a channel.
 Material random_material(RandomSequence& random) {
     Material material;
-    const double brightness = random.whole(0, 1) == 0 ? 1 : std::exp2(random.between(-60, 0));
+    const double brightness = random.whole(0, 1) == 0 ? 1 : std::exp2(random.between(-149, 0));
     material.diffuse = random_vec3(random, 0.1 * brightness, brightness);
     if (random.whole(0, 9) == 0) material.diffuse[random.whole(0, 2)] = 0;
     material.specular = random.whole(0, 1) == 0 ? random_vec3(random, 0, 1) : glm::vec3(1);
