@@ -1,8 +1,6 @@
 #include "ssao/bvh.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -22,8 +20,8 @@ constexpr std::size_t kLeaf = kBvhWidth;
 constexpr std::size_t kSubtreeShare = 64;
 constexpr std::size_t kSmallSubtree = 2048;
 
-// The parts a node cuts its range into. While there is room the one with the largest box is cut, or the one with
-// the most triangles where that decides, or boxes are equal.
+// The parts a node cuts its range into. While there is room the one with the largest box is cut, or the one
+// with the most triangles where that decides, or boxes are equal.
 std::vector<TriangleRange> children_of(const TriangleRange& range, bool by_area, const Run& run) {
     std::vector<TriangleRange> children = {range};
     const auto rank = [&](const TriangleRange& r) {
@@ -31,9 +29,9 @@ std::vector<TriangleRange> children_of(const TriangleRange& range, bool by_area,
         return std::tuple(cut, by_area ? r.box.half_area() : 0.0, r.triangles.size());
     };
     while (children.size() < kBvhWidth) {
-        const auto next =
-            std::max_element(children.begin(), children.end(),
-                             [&](const TriangleRange& a, const TriangleRange& b) { return rank(a) < rank(b); });
+        const auto next = std::max_element(
+            children.begin(), children.end(),
+            [&](const TriangleRange& a, const TriangleRange& b) { return rank(a) < rank(b); });
         if (next->triangles.size() <= kLeaf) break;
         auto [left, right] = by_area ? split_by_area(*next, run) : split_in_halves(*next, run);
         *next = left;

@@ -3,9 +3,11 @@
 //         heuristic); Dammertz, Hanika & Keller 2008 and Wald, Benthin & Boulos 2008 (wide nodes).
 // In:     triangles with finite corners, at most 2^31 - 1 of them
 // Out:    Bvh; the same one at every thread count
-// Differs from the papers: the wide nodes are split directly, largest box first; every leaf is one block of up
-//         to eight triangles; below kSahLevels nodes a range is cut into equal parts, which bounds the depth.
-// Cost:   about n log n; two cores build 10 million triangles in seconds. See kBvhBytesPerTriangle.
+// Differs from the papers: the wide nodes are split directly, largest box first; every leaf is one block of
+//         up to eight triangles; deeper than kSahLevels a range is cut into equal parts, which bounds the
+//         depth.
+// Cost:   about n log n; 10 million triangles in 5 s. The tree keeps about 50 bytes a triangle, and while it
+//         is built up to 80 more are in use (32 for boxes, the subtrees twice).
 #pragma once
 
 #include <array>

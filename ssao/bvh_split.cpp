@@ -132,10 +132,9 @@ std::pair<TriangleRange, TriangleRange> split_by_area(const TriangleRange& range
     });
     const Cut cut = cheapest_cut(bins);
     if (cut.axis < 0) return split_in_halves(range, run);
-    const auto middle =
-        std::partition(range.triangles.begin(), range.triangles.end(), [&](const BoxedTriangle& t) {
-            return binning.bin(t.centre(), cut.axis) < cut.first_right;
-        });
+    const auto middle = std::partition(
+        range.triangles.begin(), range.triangles.end(),
+        [&](const BoxedTriangle& t) { return binning.bin(t.centre(), cut.axis) < cut.first_right; });
     const auto left = static_cast<std::size_t>(middle - range.triangles.begin());
     return {range_of(range.triangles.first(left), run), range_of(range.triangles.subspan(left), run)};
 }

@@ -47,8 +47,8 @@ struct TriangleRange {
 // `run` may bin a long range in several threads; the answer does not depend on it.
 TriangleRange range_of(std::span<BoxedTriangle> triangles, const Run& run);
 
-// Cuts between two of 16 bins of the axis where boxes' areas times the number of blocks is least. Ranges whose
-// centres coincide are cut in equal parts. Both parts hold at least one of the two or more triangles.
+// Cuts between two of 16 bins of the axis where boxes' areas times the number of blocks is least. Ranges
+// whose centres coincide are cut in equal parts. Both parts hold at least one of the two or more triangles.
 std::pair<TriangleRange, TriangleRange> split_by_area(const TriangleRange& range, const Run& run);
 
 // Two parts of n / 2 triangles, rounded up and down, in the order they are in.

@@ -41,8 +41,8 @@ inline bool usable(const Ray& ray) {
     return within && finite && (d.x >= 1 / kRayReach || d.y >= 1 / kRayReach || d.z >= 1 / kRayReach);
 }
 
-// The axes and the shear that turn a ray into the z axis, in float or double. "Depth" is the distance along the
-// axis of the direction's largest component, forwards positive.
+// The axes and the shear that turn a ray into the z axis, in float or double. "Depth" is the distance along
+// the axis of the direction's largest component, forwards positive.
 template <class Scalar>
 struct RaySpace {
     float origin[3];
@@ -63,7 +63,8 @@ RaySpace<Scalar> ray_space(const Ray& ray, float max_distance) {
     const int x = kNext[z], y = kNext[z + 1];
     const Scalar along = d[z], forward = along < 0 ? Scalar(-1) : Scalar(1);
     // No hit is deeper than two reaches; finite, so that no product below is 0 * inf.
-    const Scalar limit = std::min(static_cast<Scalar>(max_distance) * (forward * along), Scalar(4 * kRayReach));
+    const Scalar limit =
+        std::min(static_cast<Scalar>(max_distance) * (forward * along), Scalar(4 * kRayReach));
     return {{ray.origin.x, ray.origin.y, ray.origin.z}, x, y, z, d[x] / along, d[y] / along, forward, limit};
 }
 
@@ -94,13 +95,12 @@ CREVICE_INLINE F largest(Vec3<F> a, Vec3<F> b, Vec3<F> c, F Vec3<F>::*component)
     return max_of(absolute(a.*component), max_of(absolute(b.*component), absolute(c.*component)));
 }
 
-// The errors, with s = the largest |x| or |y|, z the largest |z| and e = kRoundoff: a difference of coordinates,
-// |a - origin| <= s + z, is off by e (s + z); the product with the shear by 3 e z; their difference by e s
-// more. So x and y are off by e (2 s + 4 z), a product of two of them by 2 s e (2 s + 4 z) + e s^2, and the
-// difference of two such products by e s (12 s + 16 z). 20 covers the terms in e^2.
+// The errors, with s = the largest |x| or |y|, z the largest |z| and e = kRoundoff: a difference of
+// coordinates, |a - origin| <= s + z, is off by e (s + z); the product with the shear by 3 e z; their
+// difference by e s more. So x and y are off by e (2 s + 4 z), a product of two of them by 2 s e (2 s + 4 z)
+// + e s^2, and the difference of two such products by e s (12 s + 16 z). 20 covers the terms in e^2.
 template <class F, class Scalar>
-CREVICE_INLINE SeenTriangle<F> seen_triangle(const RaySpace<Scalar>& space, const BvhBlock& block,
-                                             int lane) {
+CREVICE_INLINE SeenTriangle<F> seen_triangle(const RaySpace<Scalar>& space, const BvhBlock& block, int lane) {
     const Vec3<F> a = in_ray_space<F>(space, block.corner[0], lane),
                   b = in_ray_space<F>(space, block.corner[1], lane),
                   c = in_ray_space<F>(space, block.corner[2], lane);
@@ -141,11 +141,13 @@ CREVICE_INLINE Verdict<F> verdict(const RaySpace<float>& space, const BvhBlock& 
     return {Mask<F>(inside & in_range), Mask<F>(near_inside & near_in_range)};
 }
 
-// Where a ray meets a triangle, in double.
+// Where a ray meets a triangle, found in double. The distance is the largest that double's rounding error
+// allows for, which shows in float only for triangles seen nearly edge-on: so no box around the triangle is
+// further.
 struct ExactHit {
     bool met = false;
-    double distance = 0;  // multiples of the direction's length
-    double u = 0, v = 0;  // weights of the corners 1 and 2; corner 0 has 1 - u - v
+    float distance = 0;  // multiples of the direction's length
+    float u = 0, v = 0;  // weights of the corners 1 and 2; corner 0 has 1 - u - v
 };
 
 ExactHit exact_hit(const Ray& ray, float max_distance, const BvhBlock& block, int lane);
