@@ -27,7 +27,7 @@ Run run_of(const BenchWords& words) {
     return run;
 }
 
-int frames(const BenchWords& words) {
+FramesOptions frames_options(const BenchWords& words) {
     FramesOptions options;
     options.scenes = words.scenes;
     options.camera = words.camera;
@@ -35,7 +35,7 @@ int frames(const BenchWords& words) {
     options.run = run_of(words);
     options.out = directory_of(words);
     options.program = own_program();
-    return bench_frames(options, std::cout);
+    return options;
 }
 
 int peers(const BenchWords& words) {
@@ -61,16 +61,6 @@ int instructions(const BenchWords& words) {
     options.out = directory_of(words);
     options.program = own_program();
     return bench_instructions(options, std::cout);
-}
-
-int left_out(const BenchWords& words) {
-    LeftOutOptions options;
-    options.scenes = words.scenes;
-    options.camera = words.camera;
-    if (words.size) options.size = parse_size("--size", *words.size);
-    options.run = run_of(words);
-    options.out = directory_of(words);
-    return bench_left_out(options, std::cout);
 }
 
 int point(const BenchWords& words) {
@@ -123,11 +113,11 @@ int bench_command(const BenchWords& words) {
     require_used(words, bench);
     if (words.out) try_directory(*words.out);
     switch (bench) {
-        case Bench::frames: return frames(words);
+        case Bench::frames: return bench_frames(frames_options(words), std::cout);
         case Bench::peers: return peers(words);
         case Bench::scale: return scale(words);
         case Bench::instructions: return instructions(words);
-        case Bench::left_out: return left_out(words);
+        case Bench::left_out: return bench_left_out(frames_options(words), std::cout);
         case Bench::point: return point(words);
     }
     return static_cast<int>(ExitCode::usage);

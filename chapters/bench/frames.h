@@ -12,13 +12,14 @@
 
 namespace crevice {
 
+// Of bench_frames and bench_left_out.
 struct FramesOptions {
     std::vector<std::string> scenes;  // none: all built-in ones that have triangles
     CameraFlags camera;
     Size size{1280, 720};
     Run run;
     std::optional<std::filesystem::path> out;  // the directory for tables, if any
-    std::filesystem::path program;             // the crevice whose start-up is measured
+    std::filesystem::path program;             // of bench_frames: the crevice whose start-up is measured
 };
 
 // The built-in scenes that have triangles.

@@ -2,7 +2,6 @@
 
 #include <ostream>
 
-#include "chapters/bench/frames.h"
 #include "chapters/bench/machine.h"
 #include "chapters/bench/table.h"
 #include "chapters/savings.h"
@@ -14,7 +13,7 @@ namespace {
 
 constexpr int kPairs = 31;  // of the two whole frames; one in a thousand of run time is a small difference
 
-FrameRequest request_of(const LeftOutOptions& options, const Scene& scene) {
+FrameRequest request_of(const FramesOptions& options, const Scene& scene) {
     FrameRequest request;
     request.size = options.size;
     request.method = &find_method("xjun");
@@ -43,7 +42,7 @@ MedianInterval overhead(const Scene& scene, const Camera& camera, const FrameReq
 
 }  // namespace
 
-int bench_left_out(const LeftOutOptions& options, std::ostream& out) {
+int bench_left_out(const FramesOptions& options, std::ostream& out) {
     validate(options.run);
     Table kinds{"left_out", {"scene", "what", "count", "of", "unit", "saved_ms", "low", "high"}, {}};
     Table frames{"left_out_frames",
