@@ -33,7 +33,7 @@ Run run_of(const Words& words) {
     Run run;
     run.threads = static_cast<int>(parse_whole("--threads", words.threads, 0, 1024));
     run.lanes = static_cast<int>(parse_whole("--lanes", words.lanes, 1, 8));
-    run.tile_size = static_cast<int>(parse_whole("--tile", words.tile, 8, 128));
+    run.tile_size = static_cast<int>(parse_whole("--tile", words.tile, kSmallestTile_px, kLargestTile_px));
     if (words.keep_all) run.kept = KeptWork::all();
     if (!words.isa.empty()) {
         bool known = false;

@@ -18,7 +18,7 @@ namespace crevice {
 class HiddenTriangles {
  public:
     static constexpr int kSquare_px = 16;
-    static constexpr int kSquares = 128 / kSquare_px;  // along the largest tile
+    static constexpr int kSquares = kLargestTile_px / kSquare_px;  // along the largest tile
 
     explicit HiddenTriangles(PixelRect tile) : tile_(tile) {}
 

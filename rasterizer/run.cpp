@@ -58,7 +58,7 @@ void validate(const Run& run) {
     if (run.threads < 0 || run.threads > 1024)
         refuse("--threads must lie in 0..1024", run.threads, "0 means all");
     if (run.lanes != 1 && run.lanes != 8) refuse("--lanes must be 1 or 8", run.lanes, "8 is the fast one");
-    if (run.tile_size < 8 || run.tile_size > 128 ||
+    if (run.tile_size < kSmallestTile_px || run.tile_size > kLargestTile_px ||
         !std::has_single_bit(static_cast<unsigned>(run.tile_size))) {
         refuse("--tile must be a power of two in 8..128", run.tile_size, "64 is the default");
     }

@@ -14,11 +14,13 @@ Isa best_isa();
 bool isa_available(Isa isa);
 const char* isa_name(Isa isa);
 
+inline constexpr int kSmallestTile_px = 8, kLargestTile_px = 128;
+
 struct Run {
     int threads = 0;  // 0: as many as the machine has; 1: a plain loop that never enters the thread library
     int lanes = 8;    // 1 (plain floats, to step through) or 8 pixels at a time
     Isa isa = best_isa();  // which of the three compiled forms of each kernel
-    int tile_size = 64;    // pixels, a power of two in 8..128
+    int tile_size = 64;    // pixels, a power of two from kSmallestTile_px to kLargestTile_px
     KeptWork kept = {};    // work that cannot change a pixel, and is done all the same
 
     bool leaves_out(Skip skip) const { return !kept.contains(skip); }

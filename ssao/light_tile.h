@@ -1,10 +1,9 @@
 // Lights the pixels of a tile when it is known what they show: eight at a time, whatever the size of the triangles.
 #pragma once
 
+#include "rasterizer/fragment.h"
 #include "ssao/lighting.h"
 #include "ssao/widened_ao.h"
-
-#include "rasterizer/fragment.h"
 
 namespace crevice {
 

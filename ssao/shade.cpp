@@ -5,7 +5,6 @@
 
 #include <glm/common.hpp>
 
-#include "rasterizer/error.h"
 #include "ssao/light_tile.h"
 #include "ssao/texture_colour.h"
 

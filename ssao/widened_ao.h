@@ -21,7 +21,7 @@ struct AoTaps {
 template <class F>
 class WidenedAo {
  public:
-    static constexpr int kWidest_px = 128;
+    static constexpr int kWidest_px = kLargestTile_px;
 
     // x0 is a multiple of kRowAlignment; the strip ends at x1 <= x0 + kWidest_px.
     WidenedAo(const AoTaps& taps, int x0, int x1) : taps_(taps), x0_(x0), x1_(x1) {}

@@ -58,11 +58,7 @@ struct SceneFigures {
 SceneFigures measured(const FramesOptions& options, const std::string& name) {
     const SceneArgument scene = load_scene(name);
     const PassTime load = loading(name);
-    FrameRequest request;
-    request.size = options.size;
-    request.method = &find_method("xjun");
-    request.settings = settings_of(*request.method, {}, scene.scene.length_unit);
-    request.run = options.run;
+    FrameRequest request = bench_request(scene.scene, options.size, options.run);
     const Camera camera = chosen_camera(scene, options.camera);
     render_frame(scene.scene, camera, request);  // the first frame also makes the buffers
     request.repeats = kBenchRuns;
@@ -83,6 +79,15 @@ SceneFigures measured(const FramesOptions& options, const std::string& name) {
 }
 
 }  // namespace
+
+FrameRequest bench_request(const Scene& scene, Size size, const Run& run) {
+    FrameRequest request;
+    request.size = size;
+    request.method = &find_method("xjun");
+    request.settings = settings_of(*request.method, {}, scene.length_unit);
+    request.run = run;
+    return request;
+}
 
 std::vector<std::string> scenes_with_triangles() {
     std::vector<std::string> names;

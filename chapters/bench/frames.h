@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "chapters/frame.h"
 #include "chapters/scene_argument.h"
 #include "rasterizer/run.h"
 
@@ -21,6 +22,9 @@ struct FramesOptions {
     std::optional<std::filesystem::path> out;  // the directory for tables, if any
     std::filesystem::path program;             // of bench_frames: the crevice whose start-up is measured
 };
+
+// What the benchmarks draw: method xjun with its defaults, lengths in the scene's unit, every buffer.
+FrameRequest bench_request(const Scene& scene, Size size, const Run& run);
 
 // The built-in scenes that have triangles.
 std::vector<std::string> scenes_with_triangles();

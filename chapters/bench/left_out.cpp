@@ -13,15 +13,6 @@ namespace {
 
 constexpr int kPairs = 31;  // of the two whole frames; one in a thousand of run time is a small difference
 
-FrameRequest request_of(const FramesOptions& options, const Scene& scene) {
-    FrameRequest request;
-    request.size = options.size;
-    request.method = &find_method("xjun");
-    request.settings = settings_of(*request.method, {}, scene.length_unit);
-    request.run = options.run;
-    return request;
-}
-
 double frame_ms(const Scene& scene, const Camera& camera, const FrameRequest& request) {
     return render_frame(scene, camera, request).passes.back().wall_ms;
 }
@@ -52,7 +43,7 @@ int bench_left_out(const FramesOptions& options, std::ostream& out) {
     for (const std::string& name : options.scenes.empty() ? scenes_with_triangles() : options.scenes) {
         const SceneArgument argument = load_scene(name, true);
         const Camera camera = chosen_camera(argument, options.camera);
-        const FrameRequest request = request_of(options, argument.scene);
+        const FrameRequest request = bench_request(argument.scene, options.size, options.run);
         const Frame frame = render_frame(argument.scene, camera, request);
         std::vector<Skip> found;
         for (const SkippedWork& work : frame.skipped) {

@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "chapters/bench/agreement.h"
+#include "chapters/bench/frames.h"
 #include "chapters/bench/machine.h"
 #include "chapters/bench/statistics.h"
 #include "chapters/bench/table.h"
@@ -55,11 +56,7 @@ FrameClock times_of(const Frame& frame, const std::string& scene) {
 
 Duel fight(const SceneArgument& argument, const std::string& name, PeerSession& peer,
            const PeersOptions& options) {
-    FrameRequest request;
-    request.size = options.size;
-    request.method = &find_method("xjun");
-    request.settings = settings_of(*request.method, {}, argument.scene.length_unit);
-    request.run = options.run;
+    const FrameRequest request = bench_request(argument.scene, options.size, options.run);
     const Camera camera = chosen_camera(argument, options.camera);
 
     Duel duel;
