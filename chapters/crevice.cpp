@@ -11,7 +11,9 @@
 #include "chapters/methods.h"
 #include "chapters/parse.h"
 #include "chapters/render.h"
+#include "chapters/run_flags.h"
 #include "chapters/scene_argument.h"
+#include "chapters/truth_words.h"
 #include "rasterizer/error.h"
 
 namespace {
@@ -20,35 +22,17 @@ using namespace crevice;
 
 // The words of the command line, before they are looked at.
 struct Words {
-    std::string scene, size = "1280x720", ao = "xjun", ao_scale = ".5", only, isa, out = "out", a, b, html,
-                       method, which;
-    std::string threads = "0", lanes = "8", tile = "64", repeat = "1", chapter_size, seed = "1";
+    std::string scene, size = "1280x720", ao = "xjun", ao_scale = ".5", only, out = "out", a, b, html, method,
+                       which;
+    std::string repeat = "1", chapter_size, seed = "1";
     std::vector<std::string> params;
     CameraFlags camera;
+    RunWords run;
     BenchWords bench;
-    bool keep_all = false, step = false, quiet = false;
+    TruthWords truth;
+    BakeWords bake;
+    bool step = false, quiet = false;
 };
-
-Run run_of(const Words& words) {
-    Run run;
-    run.threads = static_cast<int>(parse_whole("--threads", words.threads, 0, 1024));
-    run.lanes = static_cast<int>(parse_whole("--lanes", words.lanes, 1, 8));
-    run.tile_size = static_cast<int>(parse_whole("--tile", words.tile, kSmallestTile_px, kLargestTile_px));
-    if (words.keep_all) run.kept = KeptWork::all();
-    if (!words.isa.empty()) {
-        bool known = false;
-        for (const Isa isa : {Isa::baseline, Isa::avx2, Isa::avx512}) {
-            if (words.isa != isa_name(isa)) continue;
-            run.isa = isa;
-            known = true;
-        }
-        if (!known)
-            throw UsageError("--isa: no such instruction set (" + words.isa +
-                             "); give baseline, avx2 or avx512");
-    }
-    validate(run);
-    return run;
-}
 
 WantedBuffers buffers_of(const std::string& list) {
     if (list.empty()) return all_buffers();
@@ -74,7 +58,7 @@ int render(const Words& words) {
     options.camera = words.camera;
     options.out = words.out;
     FrameRequest& request = options.request;
-    request.run = run_of(words);
+    request.run = run_of(words.run);
     request.size = parse_size("--size", words.size);
     request.method = &find_method(words.ao);
     options.params = words.params;
@@ -96,29 +80,22 @@ int chapter(const Words& words) {
     return chapter_command(words.which, options);
 }
 
-void add_camera(CLI::App& command, CameraFlags& camera) {
-    command.add_option("--eye", camera.eye, "where the camera stands, x,y,z in the scene's own coordinates");
-    command.add_option("--target", camera.target, "what it looks at, x,y,z");
-    command.add_option("--fov-y", camera.fov_y, "vertical field of view, degrees");
-    command.add_option("--near", camera.near_plane, "near plane, scene units");
-    command.add_option("--far", camera.far_plane, "far plane, scene units");
-    command.add_option("--ortho", camera.ortho, "orthographic camera; height of the picture, scene units");
-}
-
 void add_bench(CLI::App& app, BenchWords& words) {
     CLI::App* bench = app.add_subcommand(
-        "bench", "Measure: ms per pass of scenes, or one of --peers --scale --instructions --left-out");
+        "bench",
+        "Measure: ms per pass of scenes, or one of --peers --scale --instructions --left-out --error");
     bench->add_option("SCENE", words.scenes, "scenes to measure; default: the built-in ones");
     bench->add_flag("--peers", words.peers, "our passes against the same on Mesa's llvmpipe, in turns");
     bench->add_flag("--scale", words.scale, "time and memory over pixels, triangles, samples and threads");
     bench->add_flag("--instructions", words.instructions, "instructions per pass against the stored figures");
     bench->add_flag("--left-out", words.left_out, "what leaving out saves, kind by kind");
+    bench->add_flag("--error", words.error, "error against run time: settings, ray casting, vertex bakes");
     bench->add_option("--scene", words.scene, "with --peers: one scene; default: columns and columns_luna");
     bench->add_option("--size", words.size, "size of the picture in pixels, WxH; default: 1280x720");
     bench->add_option("--pairs", words.pairs, "with --peers: how many pairs of frames, 15..999; default: 21");
-    add_camera(*bench, words.camera);
+    add_camera_flags(*bench, words.camera);
     bench->add_option("--threads", words.threads, "0: all; 1: a plain loop")->capture_default_str();
-    bench->add_flag("--quick", words.quick, "with --scale: smaller sizes, in about 20 s");
+    bench->add_flag("--quick", words.quick, "with --scale or --error: less of it, in under a minute");
     bench->add_flag("--bless", words.bless, "with --instructions: store the figures instead of comparing");
     bench->add_option("--figures", words.figures,
                       "with --instructions: where they are stored; default: tests/golden/instructions.json");
@@ -133,7 +110,7 @@ void add_render(CLI::App& app, Words& words) {
     render->add_option("SCENE", words.scene, "a built-in scene (crevice scenes) or the path of an OBJ file")
         ->required();
     render->add_option("--size", words.size, "size of the picture in pixels, WxH")->capture_default_str();
-    add_camera(*render, words.camera);
+    add_camera_flags(*render, words.camera);
     render->add_option("--ao", words.ao, "ambient-occlusion method (crevice methods)")->capture_default_str();
     render->add_option("--param", words.params, "name=value, any number of times (crevice params METHOD)")
         ->allow_extra_args(false);
@@ -141,11 +118,8 @@ void add_render(CLI::App& app, Words& words) {
         ->capture_default_str();
     render->add_option("--only", words.only,
                        "write only these buffers, comma-separated; the rest is left out");
-    render->add_flag("--keep-all", words.keep_all, "leave nothing out: the same buffers, more slowly");
-    render->add_option("--threads", words.threads, "0: all; 1: a plain loop")->capture_default_str();
-    render->add_option("--lanes", words.lanes, "pixels at a time, 1 or 8")->capture_default_str();
-    render->add_option("--isa", words.isa, "baseline, avx2 or avx512; default: the best this CPU has");
-    render->add_option("--tile", words.tile, "tile size in pixels, 8 16 32 64 or 128")->capture_default_str();
+    render->add_flag("--keep-all", words.run.keep_all, "leave nothing out: the same buffers, more slowly");
+    add_run_flags(*render, words.run);
     render
         ->add_option("--repeat", words.repeat,
                      "draw the frame this often: times are medians, and what leaving out saves is measured")
@@ -162,6 +136,8 @@ int run(int argc, char** argv) {
     app.require_subcommand(1);
     add_render(app, words);
     add_bench(app, words.bench);
+    add_truth(app, words.truth);
+    add_bake(app, words.bake);
     CLI::App* chapter_app =
         app.add_subcommand("chapter", "Run a chapter, or all, and write its pictures and OUT/index.html");
     chapter_app->add_option("WHICH", words.which, "a number such as 07, or all")->required();
@@ -211,6 +187,8 @@ int run(int argc, char** argv) {
     }
     if (app.got_subcommand("render")) return render(words);
     if (app.got_subcommand("bench")) return bench_command(words.bench);
+    if (app.got_subcommand("truth")) truth(words.truth);
+    if (app.got_subcommand("bake")) bake(words.bake);
     return 0;
 }
 

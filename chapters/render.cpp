@@ -6,10 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "chapters/picture.h"
+#include "chapters/buffer_writer.h"
+#include "chapters/output_directory.h"
 #include "chapters/savings.h"
-#include "rasterizer/error.h"
-#include "rasterizer/image_io.h"
 #include "rasterizer/write_file.h"
 
 namespace crevice {
@@ -17,35 +16,6 @@ namespace crevice {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// Writes one buffer both ways and describes it.
-class BufferWriter {
- public:
-    explicit BufferWriter(std::filesystem::path out) : out_(std::move(out)) {}
-
-    template <class Buffer>
-    void write(const std::string& name, const Buffer& buffer, const Picture& picture) {
-        write_npy(out_ / (name + ".npy"), buffer);
-        write_picture(out_ / (name + ".png"), picture);
-        const BufferStatistics& s = picture.statistics;
-        const Size size = picture.size;
-        Json shape = {size.height, size.width};
-        if constexpr (std::is_same_v<Buffer, Image3>) shape.push_back(3);
-        described_[name] = {{"shape", shape},
-                            {"min", s.min},
-                            {"max", s.max},
-                            {"mean", s.mean},
-                            {"nan", s.nan},
-                            {"inf", s.inf},
-                            {"hash", content_hash(buffer)}};
-        std::cout << (out_ / (name + ".png")).string() << ": " << picture.mapping << "\n";
-    }
-
-    Json described_ = Json::object();
-
- private:
-    std::filesystem::path out_;
-};
 
 Json described_buffers(const Frame& frame, const FrameRequest& request, const std::filesystem::path& out) {
     BufferWriter writer(out);
@@ -60,7 +30,7 @@ Json described_buffers(const Frame& frame, const FrameRequest& request, const st
     if (wanted("ao_raw")) writer.write("ao_raw", frame.ao_raw, ao_picture(frame.ao_raw));
     if (wanted("ao_blurred")) writer.write("ao_blurred", frame.ao_blurred, ao_picture(frame.ao_blurred));
     if (wanted("lit")) writer.write("lit", frame.lit, lit_picture(frame.lit));
-    return writer.described_;
+    return writer.described();
 }
 
 // Pairs of frames that one kind of work is measured with, at most.
@@ -117,18 +87,6 @@ Json passes_json(const RenderOptions& options, const Frame& frame, const std::ve
             {"buffers", std::move(buffers)}};
 }
 
-// Before anything is drawn: a directory that cannot be made or written to is known now, not after a long run.
-void try_output_directory(const std::filesystem::path& out) {
-    std::error_code error;
-    std::filesystem::create_directories(out, error);
-    if (error)
-        throw OutputError(out.string() + ": cannot make this directory (" + error.message() +
-                          "); choose another --out");
-    const std::filesystem::path trial = out / ".crevice";
-    write_file_atomically(trial, "");
-    std::filesystem::remove(trial, error);
-}
-
 void print_times(const Frame& frame, const std::vector<Saving>& savings,
                  const std::vector<LoadStep>& load_steps) {
     double load_ms = 0;
@@ -163,7 +121,7 @@ void render_command(const RenderOptions& given) {
     // Before the scene is loaded, for a quick answer to a wrong word.
     settings_of(*request.method, options.params);
     // Loads no texture when no picture shows one.
-    const SceneArgument argument = load_scene(options.scene, request.wanted.contains("lit"));
+    const SceneArgument argument = load_scene(options.scene, {.textures = request.wanted.contains("lit")});
     const Camera camera = chosen_camera(argument, options.camera);
     const float ao_scale = request.settings.ao.ao_scale;
     request.settings = settings_of(*request.method, options.params, argument.scene.length_unit);

@@ -12,7 +12,7 @@
 
 namespace crevice {
 
-SceneArgument load_scene(const std::string& name_or_path, bool with_textures) {
+SceneArgument load_scene(const std::string& name_or_path, const WantedOfObj& wanted) {
     if (const BuiltinScene* builtin = find_builtin_scene(name_or_path)) {
         const auto start = std::chrono::steady_clock::now();
         Scene scene = builtin->make();
@@ -25,8 +25,8 @@ SceneArgument load_scene(const std::string& name_or_path, bool with_textures) {
                          ": neither a built-in scene nor a file; `crevice scenes` lists the scenes");
     }
     ObjOptions options;
-    options.want_textures = with_textures;
-    options.want_unused_texcoords = false;
+    options.want_textures = wanted.textures;
+    options.want_unused_texcoords = wanted.unused_texcoords;
     LoadedObj loaded = load_obj(name_or_path, options);
     for (const std::string& warning : loaded.report.warnings) std::cerr << warning << "\n";
     return {std::move(loaded.scene), true, std::move(loaded.steps)};

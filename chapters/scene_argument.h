@@ -14,9 +14,14 @@ struct SceneArgument {
     std::vector<LoadStep> load_steps;  // what making or reading it took
 };
 
-// Warnings of the OBJ loader go to stderr. `with_textures` false leaves texture files unread. Throws
-// InputError.
-SceneArgument load_scene(const std::string& name_or_path, bool with_textures = true);
+// What of an OBJ file is wanted beside its triangles and materials.
+struct WantedOfObj {
+    bool textures = true;           // else texture files stay unread
+    bool unused_texcoords = false;  // texture coordinates that no texture asks for
+};
+
+// Warnings of the OBJ loader go to stderr. Throws InputError.
+SceneArgument load_scene(const std::string& name_or_path, const WantedOfObj& wanted = {});
 
 // The camera flags, each as it was typed; nothing means: as the scene says.
 struct CameraFlags {

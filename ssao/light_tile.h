@@ -50,7 +50,7 @@ struct TileLighting {
         if (!any(left)) return colour;
         const Vec3<F> ray = view_ray_at<F>(geometry, x, y);
         const Vec3<F> to_eye = normalize_or<F>({F(0) - ray.x, F(0) - ray.y, F(0) - ray.z}, ray);
-        const SurfacePoint<F> point{surface.n_view, to_eye, surface.texture, accessibility};
+        const LitPoint<F> point{surface.n_view, to_eye, surface.texture, accessibility};
         do {
             const std::int32_t index = scene.materials.size() == 1
                                            ? 0

@@ -13,7 +13,7 @@ namespace crevice {
 
 // A point to be lit.
 template <class F>
-struct SurfacePoint {
+struct LitPoint {
     Vec3<F> n, to_eye;       // unit
     Vec3<F> texture_colour;  // multiplies diffuse and ambient reflectance
     F accessibility;         // multiplies every ambient term
@@ -23,7 +23,7 @@ using ViewLights = std::vector<DirectionalLight>;
 
 // Seed 000: ambient, diffuse and Phong specular of each light; the texture multiplies the first two.
 template <class F>
-CREVICE_INLINE Vec3<F> phong(const SurfacePoint<F>& s, const Material& material, const ViewLights& lights) {
+CREVICE_INLINE Vec3<F> phong(const LitPoint<F>& s, const Material& material, const ViewLights& lights) {
     const F zero = F(0);
     Vec3<F> ambient{zero, zero, zero}, diffuse = ambient, specular = ambient;
     for (const DirectionalLight& light : lights) {
@@ -60,7 +60,7 @@ inline float invisible_highlight(const Material& material) {
 // Schlick's Fresnel term and brought into [0,1) for a low dynamic range. Highlights up to `no_highlight_below`
 // (0, or invisible_highlight of an untextured surface) are left out.
 template <class F>
-CREVICE_INLINE Vec3<F> blinn_schlick(const SurfacePoint<F>& s, const Material& material,
+CREVICE_INLINE Vec3<F> blinn_schlick(const LitPoint<F>& s, const Material& material,
                                      const ViewLights& lights, const glm::vec3& ambient_light,
                                      float no_highlight_below) {
     const F zero = F(0), one = F(1);

@@ -1,5 +1,6 @@
 #include "ssao/luna_occlusion.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -58,6 +59,30 @@ Image<float> luna_occlusion(const AoInputs& inputs, const LunaSettings& settings
                     }
                 }
             });
+    });
+    return ao;
+}
+
+Image<float> luna_occlusion_in_double(const AoInputs& inputs, const LunaSettings& settings, const Run& run) {
+    validate(settings);
+    Image<float> ao(inputs.size(), 1.0f);
+    const LunaKernel kernel(inputs, settings);
+    const RandomMap map = random_map(settings.seed);
+    parallel_rows(ao.size.height, run, [&](int first_row, int end_row) {
+        for (int y = first_row; y < end_row; ++y) {
+            for (int x = 0; x < ao.size.width; ++x) {
+                const double z = inputs.view_depth.at(x, y);
+                if (!(z < std::numeric_limits<double>::infinity())) continue;
+                const double u = (x + 0.5) / ao.size.width, v = (y + 0.5) / ao.size.height;
+                const Vec3<double> n = {inputs.normal.x.at(x, y), inputs.normal.y.at(x, y),
+                                        inputs.normal.z.at(x, y)};
+                const Vec3<double> p = inputs.rays.p_view(u, v, z);
+                const double access = kernel.accessibility(p, n, kernel.random_vector(map, u, v));
+                const double contrast =
+                    std::pow(std::max(access, 0.0), static_cast<double>(settings.exponent));
+                ao.at(x, y) = stored_as(static_cast<float>(std::min(contrast, 1.0)), settings.format);
+            }
+        }
     });
     return ao;
 }

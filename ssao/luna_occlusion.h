@@ -44,6 +44,10 @@ void validate(const LunaSettings& settings);
 // One AO map of what `inputs` see. 1 where there is no surface.
 Image<float> luna_occlusion(const AoInputs& inputs, const LunaSettings& settings, const Run& run);
 
+// The same kernel in double, pixel by pixel, rounded at the end: what luna_occlusion() would be without rounding
+// errors of its own. The exponent is taken by libm: to compare with, not to keep.
+Image<float> luna_occlusion_in_double(const AoInputs& inputs, const LunaSettings& settings, const Run& run);
+
 // ---- the kernel, for one texel or eight
 
 // A position between four pixels of the depth map.

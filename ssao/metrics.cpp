@@ -7,6 +7,7 @@
 #include <string>
 
 #include "rasterizer/error.h"
+#include "ssao/percentile.h"
 
 namespace crevice {
 
@@ -151,14 +152,6 @@ Sums sum_differences(const PlaneList& a, const PlaneList& b, const Image<std::ui
     return sums;
 }
 
-// The smallest magnitude that at least 99 in 100 do not exceed (nearest rank). Reorders its copy.
-double percentile_99(std::vector<double> magnitudes) {
-    const std::size_t rank = (magnitudes.size() * 99 + 99) / 100;
-    const auto at = magnitudes.begin() + static_cast<std::ptrdiff_t>(rank - 1);
-    std::nth_element(magnitudes.begin(), at, magnitudes.end());
-    return *at;
-}
-
 double mean_ssim(const PlaneList& a, const PlaneList& b, const Image<std::uint8_t>& compared,
                  const Sums& sums) {
     SsimSum total;
@@ -196,7 +189,7 @@ ImageError compare_planes(const PlaneList& a, const PlaneList& b) {
     error.bias = sums.difference / values;
     error.max_abs = *std::max_element(sums.magnitudes.begin(), sums.magnitudes.end());
     error.ssim = mean_ssim(a, b, compared, sums);
-    error.p99 = percentile_99(std::move(sums.magnitudes));
+    error.p99 = percentile(std::move(sums.magnitudes), 99);
     return error;
 }
 
@@ -207,6 +200,8 @@ PlaneList list(const Planes& planes) {
 }
 
 }  // namespace
+
+void check_same_size(const Image<float>& a, const Image<float>& b) { check_alike({&a}, {&b}); }
 
 ImageError compare_images(const Image<float>& a, const Image<float>& b) { return compare_planes({&a}, {&b}); }
 

@@ -19,7 +19,7 @@ struct ImageError {
     double mae = 0;        // [0, ~] mean |a - b|
     double bias = 0;       // mean (a - b), signed
     double max_abs = 0;    // [0, ~] largest |a - b|
-    double p99 = 0;        // [0, ~] the smallest |a - b| that at least 99 in 100 values do not exceed
+    double p99 = 0;        // [0, ~] percentile() 99 of |a - b|
     double ssim = 1;       // [-1, 1], 1: alike. Without a whole window (a side below 11 pixels, or in each
                            // a pixel left out): one window, equal weights, over all compared values
     long long pixels = 0;  // all pixels of the image
@@ -32,6 +32,9 @@ struct ImageError {
 };
 
 // Throws InputError naming both shapes when they differ or have no pixels.
+void check_same_size(const Image<float>& a, const Image<float>& b);
+
+// Throws like check_same_size().
 ImageError compare_images(const Image<float>& a, const Image<float>& b);
 ImageError compare_images(const Image3& a, const Image3& b);
 ImageError compare_images(const Planes& a, const Planes& b);

@@ -72,10 +72,10 @@ TEST_CASE("ratio_interval is of the pairs: what slows both sides alike changes n
 
 TEST_CASE("verdict: an aim is met or missed only when the whole interval says so") {
     const MedianInterval interval{10, 9, 11, 0.97};
-    CHECK(verdict(interval, 9) == Verdict::met);
-    CHECK(verdict(interval, 9.5) == Verdict::undecided);
-    CHECK(verdict(interval, 11) == Verdict::undecided);
-    CHECK(verdict(interval, 11.5) == Verdict::missed);
+    CHECK(verdict(interval, 9) == AimVerdict::met);
+    CHECK(verdict(interval, 9.5) == AimVerdict::undecided);
+    CHECK(verdict(interval, 11) == AimVerdict::undecided);
+    CHECK(verdict(interval, 11.5) == AimVerdict::missed);
 }
 
 TEST_CASE("fitted_power_law: exact laws give their exponent, and noise its standard error") {

@@ -1,43 +1,21 @@
 // The program as a user meets it: exit codes, one clear line for each mistake, and the files it leaves.
 #include <doctest/doctest.h>
 
-#include <sys/wait.h>
-
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <memory>
 #include <string>
 #include <tuple>
 
 #include <nlohmann/json.hpp>
 
 #include "rasterizer/image_io.h"
+#include "tests/crevice_says.h"
 #include "tests/scratch_directory.h"
 
 using namespace crevice;
 
 namespace {
-
-struct Outcome {
-    int code;
-    std::string text;  // stdout and stderr
-};
-
-Outcome crevice_says(const std::string& arguments) {
-    const std::string command = std::string(CREVICE_PROGRAM) + " " + arguments + " 2>&1 </dev/null";
-    std::FILE* pipe = popen(command.c_str(), "r");
-    REQUIRE(pipe != nullptr);
-    Outcome outcome;
-    std::array<char, 4096> buffer;
-    for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
-        outcome.text.append(buffer.data(), n);
-    const int status = pclose(pipe);
-    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    return outcome;
-}
 
 void write_text(const std::filesystem::path& path, const std::string& text) { std::ofstream(path) << text; }
 

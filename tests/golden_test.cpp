@@ -11,10 +11,10 @@
 #include <doctest/doctest.h>
 
 #include "chapters/difference_page.h"
-#include "chapters/frame.h"
 #include "chapters/picture.h"
 #include "rasterizer/error.h"
 #include "scenes/builtin_scenes.h"
+#include "tests/golden_buffers.h"
 #include "tests/golden_options.h"
 #include "tests/scratch_directory.h"
 
@@ -22,52 +22,14 @@ using namespace crevice;
 
 namespace {
 
-constexpr Size kGoldenSize = {160, 90};
 constexpr const char* kReport = "golden-report.html";
 constexpr const char* kAccept = "crevice_tests --source-file=*golden_test.cpp --bless";
-
-struct GoldenBuffer {
-    std::string scene, buffer, method;
-    Planes values;
-
-    std::string name() const { return scene + " " + buffer; }
-    std::filesystem::path file(const std::filesystem::path& directory) const {
-        return directory / scene / (buffer + ".npy");
-    }
-    std::string replay() const {
-        return "crevice render " + scene + " --size 160x90 --ao " + method + " --only " + buffer +
-               " --out DIR";
-    }
-};
 
 std::string hash_of_planes(const Planes& planes) {
     if (planes.size() == 1) return content_hash(planes[0]);
     Image3 image;
     image.x = planes[0], image.y = planes[1], image.z = planes[2];
     return content_hash(image);
-}
-
-std::vector<GoldenBuffer> rendered_scenes() {
-    std::vector<GoldenBuffer> buffers;
-    for (const BuiltinScene& builtin : builtin_scenes()) {
-        const Scene scene = builtin.make();
-        const std::string method = builtin.name == std::string("columns_luna") ? "luna" : "xjun";
-        FrameRequest request;
-        request.size = kGoldenSize;
-        request.method = &find_method(method);
-        request.settings = request.method->defaults;
-        const Frame frame = render_frame(scene, scene.camera, request);
-        const auto add = [&](const char* buffer, Planes values) {
-            buffers.push_back({builtin.name, buffer, method, std::move(values)});
-        };
-        add("normal", planes_of(frame.gbuffer.normal));
-        add("view_depth", planes_of(frame.gbuffer.view_depth));
-        add("ndc_depth", planes_of(ndc_depth(frame.gbuffer.depth)));
-        add("ao_raw", planes_of(frame.ao_raw));
-        add("ao_blurred", planes_of(frame.ao_blurred));
-        add("lit", planes_of(frame.lit));
-    }
-    return buffers;
 }
 
 // hashes.txt: a line "scene buffer hash" for each buffer, sorted.
@@ -183,8 +145,8 @@ std::string report_on(const std::vector<GoldenBuffer>& buffers, const std::files
 }  // namespace
 
 TEST_CASE("golden: every buffer of every built-in scene has the bits on record") {
-    const std::vector<GoldenBuffer> buffers = rendered_scenes();
-    REQUIRE(buffers.size() == 6 * builtin_scenes().size());
+    const std::vector<GoldenBuffer> buffers = golden_buffers();
+    REQUIRE(buffers.size() == 10 * builtin_scenes().size());
     const GoldenOptions& options = golden_options();
     if (options.bless) {
         bless(buffers, options.directory);

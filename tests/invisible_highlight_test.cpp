@@ -26,7 +26,7 @@ Vec3<float> kernel_vector(const glm::dvec3& v) { return spread<float>(glm::vec3(
 // One light on one point.
 struct Lit {
     Material material;
-    SurfacePoint<float> point;
+    LitPoint<float> point;
     DirectionalLight light;
     glm::vec3 ambient_light;
     double cosine;  // between normal and half vector

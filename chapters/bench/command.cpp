@@ -4,12 +4,13 @@
 #include <initializer_list>
 #include <iostream>
 
+#include "chapters/bench/error.h"
 #include "chapters/bench/frames.h"
 #include "chapters/bench/instructions.h"
 #include "chapters/bench/left_out.h"
 #include "chapters/bench/peers.h"
 #include "chapters/bench/scale.h"
-#include "chapters/bench/table.h"
+#include "chapters/output_directory.h"
 #include "chapters/parse.h"
 #include "rasterizer/error.h"
 
@@ -63,22 +64,37 @@ int instructions(const BenchWords& words) {
     return bench_instructions(options, std::cout);
 }
 
+int error(const BenchWords& words) {
+    if (words.scenes.size() > 1)
+        throw UsageError("bench --error: more than one scene (" + words.scenes[1] + "); give one at a time");
+    BenchErrorOptions options;
+    options.scene = words.scenes.empty() ? "columns" : words.scenes.front();
+    options.camera = words.camera;
+    if (words.size) options.size = parse_size("--size", *words.size);
+    options.quick = words.quick;
+    options.run = run_of(words);
+    options.cache = default_cache();
+    options.out = directory_of(words);
+    return bench_error(options, std::cout);
+}
+
 int point(const BenchWords& words) {
     std::cout << figures_json(measure(point_from_word(*words.point))) << "\n";
     return static_cast<int>(ExitCode::done);
 }
 
 // The benchmarks, and which words belong to each.
-enum class Bench { frames, peers, scale, instructions, left_out, point };
+enum class Bench { frames, peers, scale, instructions, left_out, error, point };
 
 Bench chosen_bench(const BenchWords& words) {
-    if (words.peers + words.scale + words.instructions + words.left_out > 1)
+    if (words.peers + words.scale + words.instructions + words.left_out + words.error > 1)
         throw UsageError(
-            "bench: more than one of --peers --scale --instructions --left-out; give one at a time");
+            "bench: more than one of --peers --scale --instructions --left-out --error; give one at a time");
     if (words.point) return Bench::point;
     if (words.peers) return Bench::peers;
     if (words.scale) return Bench::scale;
     if (words.left_out) return Bench::left_out;
+    if (words.error) return Bench::error;
     return words.instructions ? Bench::instructions : Bench::frames;
 }
 
@@ -91,17 +107,18 @@ void require_used(const BenchWords& words, Bench bench) {
     };
     const CameraFlags& c = words.camera;
     const bool camera = c.eye || c.target || c.fov_y || c.near_plane || c.far_plane || c.ortho;
-    only_with(!words.scenes.empty(), "SCENE", {Bench::frames, Bench::left_out},
+    only_with(!words.scenes.empty(), "SCENE", {Bench::frames, Bench::left_out, Bench::error},
               "not with --peers --scale --instructions");
     only_with(words.scene.has_value(), "--scene", {Bench::peers}, "only with --peers");
     only_with(words.pairs.has_value(), "--pairs", {Bench::peers}, "only with --peers");
-    only_with(words.size.has_value(), "--size", {Bench::frames, Bench::peers, Bench::left_out},
+    only_with(words.size.has_value(), "--size", {Bench::frames, Bench::peers, Bench::left_out, Bench::error},
               "not with --scale --instructions");
-    only_with(camera, "camera flags", {Bench::frames, Bench::peers, Bench::left_out},
+    only_with(camera, "camera flags", {Bench::frames, Bench::peers, Bench::left_out, Bench::error},
               "not with --scale --instructions");
-    only_with(words.threads != "0", "--threads", {Bench::frames, Bench::peers, Bench::left_out, Bench::scale},
+    only_with(words.threads != "0", "--threads",
+              {Bench::frames, Bench::peers, Bench::left_out, Bench::scale, Bench::error},
               "not with --instructions");
-    only_with(words.quick, "--quick", {Bench::scale}, "only with --scale");
+    only_with(words.quick, "--quick", {Bench::scale, Bench::error}, "only with --scale and --error");
     only_with(words.bless, "--bless", {Bench::instructions}, "only with --instructions");
     only_with(words.figures.has_value(), "--figures", {Bench::instructions}, "only with --instructions");
 }
@@ -111,13 +128,14 @@ void require_used(const BenchWords& words, Bench bench) {
 int bench_command(const BenchWords& words) {
     const Bench bench = chosen_bench(words);
     require_used(words, bench);
-    if (words.out) try_directory(*words.out);
+    if (words.out) try_output_directory(*words.out);
     switch (bench) {
         case Bench::frames: return bench_frames(frames_options(words), std::cout);
         case Bench::peers: return peers(words);
         case Bench::scale: return scale(words);
         case Bench::instructions: return instructions(words);
         case Bench::left_out: return bench_left_out(frames_options(words), std::cout);
+        case Bench::error: return error(words);
         case Bench::point: return point(words);
     }
     return static_cast<int>(ExitCode::usage);

@@ -6,13 +6,21 @@
 
 namespace crevice {
 
-struct PlotCurve {
-    std::string name;
-    std::vector<double> x, y;  // of one length; values that are not above 0 are left out
+enum class PlotStyle {
+    line,   // a dot at each point, and a line through them in their order
+    dots,   // the dots alone
+    front,  // a ring round each point, and a dashed line: marks the best points of other series
 };
 
-// An <svg> with logarithmic axes, a line through each curve's points and its name at the end; where nothing
-// can be drawn, it says so.
+struct PlotCurve {
+    std::string name;          // in the legend
+    std::vector<double> x, y;  // of one length; points not finite or not above 0 are left out
+    std::vector<double> y_low = {}, y_high = {};  // empty, or one a point: a bar from low to high
+    PlotStyle style = PlotStyle::line;
+};
+
+// An <svg> with logarithmic axes over whole decades and a legend beside them; where nothing can be drawn, it
+// says so. A bar that reaches down to 0 or below is drawn to the bottom.
 std::string log_log_plot(const std::string& title, const std::string& x_label, const std::string& y_label,
                          const std::vector<PlotCurve>& curves);
 

@@ -1,18 +1,12 @@
 #include "chapters/bench/scale_page.h"
 
 #include "chapters/bench/plot.h"
+#include "chapters/bench/report_page.h"
 #include "chapters/html.h"
 
 namespace crevice {
 
 namespace {
-
-std::string facts_element(const Facts& facts) {
-    std::string html = "<table>\n";
-    for (const auto& [name, value] : facts)
-        html += "<tr><th>" + escape_html(name) + "</th><td>" + escape_html(value) + "</td></tr>\n";
-    return html + "</table>\n";
-}
 
 std::string time_plot(const ScaleStudy& study) {
     std::vector<PlotCurve> curves;
@@ -36,10 +30,7 @@ std::string scale_page(const BenchReport& report, const std::vector<ScaleStudy>&
         body += "<h2>Over " + escape_html(study.name) + "</h2>\n" + time_plot(study);
         if (study.name != "samples") body += memory_plot(study);
     }
-    for (const Table& table : report.tables)
-        body +=
-            "<h2>" + escape_html(table.name) + "</h2>\n<pre>" + escape_html(table_text(table)) + "</pre>\n";
-    return html_page("crevice bench --scale", body);
+    return html_page("crevice bench --scale", body + table_elements(report.tables));
 }
 
 }  // namespace crevice

@@ -59,16 +59,16 @@ MedianInterval ratio_interval(std::span<const double> a, std::span<const double>
     return median_interval(std::move(ratios));
 }
 
-Verdict verdict(const MedianInterval& interval, double aim) {
-    if (interval.low >= aim) return Verdict::met;
-    return interval.high < aim ? Verdict::missed : Verdict::undecided;
+AimVerdict verdict(const MedianInterval& interval, double aim) {
+    if (interval.low >= aim) return AimVerdict::met;
+    return interval.high < aim ? AimVerdict::missed : AimVerdict::undecided;
 }
 
-const char* verdict_name(Verdict verdict) {
+const char* verdict_name(AimVerdict verdict) {
     switch (verdict) {
-        case Verdict::met: return "met";
-        case Verdict::undecided: return "undecided";
-        case Verdict::missed: return "missed";
+        case AimVerdict::met: return "met";
+        case AimVerdict::undecided: return "undecided";
+        case AimVerdict::missed: return "missed";
     }
     return "";
 }

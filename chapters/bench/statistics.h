@@ -30,9 +30,9 @@ MedianInterval median_interval(std::vector<double> values);
 MedianInterval ratio_interval(std::span<const double> a, std::span<const double> b);
 
 // What an interval says about an aim of "at least this".
-enum class Verdict { met, undecided, missed };
-Verdict verdict(const MedianInterval& interval, double aim);
-const char* verdict_name(Verdict verdict);
+enum class AimVerdict { met, undecided, missed };
+AimVerdict verdict(const MedianInterval& interval, double aim);
+const char* verdict_name(AimVerdict verdict);
 
 // y = intercept + slope x by least squares, and the slope's standard error (0 for two points: no residual).
 struct Line {

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "rasterizer/error.h"
+#include "chapters/output_directory.h"
 #include "rasterizer/write_file.h"
 
 namespace crevice {
@@ -115,20 +115,8 @@ std::string json_text(const BenchReport& report) {
            "\n";
 }
 
-void try_directory(const std::filesystem::path& directory) {
-    std::error_code error;
-    std::filesystem::create_directories(directory, error);
-    if (error) {
-        throw OutputError(directory.string() + ": cannot make this directory (" + error.message() +
-                          "); choose another --out");
-    }
-    const std::filesystem::path trial = directory / ".crevice";
-    write_file_atomically(trial, "");
-    std::filesystem::remove(trial, error);
-}
-
 void write_report(const BenchReport& report, const std::filesystem::path& directory, std::ostream& out) {
-    try_directory(directory);
+    try_output_directory(directory);
     const auto write = [&](const std::string& name, const std::string& text) {
         write_file_atomically(directory / name, text);
         out << (directory / name).string() << "\n";

@@ -47,10 +47,6 @@ std::string csv_text(const Table& table);
 // {"facts": {...}, "tables": {NAME: [{COLUMN: value, ...}, ...], ...}}
 std::string json_text(const BenchReport& report);
 
-// Makes the directory and tries to write there: known before a long measurement, not after. Throws
-// OutputError.
-void try_directory(const std::filesystem::path& directory);
-
 // DIR/bench_NAME.csv of every table and DIR/bench_NAME.json, each named on `out`. Throws OutputError.
 void write_report(const BenchReport& report, const std::filesystem::path& directory, std::ostream& out);
 

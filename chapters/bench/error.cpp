@@ -1,0 +1,149 @@
+#include "chapters/bench/error.h"
+
+#include <cstdio>
+#include <memory>
+#include <ostream>
+
+#include "chapters/bench/error_page.h"
+#include "chapters/bench/machine.h"
+#include "chapters/progress.h"
+#include "rasterizer/error.h"
+#include "rasterizer/write_file.h"
+
+namespace crevice {
+
+namespace {
+
+std::string rounded(double value, int decimals) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*f", decimals, value);
+    return text;
+}
+
+// Every point of a study, whole.
+Table point_table(const ErrorStudy& study) {
+    Table table{std::string("error_points_") + study.method->name,
+                {"method", "setting", "time_ms", "time_mad_ms", "runs", "truth_rmse", "lowest", "highest",
+                 "standard_error", "truth_bias", "screen_rmse", "limit_rmse", "truth_rmse_fitted_power"},
+                {}};
+    for (const StudyPoint& p : study.points) {
+        table.rows.push_back({p.method, p.setting, Cell(p.time.wall_ms, 3), Cell(p.time.wall_ms_mad, 3),
+                              Cell(p.time.runs, 0), Cell(p.truth.rmse, 5), Cell(p.truth.lowest, 5),
+                              Cell(p.truth.highest, 5), Cell(p.truth.error, 5), Cell(p.truth.bias, 5),
+                              Cell(p.screen.rmse, 5), p.limit ? Cell(p.limit->rmse, 5) : Cell(),
+                              p.fitted_rmse ? Cell(*p.fitted_rmse, 5) : Cell()});
+    }
+    return table;
+}
+
+Table part_table(const ErrorStudy& study) {
+    Table table{
+        std::string("error_parts_") + study.method->name, {"step", "bias", "rmse_alone", "share_of_mse"}, {}};
+    for (const ErrorPart& part : study.parts.parts)
+        table.rows.push_back({part.step, Cell(part.bias, 6), Cell(part.rmse, 6), Cell(part.share, 8)});
+    const ErrorPart& total = study.parts.total;
+    table.rows.push_back({"total", Cell(total.bias, 6), Cell(total.rmse, 6), Cell(total.share, 8)});
+    return table;
+}
+
+Table reference_table(const ErrorStudy& study) {
+    Table table{std::string("error_references_") + study.method->name,
+                {"reference", "rays_or_seeds", "mean", "mean_standard_error", "max_standard_error"},
+                {}};
+    const std::pair<const char*, const Reference*> references[] = {{"truth", &study.references.soft},
+                                                                   {"screen", &study.references.screen},
+                                                                   {"limit", &study.references.limit}};
+    for (const auto& [name, r] : references) {
+        table.rows.push_back({name, Cell(static_cast<double>(r->rays), 0), Cell(r->mean, 5),
+                              Cell(r->mean_error, 6), Cell(r->max_error, 6)});
+    }
+    return table;
+}
+
+Facts facts_of(const BenchErrorOptions& options, const ErrorPlan& plan,
+               const std::vector<ErrorStudy>& studies) {
+    Facts facts = machine_facts(options.run);
+    facts.push_back({"scene", options.scene});
+    facts.push_back({"size", std::to_string(plan.size.width) + "x" + std::to_string(plan.size.height)});
+    facts.push_back({"seeds", std::to_string(plan.seeds) + " images of each setting"});
+    facts.push_back(
+        {"timed", "the AO pass and its blur; the rays of ray casting; the rays of a bake; median of " +
+                      std::to_string(plan.rounds) + " rounds in turns (" + std::to_string(plan.slow_rounds) +
+                      " above " + rounded(kSlow_ms, 0) + " ms)"});
+    for (const ErrorStudy& study : studies) {
+        const std::string name = study.method->name;
+        std::string fitted = rounded(study.fitted_exponent, 3) + ", fitted on";
+        for (const std::string& scene : study.fitted_on) fitted += " " + scene;
+        facts.push_back({name + ", radius", rounded(study.cast.radius, 3) + " scene units"});
+        facts.push_back({name + ", power", fitted});
+        facts.push_back({name + ", apart", "G-buffer and points " + rounded(study.references.points_ms, 1) +
+                                               " ms, both trees " + rounded(study.references.build_ms, 1) +
+                                               " ms"});
+    }
+    return facts;
+}
+
+ErrorStudy measured(const SceneArgument& argument, const Camera& camera, const Method& method,
+                    const ErrorPlan& plan, const BenchErrorOptions& options) {
+    std::unique_ptr<Progress> bar;
+    std::string shown;
+    long long last = 0;
+    const auto progress = [&](const char* stage, long long done, long long total) {
+        if (shown != stage) {
+            bar = nullptr;
+            bar = std::make_unique<Progress>(std::string(method.name) + " " + stage, total);
+            shown = stage;
+            last = 0;
+        }
+        bar->advance(done - last);
+        last = done;
+    };
+    return error_study(argument.scene, camera, method, plan, options.cache, true, options.run, progress);
+}
+
+}  // namespace
+
+std::vector<ErrorPoint> points_against_truth(const ErrorStudy& study) {
+    std::vector<ErrorPoint> points;
+    for (const StudyPoint& p : study.points)
+        points.push_back(
+            {p.method, p.setting, p.time.wall_ms, p.truth.rmse, p.truth.lowest, p.truth.highest});
+    return points;
+}
+
+int bench_error(const BenchErrorOptions& options, std::ostream& out) {
+    validate(options.run);
+    ErrorPlan plan = options.quick ? quick_error_plan() : full_error_plan();
+    if (options.size) plan.size = *options.size;
+    const SceneArgument argument = load_scene(options.scene, {.textures = false});
+    if (triangle_count(argument.scene) == 0)
+        throw InputError(options.scene + ": no error to measure (0 triangles); give a scene with some");
+    const Camera camera = chosen_camera(argument, options.camera);
+    std::vector<ErrorStudy> studies;
+    BenchReport report{"error", {}, {}};
+    for (const Method& method : ao_methods()) {
+        if (!method.computes_ao) continue;
+        studies.push_back(measured(argument, camera, method, plan, options));
+        const ErrorStudy& study = studies.back();
+        const std::vector<ErrorPoint> points = points_against_truth(study);
+        report.tables.push_back(reference_table(study));
+        report.tables.push_back(point_table(study));
+        for (Table table : {equal_time_table(points, kBudgets_ms), equal_error_table(points, kErrorLevels)}) {
+            table.name += std::string("_") + method.name;
+            report.tables.push_back(std::move(table));
+        }
+        report.tables.push_back(part_table(study));
+    }
+    report.facts = facts_of(options, plan, studies);
+    out << facts_text(report.facts);
+    for (const Table& table : report.tables) out << "\n" << table.name << "\n" << table_text(table);
+    if (options.out) {
+        write_report(report, *options.out, out);
+        const std::filesystem::path page = *options.out / "bench_error.html";
+        write_file_atomically(page, error_page(report, studies));
+        out << page.string() << "\n";
+    }
+    return static_cast<int>(ExitCode::done);
+}
+
+}  // namespace crevice

@@ -1,0 +1,33 @@
+// `crevice bench --error SCENE`: error against run time of the tutorials' methods, of ray casting and of vertex
+// bakes.
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <optional>
+#include <string>
+
+#include "chapters/error_points.h"
+#include "chapters/error_study.h"
+#include "chapters/scene_argument.h"
+
+namespace crevice {
+
+struct BenchErrorOptions {
+    std::string scene;
+    CameraFlags camera;
+    std::optional<Size> size;  // none: the plan's
+    bool quick = false;
+    Run run;
+    std::optional<std::filesystem::path> cache;  // of the references
+    std::optional<std::filesystem::path> out;    // the directory for bench_error.html, CSV and JSON, if any
+};
+
+// One study a method, with tables of all points, at equal time and at equal error, and where the error comes
+// from. Returns 0. Throws UsageError, InputError (a scene without triangles), OutputError.
+int bench_error(const BenchErrorOptions& options, std::ostream& out);
+
+// Points against T for the tables and plots of error_points.h.
+std::vector<ErrorPoint> points_against_truth(const ErrorStudy& study);
+
+}  // namespace crevice

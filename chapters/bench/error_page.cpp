@@ -1,0 +1,62 @@
+#include "chapters/bench/error_page.h"
+
+#include <cmath>
+
+#include "chapters/bench/error.h"
+#include "chapters/bench/plot.h"
+#include "chapters/bench/report_page.h"
+#include "chapters/error_picture.h"
+#include "chapters/html.h"
+#include "chapters/picture.h"
+#include "rasterizer/image_io.h"
+
+namespace crevice {
+
+namespace {
+
+// The size of the bias over time: where a biased method flattens.
+std::string bias_plot(const ErrorStudy& study) {
+    std::vector<ErrorPoint> points;
+    for (const StudyPoint& p : study.points) {
+        const double bias = std::abs(p.truth.bias);
+        points.push_back({p.method, p.setting, p.time.wall_ms, bias, bias, bias});
+    }
+    return log_log_plot("Bias over time", "median wall time, ms", "|mean difference| from T",
+                        error_curves(points));
+}
+
+std::string signed_pictures(const ErrorStudy& study) {
+    std::string html = "<p>Each step's change, red: too open, blue: too closed, full colour at " +
+                       std::to_string(kDifferenceScale).substr(0, 4) + " and beyond.</p>\n";
+    const auto add = [&](const ErrorPart& part, const std::string& name) {
+        const Picture picture = difference_picture(part.difference);
+        html += "<figure>" +
+                image_element(png_bytes(picture.size, picture.channels, picture.pixels), picture.size, name) +
+                "<figcaption>" + escape_html(name) + "</figcaption></figure>\n";
+    };
+    for (const ErrorPart& part : study.parts.parts) add(part, part.step);
+    add(study.parts.total, "total");
+    return html;
+}
+
+std::string section(const ErrorStudy& study) {
+    const std::string name = study.method->name;
+    return "<h2>" + escape_html(name) + "</h2>\n" +
+           log_log_plot("Error over time", "median wall time, ms", "RMSE against T, debiased",
+                        error_curves(points_against_truth(study))) +
+           bias_plot(study) + "<h3>Where the error of " + escape_html(name) + ", " +
+           escape_html(setting_name(study.parts_setting)) + ", comes from</h3>\n" + signed_pictures(study);
+}
+
+}  // namespace
+
+std::string error_page(const BenchReport& report, const std::vector<ErrorStudy>& studies) {
+    std::string body = "<h1>Error against run time</h1>\n" + facts_element(report.facts);
+    std::vector<StackedBar> bars;
+    for (const ErrorStudy& study : studies) bars.push_back(error_bar(study.method->name, study.parts));
+    for (const ErrorStudy& study : studies) body += section(study);
+    body += stacked_bars("Shares of each step in the mean squared error", "mean squared error", bars);
+    return html_page("crevice bench --error", body + table_elements(report.tables));
+}
+
+}  // namespace crevice

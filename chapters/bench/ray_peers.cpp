@@ -1,0 +1,234 @@
+#include "chapters/bench/ray_peers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <ostream>
+
+#include <nlohmann/json.hpp>
+
+#include "chapters/bench/child.h"
+#include "chapters/bench/machine.h"
+#include "chapters/bench/peers.h"
+#include "chapters/bench/statistics.h"
+#include "chapters/bench/threads.h"
+#include "chapters/progress.h"
+#include "rasterizer/error.h"
+
+namespace crevice {
+
+namespace {
+
+using Json = nlohmann::json;
+
+// How many times as fast as each of Embree's ways ours is meant to be; DESIGN, section 10.
+constexpr double kRayAim = 1;
+// Means of the same thing are further apart once in 16,000 times.
+constexpr double kMostErrors = 4;
+
+// All rounds of one way to trace rays of one length.
+struct Traced {
+    std::string length, tracer;
+    int threads = 0;
+    double rays = 0;
+    std::vector<double> ms;
+    double differing1 = 0, differing8 = 0;
+
+    double million_rays_a_second() const { return rays / median_interval(ms).median * 1e-3; }
+};
+
+std::string length_text(const Json& length) {
+    if (length.is_string()) return length.get<std::string>();
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", length.get<double>());
+    return text;
+}
+
+Traced traced(const Json& line) {
+    return {length_text(line.at("length")),
+            line.at("tracer").get<std::string>(),
+            line.at("threads").get<int>(),
+            line.at("rays").get<double>(),
+            line.at("ms").get<std::vector<double>>(),
+            line.at("differing_embree1").get<double>(),
+            line.at("differing_embree8").get<double>()};
+}
+
+// Ratio, low, high and whether that meets an aim.
+void add_ratio(std::vector<Cell>& row, const MedianInterval& ratio, std::optional<double> aim) {
+    row.insert(row.end(), {Cell(ratio.median), Cell(ratio.low), Cell(ratio.high)});
+    if (aim) row.push_back(verdict_name(verdict(ratio, *aim)));
+}
+
+const Traced& find_traced(const std::vector<Traced>& all, const Traced& like, const std::string& tracer,
+                          int threads) {
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Traced& t) {
+        return t.length == like.length && t.tracer == tracer && t.threads == threads;
+    });
+    if (found == all.end())
+        throw InputError("embree_peer: no times of " + tracer + " at length " + like.length +
+                         "; build both programs anew");
+    return *found;
+}
+
+Table rays_table(const std::string& scene, const std::vector<Traced>& all) {
+    Table table{
+        "rays",
+        {"scene", "length", "threads", "ours_Mray/s", "embree1_Mray/s", "embree8_Mray/s", "ours/embree1",
+         "low", "high", "verdict", "ours/embree8", "low8", "high8", "verdict8", "unlike1", "unlike8"},
+        {}};
+    for (const Traced& ours : all) {
+        if (ours.tracer != "ours") continue;
+        const Traced &single = find_traced(all, ours, "embree1", ours.threads),
+                     &packet = find_traced(all, ours, "embree8", ours.threads);
+        std::vector<Cell> row = {scene,
+                                 ours.length,
+                                 Cell(ours.threads, 0),
+                                 Cell(ours.million_rays_a_second(), 1),
+                                 Cell(single.million_rays_a_second(), 1),
+                                 Cell(packet.million_rays_a_second(), 1)};
+        add_ratio(row, ratio_interval(single.ms, ours.ms), kRayAim);
+        add_ratio(row, ratio_interval(packet.ms, ours.ms), kRayAim);
+        row.insert(row.end(), {Cell(ours.differing1, 0), Cell(ours.differing8, 0)});
+        table.rows.push_back(row);
+    }
+    return table;
+}
+
+// What more threads give to each way to trace.
+Table threads_table(const std::string& scene, const std::vector<Traced>& all) {
+    Table table{
+        "ray_threads", {"scene", "length", "tracer", "threads", "ratio_to_1", "low", "high", "verdict"}, {}};
+    for (const Traced& many : all) {
+        if (many.threads == 1) continue;
+        const Traced& one = find_traced(all, many, many.tracer, 1);
+        std::vector<Cell> row = {scene, many.length, many.tracer, Cell(many.threads, 0)};
+        const bool judged = many.tracer == "ours" && many.threads == 2;
+        add_ratio(row, ratio_interval(one.ms, many.ms),
+                  judged ? std::optional<double>(kTwoThreadAim) : std::nullopt);
+        if (!judged) row.push_back(Cell());
+        table.rows.push_back(row);
+    }
+    return table;
+}
+
+std::vector<Cell> build_row(const std::string& scene, const Json& line) {
+    const auto ours = line.at("ours_ms").get<std::vector<double>>(),
+               embree = line.at("embree_ms").get<std::vector<double>>();
+    std::vector<Cell> row = {scene, Cell(line.at("threads").get<int>(), 0),
+                             Cell(median_interval(ours).median), Cell(median_interval(embree).median)};
+    add_ratio(row, ratio_interval(embree, ours), std::nullopt);
+    return row;
+}
+
+std::vector<Cell> agreement_row(const std::string& scene, const Json& line) {
+    const auto number = [&](const char* name) { return line.at(name).get<double>(); };
+    const double same_rays = number("same_rays_errors"), own_rays = number("own_rays_errors");
+    const bool same = std::abs(same_rays) < kMostErrors && std::abs(own_rays) < kMostErrors;
+    return {scene,
+            Cell(number("radius"), 2),
+            Cell(number("points"), 0),
+            Cell(number("rays"), 0),
+            Cell(number("differing"), 0),
+            Cell(number("ours"), 5),
+            Cell(number("embree_same_rays"), 5),
+            Cell(number("embree_own_rays"), 5),
+            Cell(number("error"), 6),
+            Cell(same_rays, 3),
+            Cell(own_rays, 2),
+            Cell(number("point_rms_errors"), 3),
+            same ? "same" : "DIFFERENT"};
+}
+
+std::vector<std::string> ask_peer(const std::string& scene, const RayPeersOptions& options) {
+    ChildCommand command{options.program,
+                         {scene, "--rounds", std::to_string(options.rounds), "--threads",
+                          std::to_string(thread_count(options.run))},
+                         {},
+                         options.patience_s};
+    const auto add_flag = [&](const char* flag, const std::optional<std::string>& word) {
+        if (word) command.arguments.insert(command.arguments.end(), {flag, *word});
+    };
+    const CameraFlags& c = options.camera;
+    add_flag("--eye", c.eye);
+    add_flag("--target", c.target);
+    add_flag("--fov-y", c.fov_y);
+    add_flag("--near", c.near_plane);
+    add_flag("--far", c.far_plane);
+    add_flag("--ortho", c.ortho);
+    Child peer(command);
+    std::vector<std::string> lines;
+    do {
+        lines.push_back(peer.read_line());
+    } while (lines.back() != R"({"kind":"end"})");
+    return lines;
+}
+
+bool all_same(const Table& agreement) {
+    return std::all_of(agreement.rows.begin(), agreement.rows.end(),
+                       [](const std::vector<Cell>& row) { return row.back().text == "same"; });
+}
+
+}  // namespace
+
+std::filesystem::path ray_peer_program() { return own_program().parent_path() / "embree_peer"; }
+
+std::vector<Table> ray_tables(const std::string& scene, const std::vector<std::string>& lines) {
+    std::vector<Traced> all;
+    Table builds{
+        "ray_builds", {"scene", "threads", "ours_ms", "embree_ms", "embree/ours", "low", "high"}, {}};
+    Table agreement{
+        "ray_agreement",
+        {"scene", "radius", "points", "rays", "unlike", "ours", "embree_same_rays", "embree_own_rays",
+         "error", "difference_same_rays_errors", "difference_own_rays_errors", "point_rms_errors", "verdict"},
+        {}};
+    for (const std::string& text : lines) {
+        try {
+            const Json line = Json::parse(text);
+            const auto kind = line.at("kind").get<std::string>();
+            if (kind == "trace") all.push_back(traced(line));
+            if (kind == "build") builds.rows.push_back(build_row(scene, line));
+            if (kind == "agreement") agreement.rows.push_back(agreement_row(scene, line));
+        } catch (const Json::exception&) {
+            throw InputError("embree_peer: not an answer (" + text.substr(0, 60) +
+                             "); build both programs anew");
+        }
+    }
+    return {rays_table(scene, all), threads_table(scene, all), builds, agreement};
+}
+
+int bench_ray_peers(const RayPeersOptions& given, std::ostream& out) {
+    RayPeersOptions options = given;
+    if (options.program.empty()) options.program = ray_peer_program();
+    std::error_code ignored;
+    if (!std::filesystem::exists(options.program, ignored)) {
+        out << "Rays: not compared with Embree, whose peer was not built; install libembree-dev and build "
+               "again.\n";
+        return static_cast<int>(ExitCode::done);
+    }
+    BenchReport report{"ray_peers", machine_facts(options.run), {}};
+    report.facts.push_back({"rounds", std::to_string(options.rounds)});
+    bool same = true;
+    for (const std::string& scene : options.scenes) {
+        const std::vector<std::string> lines = ask_peer(scene, options);
+        report.facts.push_back({scene, lines.front()});
+        std::vector<Table> tables = ray_tables(scene, lines);
+        same = all_same(tables.back()) && same;
+        for (std::size_t i = 0; i < tables.size(); ++i) {
+            if (report.tables.size() == i) {
+                report.tables.push_back(tables[i]);
+            } else {
+                std::vector<std::vector<Cell>>& rows = report.tables[i].rows;
+                rows.insert(rows.end(), tables[i].rows.begin(), tables[i].rows.end());
+            }
+        }
+    }
+    out << facts_text(report.facts);
+    for (const Table& table : report.tables) out << "\n" << table_text(table);
+    if (!same) out << "The two sides do not find the same ambient occlusion: their times do not compare.\n";
+    if (options.out) write_report(report, *options.out, out);
+    return static_cast<int>(same ? ExitCode::done : ExitCode::check_failed);
+}
+
+}  // namespace crevice

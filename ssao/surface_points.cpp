@@ -1,0 +1,143 @@
+#include "ssao/surface_points.h"
+
+#include <cmath>
+#include <string>
+
+#include <glm/geometric.hpp>
+
+#include "rasterizer/error.h"
+#include "rasterizer/parallel.h"
+
+namespace crevice {
+
+namespace {
+
+// Which triangle each pixel shows, as the vertices of its corners.
+struct ShownTriangles {
+    Image<std::int32_t> instance;   // -1: none
+    Image<std::int32_t> vertex[3];  // into TransformedVertices
+
+    explicit ShownTriangles(Size size)
+        : instance(size),
+          vertex{Image<std::int32_t>(size), Image<std::int32_t>(size), Image<std::int32_t>(size)} {}
+};
+
+struct ShownTriangleShader {
+    ShownTriangles& shown;
+    DepthBuffer& depth;
+    std::int32_t clear_code;
+
+    PixelRect wanted_part(int, PixelRect tile) const { return tile; }
+    void empty_tile(PixelRect tile) const { begin_tile(tile); }
+    void begin_tile(PixelRect tile) const {
+        fill_tile(depth.codes, tile, clear_code);
+        fill_tile(shown.instance, tile, -1);
+    }
+    template <class F>
+    CREVICE_INLINE void fragment(const ScreenTriangle& t, const Fragment<F>& f) const {
+        store_where_passed(shown.instance.row(f.y), f, Int<F>(static_cast<std::int32_t>(t.instance)));
+        for (std::size_t i = 0; i < 3; ++i)
+            store_where_passed(shown.vertex[i].row(f.y), f, Int<F>(static_cast<std::int32_t>(t.vertex[i])));
+    }
+    template <class F>
+    CREVICE_INLINE void finish_tile(PixelRect) const {}
+};
+
+ShownTriangles shown_triangles(const ScreenGeometry& geometry, DepthFormat format, bool reversed_z,
+                               const Run& run) {
+    ShownTriangles shown(geometry.size);
+    DepthBuffer depth{format, Image<std::int32_t>(geometry.size)};
+    const std::int32_t clear_code = depth_code(format, reversed_z ? 0.0f : 1.0f, 0.0);
+    rasterize(geometry, nearest_wins(reversed_z), depth, ShownTriangleShader{shown, depth, clear_code}, run);
+    return shown;
+}
+
+// All in double, relative space.
+class PointFinder {
+ public:
+    PointFinder(const Scene& scene, const Camera& camera, const ScreenGeometry& geometry)
+        : scene_(scene), eye_(camera.eye), geometry_(geometry) {
+        const CameraMatrices matrices = camera_matrices(camera, geometry.size);
+        relative_from_view_ = glm::dmat3(glm::mat3(matrices.relative_from_view));
+    }
+
+    SurfacePoint at(int x, int y, const GBuffer& g, const ShownTriangles& shown) const {
+        const auto instance = static_cast<std::size_t>(shown.instance.at(x, y));
+        glm::dvec3 corner[3];
+        for (int i = 0; i < 3; ++i) corner[i] = corner_of(instance, shown.vertex[i].at(x, y));
+        const glm::dvec3 face = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+        const glm::dvec3 seen = seen_position(x, y, g.view_depth.at(x, y));
+        // A triangle that double finds no area in has no plane of its own: what is seen faces the eye.
+        const double area = glm::length(face);
+        glm::dvec3 geometric = area > 0 ? face / area : -glm::normalize(seen);
+        const glm::dvec3 sight =
+            geometry_.rays.perspective ? seen : relative_from_view_ * glm::dvec3(0, 0, 1);
+        if (glm::dot(geometric, sight) > 0) geometric = -geometric;
+        const glm::dvec3 position =
+            area > 0 ? seen - glm::dot(geometric, seen - corner[0]) * geometric : seen;
+        const glm::dvec3 normal = relative_from_view_ * glm::dvec3(g.normal.at(x, y));
+        const double length = glm::length(normal);
+        return {glm::vec3(position), glm::vec3(length > 0 ? normal / length : geometric),
+                glm::vec3(geometric)};
+    }
+
+ private:
+    glm::dvec3 corner_of(std::size_t instance, std::int32_t vertex) const {
+        const Instance& placed = scene_.instances[instance];
+        const Mesh& mesh = scene_.meshes[static_cast<std::size_t>(placed.mesh)];
+        const std::uint32_t first = geometry_.vertices.first_vertex[instance];
+        const glm::vec3& p = mesh.positions[static_cast<std::uint32_t>(vertex) - first];
+        return glm::dvec3(glm::dmat4(placed.world_from_object) * glm::dvec4(p, 1)) - eye_;
+    }
+    glm::dvec3 seen_position(int x, int y, double view_depth) const {
+        const double u = (x + 0.5) / geometry_.size.width, v = (y + 0.5) / geometry_.size.height;
+        const Vec3<double> p = geometry_.rays.p_view<double>(u, v, view_depth);
+        return relative_from_view_ * glm::dvec3(p.x, p.y, p.z);
+    }
+
+    const Scene& scene_;
+    glm::dvec3 eye_;
+    const ScreenGeometry& geometry_;
+    glm::dmat3 relative_from_view_;
+};
+
+}  // namespace
+
+Image<float> picture_of(const SurfacePoints& points, std::span<const float> values, float background) {
+    if (values.size() != points.points.size())
+        throw InputError("picture of surface points: " + std::to_string(values.size()) + " values for " +
+                         std::to_string(points.points.size()) + " points; give one a point");
+    Image<float> picture(points.size, background);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        picture.at(points.pixel[i] % points.size.width, points.pixel[i] / points.size.width) = values[i];
+    return picture;
+}
+
+SurfacePoints surface_points(const Scene& scene, const Camera& camera, const GBuffer& gbuffer,
+                             const Run& run) {
+    const Size size = gbuffer.view_depth.size;
+    NormalDepthSettings settings;
+    settings.depth_format = gbuffer.depth.format;
+    const ScreenGeometry geometry = screen_geometry(scene, camera, size, geometry_settings(settings), run);
+    const ShownTriangles shown = shown_triangles(geometry, gbuffer.depth.format, camera.reversed_z, run);
+    SurfacePoints points{size, {}, {}};
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+            if (shown.instance.at(x, y) >= 0) points.pixel.push_back(y * size.width + x);
+        }
+    }
+    points.points.resize(points.pixel.size());
+    const PointFinder finder(scene, camera, geometry);
+    constexpr int kPiece = 1024;
+    const int count = static_cast<int>(points.pixel.size());
+    parallel_for((count + kPiece - 1) / kPiece, run, [&](int piece) {
+        for (int i = piece * kPiece; i < std::min(count, (piece + 1) * kPiece); ++i) {
+            const int pixel = points.pixel[static_cast<std::size_t>(i)];
+            points.points[static_cast<std::size_t>(i)] =
+                finder.at(pixel % size.width, pixel / size.width, gbuffer, shown);
+        }
+    });
+    return points;
+}
+
+}  // namespace crevice
