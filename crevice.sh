@@ -44,6 +44,12 @@ case "${1-}" in
     demo)
         shift
         build demo
+        out=out previous=
+        for word in "$@"; do
+            [ "$previous" != --out ] || out=$word
+            previous=$word
+        done
+        "$program" bench --error columns --quick --out "$out"
         exec "$program" chapter all "$@"
         ;;
     test)

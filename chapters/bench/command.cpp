@@ -9,6 +9,7 @@
 #include "chapters/bench/instructions.h"
 #include "chapters/bench/left_out.h"
 #include "chapters/bench/peers.h"
+#include "chapters/bench/ray_peers.h"
 #include "chapters/bench/scale.h"
 #include "chapters/output_directory.h"
 #include "chapters/parse.h"
@@ -48,7 +49,13 @@ int peers(const BenchWords& words) {
         options.pairs = static_cast<int>(parse_whole("--pairs", *words.pairs, kFewestPairs, kMostPairs));
     options.run = run_of(words);
     options.out = directory_of(words);
-    return bench_peers(options, std::cout);
+    RayPeersOptions rays;
+    if (words.scene) rays.scenes = options.scenes;
+    rays.camera = options.camera;
+    rays.run = options.run;
+    rays.out = options.out;
+    const int traced = bench_ray_peers(rays, std::cout);
+    return std::max(traced, bench_peers(options, std::cout));
 }
 
 int scale(const BenchWords& words) {
