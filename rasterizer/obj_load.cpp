@@ -111,7 +111,7 @@ LoadedObj loaded_from(const std::filesystem::path& path, const ObjOptions& optio
     const int no_material = static_cast<int>(materials.materials.size()) - 1;
     const bool textured = std::any_of(materials.materials.begin(), materials.materials.end(),
                                       [](const Material& m) { return m.texture != nullptr; });
-    const bool want_texcoords = options.want_textures && (textured || options.want_unused_texcoords);
+    const bool want_texcoords = options.want_unused_texcoords || (options.want_textures && textured);
     ObjMesh built = build_obj_mesh(prescan, faces, triangles, materials.of_use, no_material, want_texcoords,
                                    options.crease_angle_rad);
     timer.finish("vertices and normals");

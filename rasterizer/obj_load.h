@@ -22,8 +22,8 @@ struct ObjOptions {
     // [0, pi] rad; edges sharper than this stay sharp in GENERATED normals. pi: all smooth. The file's own
     // are kept.
     double crease_angle_rad = kSmoothEverywhere_rad;
-    bool want_textures = true;          // false: neither textures nor texture coordinates are read
-    bool want_unused_texcoords = true;  // false: no texture coordinates when no material has a texture
+    bool want_textures = true;          // false: texture files are not read
+    bool want_unused_texcoords = true;  // false: no texture coordinates unless a texture that was read needs them
 };
 
 // What a part of the loading took.

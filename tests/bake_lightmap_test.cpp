@@ -89,6 +89,34 @@ TEST_CASE("bake --lightmap: two runs write the same bytes, an OBJ file is named 
     }
 }
 
+TEST_CASE(
+    "bake --lightmap --mesh-texcoords: the file's own coordinates lead into the map; without any, charts "
+    "do") {
+    const ScratchDirectory scratch;
+    const std::string corners = "v 0 0 0\nv 1 0 0\nv 1 0 -1\nv 0 0 -1\n";
+    std::ofstream(scratch / "own.obj") << corners << "vt .25 .25\nvt .75 .25\nvt .75 .75\nvt .25 .75\n"
+                                       << "f 1/1 2/2 3/3 4/4\n";
+    std::ofstream(scratch / "none.obj") << corners << "f 1 2 3 4\n";
+    const auto mean_of = [](const Mesh& mesh) {
+        glm::vec2 sum(0);
+        for (const glm::vec2& at : mesh.texcoords) sum += at;
+        return sum / static_cast<float>(mesh.texcoords.size());
+    };
+    for (const char* name : {"own", "none"}) {
+        CAPTURE(name);
+        const std::filesystem::path out = scratch.path() / name;
+        std::ostringstream said;
+        BakeOptions options = options_for((scratch / (std::string(name) + ".obj")).string(), out);
+        options.mesh_texcoords = true;
+        bake_lightmap(options, said);
+        const LoadedObj loaded = load_obj(out / (std::string(name) + "_lightmap.obj"));
+        const Mesh& mesh = loaded.scene.meshes.at(0);
+        REQUIRE(mesh.texcoords.size() == 4);
+        const bool own = mean_of(mesh) == glm::vec2(0.5f) && mesh.texcoords[0].x == 0.25f;
+        CHECK(own == (name == std::string("own")));
+    }
+}
+
 TEST_CASE("bake --lightmap: what cannot be baked is an error, and nothing is written") {
     const ScratchDirectory scratch;
     std::ofstream(scratch / "flat.obj") << "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n";
