@@ -1,6 +1,7 @@
 #include "ssao/ray_cast.h"
 
 #include <algorithm>
+#include <atomic>
 #include <string>
 
 #include <glm/geometric.hpp>
@@ -35,6 +36,11 @@ void validate(const Ray& ray) {
         text_of(ray.origin) + "; direction " + text_of(ray.direction) + "); leave this ray out");
 }
 
+std::size_t count_unusable(std::span<const Ray> rays) {
+    return static_cast<std::size_t>(
+        std::count_if(rays.begin(), rays.end(), [](const Ray& ray) { return !usable(ray); }));
+}
+
 // Calls trace(tag, first, end) for pieces of `count` rays, on all threads.
 template <class Trace>
 void trace_all(std::size_t count, const Run& run, const Trace& trace) {
@@ -46,20 +52,17 @@ void trace_all(std::size_t count, const Run& run, const Trace& trace) {
     });
 }
 
-std::size_t count_unusable(std::span<const Ray> rays) {
-    return static_cast<std::size_t>(
-        std::count_if(rays.begin(), rays.end(), [](const Ray& ray) { return !usable(ray); }));
-}
-
 }  // namespace
 
 OccludedRays occluded(const RayScene& scene, std::span<const Ray> rays, float max_distance, const Run& run) {
     validate(run);
     validate(max_distance);
-    OccludedRays result{std::vector<std::uint8_t>(rays.size()), count_unusable(rays)};
+    OccludedRays result{std::vector<std::uint8_t>(rays.size()), 0};
+    std::atomic<std::size_t> refused = 0;
     trace_all(
         rays.size(), run, [&](auto tag, std::size_t first, std::size_t end) __attribute__((always_inline)) {
             using F = typename decltype(tag)::type;
+            refused += count_unusable(rays.subspan(first, end - first));
             for (std::size_t i = first; i < end; i += kLanes<F>) {
                 const std::size_t count = std::min<std::size_t>(kLanes<F>, end - i);
                 const std::uint32_t met = which_meet_any<F>(scene.bvh, rays.subspan(i, count), max_distance);
@@ -67,6 +70,7 @@ OccludedRays occluded(const RayScene& scene, std::span<const Ray> rays, float ma
                     result.occluded[i + lane] = static_cast<std::uint8_t>(met >> lane & 1);
             }
         });
+    result.refused = refused;
     return result;
 }
 
@@ -74,14 +78,17 @@ ClosestHits closest_hits(const RayScene& scene, std::span<const Ray> rays, float
                          const Run& run) {
     validate(run);
     validate(max_distance);
-    ClosestHits result{std::vector<RayHit>(rays.size()), count_unusable(rays)};
+    ClosestHits result{std::vector<RayHit>(rays.size()), 0};
+    std::atomic<std::size_t> refused = 0;
     trace_all(
         rays.size(), run, [&](auto tag, std::size_t first, std::size_t end) __attribute__((always_inline)) {
             using F = typename decltype(tag)::type;
+            refused += count_unusable(rays.subspan(first, end - first));
             for (std::size_t i = first; i < end; ++i) {
                 if (usable(rays[i])) result.hits[i] = nearest_hit<F>(scene.bvh, rays[i], max_distance);
             }
         });
+    result.refused = refused;
     return result;
 }
 

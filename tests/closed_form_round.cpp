@@ -69,8 +69,8 @@ ClosedForm pit() {
 }
 
 // A sphere of radius 1 whose centre is h above the floor, seen from the floor. By cosine the answer changes
-// by at most twice the relative change of the radius, evenly weighted by 1 / (D sqrt(D^2 - 1)), which is below
-// two where the point is half a radius off the contact.
+// by at most twice the relative change of the radius; evenly weighted, at distance D from the centre, by
+// 1 / (D sqrt(D^2 - 1)) of it, which is below 2 where the point is half a radius off the contact.
 ClosedForm sphere_above_floor(std::shared_ptr<const RayScene> sphere) {
     ClosedForm form{"sphere over floor", std::move(sphere), kInfinity, 2 * kSphereSagitta, {}};
     const auto point = [](double rho, double h) { return point_at({0.6 * rho, -h, 0.8 * rho}, kUp); };
@@ -104,8 +104,8 @@ ClosedForm inside_sphere(std::shared_ptr<const RayScene> sphere, float length) {
     return form;
 }
 
-// A sphere of plane quadrilaterals, which bulges everywhere. (Of kSphereCells' sphere the cells are bent along
-// their diagonals, some of them inwards.)
+// A sphere of plane quadrilaterals, which bulges everywhere. (Of kSphereCells' sphere the cells are bent
+// along their diagonals, some of them inwards.)
 ClosedForm convex_sphere() {
     const Mesh mesh = sphere_mesh(1, 24, 16);
     Triangles triangles;

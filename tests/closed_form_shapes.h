@@ -19,8 +19,8 @@ inline constexpr glm::dvec3 kPlace = {0.75, 0.5, -1.25};
 
 inline glm::vec3 placed(glm::dvec3 p) { return glm::vec3(kPlace + p); }
 
-// "Infinite" planes end this far away. What a plane at distance x then leaves open lies within x / kFar of the
-// plane's own directions: 2 / pi of that share by cosine, 1 / 2 evenly spread.
+// "Infinite" planes end this far away. What a plane at distance x then leaves open lies within x / kFar of
+// the plane's own directions: 2 / pi of that share by cosine, 1 / 2 evenly spread.
 inline constexpr double kFar = 65536;
 // By how much that changes an answer at most, for points up to 4 from the plane.
 inline constexpr double kTruncation = 4 / kFar;

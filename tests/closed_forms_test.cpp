@@ -139,8 +139,8 @@ TEST_CASE("a reference is off by no more than its own standard error tells") {
                 CHECK(error == 0);
                 CHECK(estimate.error == 0);
             } else {
-                // Student's t of seven degrees of freedom exceeds 6 once in 1,850 times. Replicates may agree to
-                // the ray, of which each has kRays / kReplicates.
+                // Student's t of seven degrees of freedom exceeds 6 once in 1,850 times. Replicates may
+                // agree to the ray, of which each has kRays / kReplicates.
                 const double one_ray = static_cast<double>(kReplicates) / kRays;
                 CHECK(std::abs(error) <=
                       6 * static_cast<double>(estimate.error) + form.scene_error + one_ray);

@@ -1,4 +1,5 @@
-// Ray-cast ambient occlusion gives the same bits however it is run, wherever the scene lies, in whatever unit.
+// Ray-cast ambient occlusion gives the same bits however it is run, wherever the scene lies, in whatever
+// unit.
 #include <cmath>
 #include <string>
 #include <vector>

@@ -176,5 +176,21 @@ TEST_CASE(
     for (const Ray& ray : rays) CHECK(ray.direction.y > 0);
     settings.hemisphere = Hemisphere::geometric;
     CHECK(ray_cast_ao(nothing, std::vector{leaning}, settings)[0] == 1);
-    CHECK(hemisphere_rays(leaning, 0, settings).size() == 4096);
+    const std::vector<Ray> about_own = hemisphere_rays(leaning, 0, settings);
+    CHECK(about_own.size() == 4096);
+    for (const Ray& ray : about_own) CHECK(ray.direction.y > 0);
+}
+
+TEST_CASE("every point and every seed has rays of its own") {
+    const auto half_wall =
+        ray_scene(scene_of({facing_quad(kFloorPoint.position + glm::vec3(0, 0, 1), 2)}), glm::dvec3(0));
+    for (const RaySequence sequence : {RaySequence::sobol, RaySequence::independent}) {
+        RayAoSettings settings = few_rays(kInfinity, 67);
+        settings.sequence = sequence;
+        const std::vector<SurfacePoint> points(16, kFloorPoint);
+        const std::vector<float> open = ray_cast_ao(half_wall, points, settings);
+        settings.seed = 2;
+        CHECK(ray_cast_ao(half_wall, points, settings) != open);
+        CHECK(open != std::vector<float>(16, open[0]));
+    }
 }

@@ -49,6 +49,7 @@ int peers(const BenchWords& words) {
         options.pairs = static_cast<int>(parse_whole("--pairs", *words.pairs, kFewestPairs, kMostPairs));
     options.run = run_of(words);
     options.out = directory_of(words);
+    validate(options);
     RayPeersOptions rays;
     if (words.scene) rays.scenes = options.scenes;
     rays.camera = options.camera;

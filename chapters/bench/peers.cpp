@@ -130,7 +130,9 @@ bool add_agreement(Table& table, const std::string& scene, const Duel& duel, std
 
 std::string size_text(Size size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
 
-void require_sensible(const PeersOptions& options) {
+}  // namespace
+
+void validate(const PeersOptions& options) {
     validate(options.run);
     if (options.pairs < kFewestPairs || options.pairs > kMostPairs) {
         throw UsageError("--pairs: not in " + std::to_string(kFewestPairs) + ".." +
@@ -142,10 +144,8 @@ void require_sensible(const PeersOptions& options) {
     }
 }
 
-}  // namespace
-
 int bench_peers(const PeersOptions& options, std::ostream& out) {
-    require_sensible(options);
+    validate(options);
     PeerSession peer(options.program, thread_count(options.run), options.patience_s);
     BenchReport report{"peers", machine_facts(options.run), {}};
     Table times{"peers",

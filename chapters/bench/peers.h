@@ -42,4 +42,7 @@ struct PeersOptions {
 // UsageError, InputError (no peer, or what it did wrong), OutputError.
 int bench_peers(const PeersOptions& options, std::ostream& out);
 
+// Throws UsageError for options out of range, as bench_peers() does.
+void validate(const PeersOptions& options);
+
 }  // namespace crevice

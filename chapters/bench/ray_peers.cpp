@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <map>
 #include <ostream>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -32,7 +32,7 @@ struct Traced {
     std::string length, tracer;
     int threads = 0;
     double rays = 0;
-    std::vector<double> ms;
+    std::vector<double> ms, cpu_ms;
     double differing1 = 0, differing8 = 0;
 
     double million_rays_a_second() const { return rays / median_interval(ms).median * 1e-3; }
@@ -51,6 +51,7 @@ Traced traced(const Json& line) {
             line.at("threads").get<int>(),
             line.at("rays").get<double>(),
             line.at("ms").get<std::vector<double>>(),
+            line.at("cpu_ms").get<std::vector<double>>(),
             line.at("differing_embree1").get<double>(),
             line.at("differing_embree8").get<double>()};
 }
@@ -127,7 +128,7 @@ std::vector<Cell> agreement_row(const std::string& scene, const Json& line) {
     const double same_rays = number("same_rays_errors"), own_rays = number("own_rays_errors");
     const bool same = std::abs(same_rays) < kMostErrors && std::abs(own_rays) < kMostErrors;
     return {scene,
-            Cell(number("radius"), 2),
+            length_text(line.at("radius")),
             Cell(number("points"), 0),
             Cell(number("rays"), 0),
             Cell(number("differing"), 0),
@@ -147,16 +148,13 @@ std::vector<std::string> ask_peer(const std::string& scene, const RayPeersOption
                           std::to_string(thread_count(options.run))},
                          {},
                          options.patience_s};
-    const auto add_flag = [&](const char* flag, const std::optional<std::string>& word) {
-        if (word) command.arguments.insert(command.arguments.end(), {flag, *word});
-    };
     const CameraFlags& c = options.camera;
-    add_flag("--eye", c.eye);
-    add_flag("--target", c.target);
-    add_flag("--fov-y", c.fov_y);
-    add_flag("--near", c.near_plane);
-    add_flag("--far", c.far_plane);
-    add_flag("--ortho", c.ortho);
+    const std::pair<const char*, const std::optional<std::string>&> flags[] = {
+        {"--eye", c.eye},         {"--target", c.target}, {"--fov-y", c.fov_y},
+        {"--near", c.near_plane}, {"--far", c.far_plane}, {"--ortho", c.ortho}};
+    for (const auto& [flag, word] : flags) {
+        if (word) command.arguments.insert(command.arguments.end(), {flag, *word});
+    }
     Child peer(command);
     std::vector<std::string> lines;
     do {
@@ -165,17 +163,8 @@ std::vector<std::string> ask_peer(const std::string& scene, const RayPeersOption
     return lines;
 }
 
-bool all_same(const Table& agreement) {
-    return std::all_of(agreement.rows.begin(), agreement.rows.end(),
-                       [](const std::vector<Cell>& row) { return row.back().text == "same"; });
-}
-
-}  // namespace
-
-std::filesystem::path ray_peer_program() { return own_program().parent_path() / "embree_peer"; }
-
-std::vector<Table> ray_tables(const std::string& scene, const std::vector<std::string>& lines) {
-    std::vector<Traced> all;
+struct Answers {
+    std::vector<Traced> traces;
     Table builds{
         "ray_builds", {"scene", "threads", "ours_ms", "embree_ms", "embree/ours", "low", "high"}, {}};
     Table agreement{
@@ -183,24 +172,47 @@ std::vector<Table> ray_tables(const std::string& scene, const std::vector<std::s
         {"scene", "radius", "points", "rays", "unlike", "ours", "embree_same_rays", "embree_own_rays",
          "error", "difference_same_rays_errors", "difference_own_rays_errors", "point_rms_errors", "verdict"},
         {}};
+};
+
+Answers answers_of(const std::string& scene, const std::vector<std::string>& lines) {
+    Answers answers;
     for (const std::string& text : lines) {
         try {
             const Json line = Json::parse(text);
             const auto kind = line.at("kind").get<std::string>();
-            if (kind == "trace") all.push_back(traced(line));
-            if (kind == "build") builds.rows.push_back(build_row(scene, line));
-            if (kind == "agreement") agreement.rows.push_back(agreement_row(scene, line));
+            if (kind == "trace") answers.traces.push_back(traced(line));
+            if (kind == "build") answers.builds.rows.push_back(build_row(scene, line));
+            if (kind == "agreement") answers.agreement.rows.push_back(agreement_row(scene, line));
         } catch (const Json::exception&) {
             throw InputError("embree_peer: not an answer (" + text.substr(0, 60) +
                              "); build both programs anew");
         }
     }
-    return {rays_table(scene, all), threads_table(scene, all), builds, agreement};
+    return answers;
 }
 
-int bench_ray_peers(const RayPeersOptions& given, std::ostream& out) {
-    RayPeersOptions options = given;
-    if (options.program.empty()) options.program = ray_peer_program();
+// Whether other programs took our time while ours traced.
+std::string busy_traces_note(const std::vector<Traced>& traces) {
+    for (const Traced& t : traces) {
+        if (t.tracer != "ours") continue;
+        const std::string note = busy_note(PassSamples{"rays", t.ms, t.cpu_ms}.summary(), t.threads);
+        if (!note.empty()) return note;
+    }
+    return {};
+}
+
+}  // namespace
+
+std::filesystem::path ray_peer_program() { return own_program().parent_path() / "embree_peer"; }
+
+std::vector<Table> ray_tables(const std::string& scene, const std::vector<std::string>& lines) {
+    const Answers answers = answers_of(scene, lines);
+    return {rays_table(scene, answers.traces), threads_table(scene, answers.traces), answers.builds,
+            answers.agreement};
+}
+
+int bench_ray_peers(const RayPeersOptions& options, std::ostream& out) {
+    validate(options.run);
     std::error_code ignored;
     if (!std::filesystem::exists(options.program, ignored)) {
         out << "Rays: not compared with Embree, whose peer was not built; install libembree-dev and build "
@@ -213,15 +225,17 @@ int bench_ray_peers(const RayPeersOptions& given, std::ostream& out) {
     for (const std::string& scene : options.scenes) {
         const std::vector<std::string> lines = ask_peer(scene, options);
         report.facts.push_back({scene, lines.front()});
-        std::vector<Table> tables = ray_tables(scene, lines);
-        same = all_same(tables.back()) && same;
+        const std::vector<Table> tables = ray_tables(scene, lines);
+        for (const std::vector<Cell>& row : tables.back().rows) same = same && row.back().text == "same";
+        const std::string note = busy_traces_note(answers_of(scene, lines).traces);
+        if (!note.empty()) out << scene << ": " << note << "\n";
+        if (report.tables.empty()) {
+            report.tables = tables;
+            continue;
+        }
         for (std::size_t i = 0; i < tables.size(); ++i) {
-            if (report.tables.size() == i) {
-                report.tables.push_back(tables[i]);
-            } else {
-                std::vector<std::vector<Cell>>& rows = report.tables[i].rows;
-                rows.insert(rows.end(), tables[i].rows.begin(), tables[i].rows.end());
-            }
+            auto& rows = report.tables[i].rows;
+            rows.insert(rows.end(), tables[i].rows.begin(), tables[i].rows.end());
         }
     }
     out << facts_text(report.facts);

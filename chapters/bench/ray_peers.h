@@ -21,26 +21,27 @@
 
 namespace crevice {
 
+// The peer program, beside our own.
+std::filesystem::path ray_peer_program();
+
 struct RayPeersOptions {
     std::vector<std::string> scenes = {"columns_luna"};
     CameraFlags camera;
     int rounds = 15;  // [kFewestPairs, kMostPairs] of peers.h
     Run run;
     std::optional<std::filesystem::path> out;  // the directory for tables, if any
-    std::filesystem::path program;             // empty: ray_peer_program()
-    double patience_s = 300;                   // for one answer of the peer
+    std::filesystem::path program = ray_peer_program();
+    double patience_s = 300;  // for one answer of the peer
 };
-
-// The peer program, beside our own.
-std::filesystem::path ray_peer_program();
 
 // What the peer answered, one line of JSON each, as tables: rays, ray_threads, ray_builds, ray_agreement. The
 // last cell of each row of ray_agreement is "same" or "DIFFERENT". Throws InputError for lines that are no
 // answers.
 std::vector<Table> ray_tables(const std::string& scene, const std::vector<std::string>& lines);
 
-// Prints and writes the tables, or only a note where the peer was not built. Returns 0, or 1 when the two sides
-// do not find the same ambient occlusion. Throws UsageError, InputError (what the peer did wrong), OutputError.
+// Prints and writes the tables, or only a note where the peer was not built. Returns 0, or 1 when the two
+// sides do not find the same ambient occlusion. Throws UsageError, InputError (what the peer did wrong),
+// OutputError.
 int bench_ray_peers(const RayPeersOptions& options, std::ostream& out);
 
 }  // namespace crevice

@@ -35,6 +35,9 @@ struct Subject {
 
 void answer(const Json& line) { std::cout << line.dump() << std::endl; }
 
+// JSON has no infinity.
+Json length_answer(float length) { return std::isinf(length) ? Json("unbounded") : Json(length); }
+
 std::vector<SurfacePoint> seen_points(const Subject& subject, Size size) {
     const GBuffer g = normal_depth(subject.scene, subject.camera, size);
     return surface_points(subject.scene, subject.camera, g).points;
@@ -66,13 +69,13 @@ void answer_traces(const Subject& subject, const EmbreeScene& embree, const Grou
         const float units = length * subject.scene.length_unit;
         const LengthDuel duel = trace_in_turns(subject.rays, embree, rays, units, thread_counts, rounds);
         for (const TracerTimes& times : duel.times) {
-            const Json text = std::isinf(units) ? Json("unbounded") : Json(units);
             answer({{"kind", "trace"},
-                    {"length", text},
+                    {"length", length_answer(units)},
                     {"tracer", name_of(times.tracer)},
                     {"threads", times.threads},
                     {"rays", rays.rays.size()},
                     {"ms", times.ms},
+                    {"cpu_ms", times.cpu_ms},
                     {"differing_embree1", duel.differing1},
                     {"differing_embree8", duel.differing8}});
         }
@@ -88,7 +91,7 @@ void answer_agreement(const Subject& subject, const EmbreeScene& embree, const W
     run.threads = words.threads;
     const AoAgreement a = compare_ao(subject.rays, embree, points, settings, run);
     answer({{"kind", "agreement"},
-            {"radius", settings.radius},
+            {"radius", length_answer(settings.radius)},
             {"points", points.size()},
             {"rays", a.rays},
             {"differing", a.differing},

@@ -1,9 +1,9 @@
 // The triangles of a RayScene in Embree, and rays through them in Embree's two ways.
 //
 // Embree builds with RTC_BUILD_QUALITY_HIGH, its fastest trees, and is asked for no more robustness than it
-// has by itself, which is its fastest way too: unlike ours it may let a ray slip between two triangles. Packets
-// are flagged incoherent: with eights of rays of one octant that is 1.2 (length 0.5) to 1.8 times (unbounded) as
-// fast as flagged coherent, which keeps them together to the end.
+// has by itself, which is its fastest way too: unlike ours it may let a ray slip between two triangles.
+// Packets are flagged incoherent: with eights of rays of one octant that is 1.2 (length 0.5) to 1.7 times
+// (unbounded) as fast as flagged coherent, which keeps them together to the end.
 #pragma once
 
 #include <cstdint>

@@ -90,15 +90,19 @@ LengthDuel trace_in_turns(const RayScene& ours, const EmbreeScene& embree, const
                           float length, const std::vector<int>& thread_counts, int rounds) {
     LengthDuel duel;
     for (const int threads : thread_counts) {
-        for (const Tracer tracer : kTracers) duel.times.push_back({tracer, threads, {}});
+        for (const Tracer tracer : kTracers) duel.times.push_back({tracer, threads, {}, {}});
     }
     std::array<Hits, kTracers.size()> hits;
     for (int round = 0; round <= rounds; ++round) {
         for (std::size_t turn = 0; turn < duel.times.size(); ++turn) {
             TracerTimes& times = duel.times[(turn + static_cast<std::size_t>(round)) % duel.times.size()];
-            const double before = clocks().wall_ms;
+            const Clocks before = clocks();
             Hits found = trace(times.tracer, ours, embree, rays, length, with_threads(times.threads));
-            if (round > 0) times.ms.push_back(clocks().wall_ms - before);
+            const Clocks after = clocks();
+            if (round > 0) {
+                times.ms.push_back(after.wall_ms - before.wall_ms);
+                times.cpu_ms.push_back(after.cpu_ms - before.cpu_ms);
+            }
             hits[static_cast<std::size_t>(times.tracer)] = std::move(found);
         }
     }

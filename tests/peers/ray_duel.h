@@ -15,11 +15,11 @@ enum class Tracer { ours, embree1, embree8 };
 inline constexpr std::array<Tracer, 3> kTracers = {Tracer::ours, Tracer::embree1, Tracer::embree8};
 const char* name_of(Tracer tracer);
 
-// Wall times of all rounds.
+// The times of all rounds.
 struct TracerTimes {
     Tracer tracer = Tracer::ours;
     int threads = 1;
-    std::vector<double> ms;
+    std::vector<double> ms, cpu_ms;  // wall clock; processor time of all threads
 };
 
 // All times of one ray length. The first round is thrown away; each tracer goes first in every third round.
@@ -38,7 +38,8 @@ struct BuildDuel {
 };
 BuildDuel build_in_turns(const RayScene& scene, const EmbreeDevice& device, int threads, int rounds);
 
-// Random rays of every point: the accessibility that both find with the same rays, and with rays of their own.
+// Random rays of every point: the accessibility that both find with the same rays, and with rays of their
+// own.
 struct AoAgreement {
     long long rays = 0, differing = 0;             // of the same rays
     double ours = 0, same_rays = 0, own_rays = 0;  // mean accessibility over all points
@@ -46,8 +47,8 @@ struct AoAgreement {
     double error = 0;
     // Differences of the means in standard errors of a difference of independent means.
     double same_rays_errors = 0, own_rays_errors = 0;
-    // Of the points, with rays of their own: root mean square of the difference in its standard errors, about 1
-    // when both mean the same. Points that both call all open or all closed are left out.
+    // Of the points, with rays of their own: root mean square of the difference in its standard errors,
+    // about 1 when both mean the same. Points that both call all open or all closed are left out.
     double point_rms_errors = 0;
     double largest_same_rays = 0;  // largest difference at one point
 };
