@@ -10,10 +10,12 @@
 #include "chapters/compare.h"
 #include "chapters/methods.h"
 #include "chapters/parse.h"
+#include "chapters/presets.h"
 #include "chapters/render.h"
 #include "chapters/run_flags.h"
 #include "chapters/scene_argument.h"
 #include "chapters/truth_words.h"
+#include "chapters/turntable.h"
 #include "rasterizer/error.h"
 
 namespace {
@@ -22,9 +24,9 @@ using namespace crevice;
 
 // The words of the command line, before they are looked at.
 struct Words {
-    std::string scene, size = "1280x720", ao = "xjun", ao_scale = ".5", only, out = "out", a, b, html, method,
-                       which;
-    std::string repeat = "1", chapter_size, seed = "1";
+    std::string scene, size = "1280x720", ao, ao_scale = ".5", only, out = "out", a, b, html, method, which;
+    std::string repeat = "1", time = "0", chapter_size, seed = "1";
+    std::optional<std::string> frames, preset;
     std::vector<std::string> params;
     CameraFlags camera;
     RunWords run;
@@ -54,19 +56,30 @@ WantedBuffers buffers_of(const std::string& list) {
 
 int render(const Words& words) {
     RenderOptions options;
-    options.scene = words.scene;
+    const Preset* const preset = words.preset ? &find_preset(*words.preset) : nullptr;
+    if (words.scene.empty() && preset == nullptr)
+        throw UsageError(
+            "crevice render: neither SCENE nor --preset; give one, such as crevice render columns");
+    if (preset != nullptr && !(words.scene.empty() && words.ao.empty()))
+        throw UsageError("--preset: names its own scene and method; leave SCENE and --ao away");
+    options.scene = preset != nullptr ? preset->scene : words.scene;
     options.camera = words.camera;
     options.out = words.out;
     FrameRequest& request = options.request;
     request.run = run_of(words.run);
     request.size = parse_size("--size", words.size);
-    request.method = &find_method(words.ao);
+    request.method = &find_method(preset != nullptr ? preset->method : words.ao.empty() ? "xjun" : words.ao);
     options.params = words.params;
     request.settings.ao.ao_scale = static_cast<float>(parse_number("--ao-scale", words.ao_scale));
     ao_map_size(request.size, request.settings.ao.ao_scale);
     request.wanted = buffers_of(words.only);
     request.repeats = static_cast<int>(parse_whole("--repeat", words.repeat, 1, 100000));
-    render_command(options);
+    options.time_s = parse_number("--time", words.time);
+    if (words.frames) {
+        turntable_command(options, frames_of("--frames", *words.frames), std::cout);
+    } else {
+        render_command(options);
+    }
     return 0;
 }
 
@@ -107,11 +120,11 @@ void add_bench(CLI::App& app, BenchWords& words) {
 void add_render(CLI::App& app, Words& words) {
     CLI::App* render = app.add_subcommand(
         "render", "Draw a scene and write every buffer as NAME.npy and NAME.png, with passes.json");
-    render->add_option("SCENE", words.scene, "a built-in scene (crevice scenes) or the path of an OBJ file")
-        ->required();
+    render->add_option("SCENE", words.scene, "a built-in scene (crevice scenes) or the path of an OBJ file");
+    render->add_option("--preset", words.preset, "instead of SCENE and --ao: xjun2020, xjun2022 or luna");
     render->add_option("--size", words.size, "size of the picture in pixels, WxH")->capture_default_str();
     add_camera_flags(*render, words.camera);
-    render->add_option("--ao", words.ao, "ambient-occlusion method (crevice methods)")->capture_default_str();
+    render->add_option("--ao", words.ao, "ambient-occlusion method (crevice methods); default: xjun");
     render->add_option("--param", words.params, "name=value, any number of times (crevice params METHOD)")
         ->allow_extra_args(false);
     render->add_option("--ao-scale", words.ao_scale, "size of the AO map: .5 or 1 times the picture")
@@ -124,6 +137,11 @@ void add_render(CLI::App& app, Words& words) {
         ->add_option("--repeat", words.repeat,
                      "draw the frame this often: times are medians, and what leaving out saves is measured")
         ->capture_default_str();
+    render->add_option("--time", words.time, "seconds that the scene's lights have been turning")
+        ->capture_default_str();
+    render->add_option(
+        "--frames", words.frames,
+        "A-B: a turntable of 36 frames a turn, as frame_NNNN.png and, with img2webp, turntable.webp");
     render->add_option("--out", words.out, "the directory for the files")->capture_default_str();
 }
 

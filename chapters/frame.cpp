@@ -46,7 +46,7 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
                 geometry = screen_geometry(scene, frame.camera, request.size, geometry_with, request.run);
                 NormalDepthSettings buffers = settings.buffers;
                 buffers.with_material = needs.lit && needs.materials;
-                frame.gbuffer = normal_depth(geometry, frame.camera.reversed_z, buffers, request.run);
+                frame.gbuffer = normal_depth(scene, geometry, frame.camera.reversed_z, buffers, request.run);
             });
             if (needs.ao) {
                 stopwatch.time("ao", [&] {

@@ -114,21 +114,28 @@ void print_times(const Frame& frame, const std::vector<Saving>& savings,
 
 }  // namespace
 
-void render_command(const RenderOptions& given) {
-    RenderOptions options = given;
-    FrameRequest& request = options.request;
+PreparedRender prepared_render(const RenderOptions& options) {
+    FrameRequest request = options.request;
     validate(request.run);
     // Before the scene is loaded, for a quick answer to a wrong word.
     settings_of(*request.method, options.params);
     // Loads no texture when no picture shows one.
-    const SceneArgument argument = load_scene(options.scene, {.textures = request.wanted.contains("lit")});
+    SceneArgument argument = load_scene(options.scene, {.textures = request.wanted.contains("lit")});
+    argument.scene.lights = lights_at(argument.scene, options.time_s);
     const Camera camera = chosen_camera(argument, options.camera);
     const float ao_scale = request.settings.ao.ao_scale;
     request.settings = settings_of(*request.method, options.params, argument.scene.length_unit);
     request.settings.ao.ao_scale = ao_scale;
-    try_output_directory(options.out);
     if (triangle_count(argument.scene) == 0)
         std::cerr << options.scene << ": 0 triangles; only the sky will be seen\n";
+    return {std::move(argument), camera, std::move(request)};
+}
+
+void render_command(const RenderOptions& given) {
+    const auto [argument, camera, request] = prepared_render(given);
+    RenderOptions options = given;
+    options.request = request;
+    try_output_directory(options.out);
     const Frame frame = render_frame(argument.scene, camera, request);
     // Who asks for medians is told what leaving out saves, too; with everything kept there is nothing to tell.
     const bool measures = request.repeats > 1 && request.run.leaves_out(Skip::passes);

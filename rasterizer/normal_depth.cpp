@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "rasterizer/cutouts.h"
+
 namespace crevice {
 
 DepthFunction nearest_wins(bool reversed_z) {
@@ -58,26 +60,53 @@ struct NormalDepthShader {
     }
 };
 
+// The same with the holes of cut-outs left open.
+struct CutNormalDepthShader : NormalDepthShader {
+    MaterialCutouts cutouts;
+
+    template <class F>
+    CREVICE_INLINE Mask<F> kept(const ScreenTriangle& t, const Fragment<F>& f) const {
+        return cutouts.kept(geometry, t, f);
+    }
+};
+static_assert(DropsFragments<CutNormalDepthShader>);
+
+GBuffer cleared_later(const ScreenGeometry& geometry, const NormalDepthSettings& settings) {
+    return {Image3(geometry.vertices.with_normals ? geometry.size : Size{}),
+            Image<float>(geometry.size),
+            {settings.depth_format, Image<std::int32_t>(geometry.size)},
+            settings.buffer_format,
+            settings.with_material ? Image<std::int32_t>(geometry.size) : Image<std::int32_t>(),
+            geometry.tile_size,
+            {}};
+}
+
+std::int32_t clear_code(const NormalDepthSettings& settings, bool reversed_z) {
+    return depth_code(settings.depth_format, reversed_z ? 0.0f : 1.0f, 0.0);
+}
+
 }  // namespace
 
 GBuffer normal_depth(const ScreenGeometry& geometry, bool reversed_z, const NormalDepthSettings& settings,
                      const Run& run) {
-    GBuffer g{Image3(geometry.vertices.with_normals ? geometry.size : Size{}),
-              Image<float>(geometry.size),
-              {settings.depth_format, Image<std::int32_t>(geometry.size)},
-              settings.buffer_format,
-              settings.with_material ? Image<std::int32_t>(geometry.size) : Image<std::int32_t>(),
-              geometry.tile_size,
-              {}};
-    const std::int32_t clear_code = depth_code(settings.depth_format, reversed_z ? 0.0f : 1.0f, 0.0);
-    const NormalDepthShader shader{geometry, g, clear_code};
+    GBuffer g = cleared_later(geometry, settings);
+    const NormalDepthShader shader{geometry, g, clear_code(settings, reversed_z)};
+    g.tiles = rasterize(geometry, nearest_wins(reversed_z), g.depth, shader, run);
+    return g;
+}
+
+GBuffer normal_depth(const Scene& scene, const ScreenGeometry& geometry, bool reversed_z,
+                     const NormalDepthSettings& settings, const Run& run) {
+    if (!has_cutouts(scene)) return normal_depth(geometry, reversed_z, settings, run);
+    GBuffer g = cleared_later(geometry, settings);
+    const CutNormalDepthShader shader{{geometry, g, clear_code(settings, reversed_z)}, {scene}};
     g.tiles = rasterize(geometry, nearest_wins(reversed_z), g.depth, shader, run);
     return g;
 }
 
 GBuffer normal_depth(const Scene& scene, const Camera& camera, Size size, const NormalDepthSettings& settings,
                      const Run& run) {
-    return normal_depth(screen_geometry(scene, camera, size, geometry_settings(settings), run),
+    return normal_depth(scene, screen_geometry(scene, camera, size, geometry_settings(settings), run),
                         camera.reversed_z, settings, run);
 }
 

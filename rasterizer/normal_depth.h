@@ -39,7 +39,10 @@ GBuffer normal_depth(const Scene& scene, const Camera& camera, Size size, const 
 GBuffer normal_depth(const Scene& scene, const Camera& camera, Size size, const NormalDepthSettings& settings,
                      const Run& run = {});
 
-// The same from geometry that another pass of this view shares; `settings` as it was built with.
+// The same from geometry that another pass of this view shares; `settings` as it was built with. Without the scene
+// cut-outs are whole.
+GBuffer normal_depth(const Scene& scene, const ScreenGeometry& geometry, bool reversed_z,
+                     const NormalDepthSettings& settings, const Run& run = {});
 GBuffer normal_depth(const ScreenGeometry& geometry, bool reversed_z, const NormalDepthSettings& settings,
                      const Run& run = {});
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <type_traits>
 
 #include "rasterizer/fragment.h"
@@ -61,6 +62,13 @@ CREVICE_INLINE Mask<F> none_negative(E a, E b, E c) {
     }
 }
 
+// A shader that may drop fragments, for cut-outs. What it drops leaves no depth, so it hides nothing and ties
+// with nothing.
+template <class Shader>
+concept DropsFragments = requires(const Shader& shader, const ScreenTriangle& t, const Fragment<float>& f) {
+    { shader.template kept<float>(t, f) } -> std::same_as<bool>;
+};
+
 // One tile while it is drawn.
 template <class F, class Depth, class Shader>
 struct TileRaster {
@@ -79,7 +87,14 @@ struct TileRaster {
         const Int<F> code = depth_code(depth.format, z_ndc, t.depth_bias);
         const auto stored_at = depth.codes.row(y) + x;
         const Int<F> stored = load<F>(stored_at);
-        const Mask<F> passed = covered & depth_passes<F>(test, code, stored);
+        Mask<F> passed = covered & depth_passes<F>(test, code, stored);
+        if constexpr (DropsFragments<Shader>) {
+            const Mask<F> asked = passed | (covered & (code == stored));
+            if (!any(asked)) return;
+            covered = asked & shader.template kept<F>(
+                                  t, fragment_at<F>(geometry, block, t, x, y, asked, e0, e1, e2, z_ndc));
+            passed = passed & covered;
+        }
         if constexpr (!std::is_const_v<Depth>) {
             const Mask<F> tied = covered & (code == stored);
             if (!any(passed | tied)) return;
@@ -194,6 +209,10 @@ CREVICE_INLINE TileRecord raster_tile(const ScreenGeometry& geometry, int tile, 
 //   begin_tile(part)                  before the first triangle of a tile: fills what the pass writes,
 //                                     padding included
 //   fragment<F>(triangle, fragment)   writes only where fragment.passed holds
+//   kept<F>(triangle, fragment)       optional: which fragments are not cut out, asked before their depths
+//                                     are written. Only lanes where fragment.passed holds matter. It must
+//                                     depend on triangle, pixel and barycentric coordinates alone, the same way
+//                                     in all passes of a view: then EQUAL finds what the first pass left
 //   finish_tile<F>(part)              after the last triangle of a tile
 // Returns what became of each tile's triangles.
 template <class Depth, class Shader>

@@ -1,50 +1,45 @@
-// Trilinear texture filtering with wrap-around.
+// Texture filtering: D3D11.3 functional spec 7.18, with weights of full float precision.
+//
+// Coordinates: u and v run over [0,1] from the left edge of the first texel to the right edge of the last;
+// the centre of texel i of N is at (i + 1/2) / N. A coordinate that is not a number counts as 0, and so does
+// an infinite one with wrap. Every filter gives a finite answer for any coordinates and steps, a constant
+// texture as exactly that constant, and in general a value between the smallest and the largest texel (to a
+// rounding).
 #pragma once
 
-#include <cmath>
-
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
-#include "rasterizer/approx_math.h"
+#include "rasterizer/sampler.h"
 #include "rasterizer/texture.h"
 
 namespace crevice {
 
-// Bilinear colour of one mip level at uv (any finite value; others give the texel at 0,0).
-inline glm::vec3 sample_bilinear(const Image3& level, glm::vec2 uv) {
-    const Size size = level.size();
-    // To [0,1) first, so that whole repeats cost no precision.
-    const auto wrapped = [](float a) {
-        const float fraction = a - std::floor(a);
-        return fraction >= 0 && fraction < 1 ? fraction : 0.0f;
-    };
-    const float x = wrapped(uv.x) * static_cast<float>(size.width) - 0.5f;
-    const float y = wrapped(uv.y) * static_cast<float>(size.height) - 0.5f;
-    const int x0 = floor_to_int(x), y0 = floor_to_int(y);
-    const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
-    const int left = x0 < 0 ? size.width - 1 : x0, right = x0 + 1 < size.width ? x0 + 1 : 0;
-    const int top = y0 < 0 ? size.height - 1 : y0, bottom = y0 + 1 < size.height ? y0 + 1 : 0;
-    const glm::vec3 above = crevice::mix(level.at(left, top), level.at(right, top), glm::vec3(fx));
-    const glm::vec3 below = crevice::mix(level.at(left, bottom), level.at(right, bottom), glm::vec3(fx));
-    return crevice::mix(above, below, glm::vec3(fy));
-}
+// RGB and alpha at uv. `duv_dx` and `duv_dy` say how far uv moves from this pixel to the next in x and in y.
+// The mip level is that whose texels are as wide as the longer of the two; with the anisotropic filter, see
+// footprint_of. The texture has at least one mip, the sampler is valid. Alpha is 1 where the texture has
+// none.
+glm::vec4 sample_texture(const Texture& texture, const Sampler& sampler, glm::vec2 uv, glm::vec2 duv_dx,
+                         glm::vec2 duv_dy);
 
-// Colour at uv; `duv_dx` and `duv_dy` say how far uv moves from this pixel to the next in x and in y. The mip
-// level is that whose texels are as wide as the longer of the two (D3D11.3 functional spec 7.18.11, without
-// anisotropy).
-inline glm::vec3 sample_trilinear(const Texture& texture, glm::vec2 uv, glm::vec2 duv_dx, glm::vec2 duv_dy) {
-    const Size size = texture.mips.front().size();
-    const glm::vec2 texels(static_cast<float>(size.width), static_cast<float>(size.height));
-    const glm::vec2 dx = duv_dx * texels, dy = duv_dy * texels;
-    const float longest = max_of(dx.x * dx.x + dx.y * dx.y, dy.x * dy.x + dy.y * dy.y);
-    const float last = static_cast<float>(texture.mips.size() - 1);
-    const float level = longest > 1 ? min_of(0.5f * log2_of(min_of(longest, 1e30f)), last) : 0.0f;
-    const int finer = floor_to_int(level);
-    const float between = level - static_cast<float>(finer);
-    const glm::vec3 fine = sample_bilinear(texture.mips[static_cast<std::size_t>(finer)], uv);
-    if (between == 0) return fine;
-    const glm::vec3 coarse = sample_bilinear(texture.mips[static_cast<std::size_t>(finer) + 1], uv);
-    return crevice::mix(fine, coarse, glm::vec3(between));
-}
+// The colour that a Sampler without further wishes gives: trilinear, wrap.
+glm::vec3 sample_trilinear(const Texture& texture, glm::vec2 uv, glm::vec2 duv_dx, glm::vec2 duv_dy);
+
+// Bilinear colour of one mip level, wrap.
+glm::vec3 sample_bilinear(const Image3& level, glm::vec2 uv);
+
+// How an anisotropic filter covers a pixel.
+struct Footprint {
+    int probes = 1;                 // trilinear ones, of equal weight
+    glm::vec2 axis = glm::vec2(0);  // texels of the full size, from end to end of the row of probes
+    float squared_width = 0;  // texels^2 of the full size: a probe's own footprint, which gives its level
+};
+
+// A pixel whose neighbours lie `dx` and `dy` texels away is taken for the ellipse that the unit circle
+// becomes. Its longer axis is covered by up to `max_probes` probes, each as wide as the shorter axis, but at
+// least a texel (nothing finer is there to be seen); where the probes do not suffice they widen. A circle
+// needs one.
+Footprint footprint_of(glm::vec2 dx, glm::vec2 dy, int max_probes);
 
 }  // namespace crevice

@@ -1,6 +1,11 @@
 #include "rasterizer/scene.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "rasterizer/approx_math.h"
+#include "rasterizer/error.h"
 
 namespace crevice {
 
@@ -10,6 +15,22 @@ std::size_t triangle_count(const Scene& scene) {
         count += scene.meshes[static_cast<std::size_t>(instance.mesh)].triangles.size();
     }
     return count;
+}
+
+std::array<DirectionalLight, 3> lights_at(const Scene& scene, double time_s) {
+    constexpr double kMostTurned_rad = 1e5;  // sine_cosine() keeps its digits up to here
+    const double angle_rad = scene.light_spin_rad_per_s * time_s;
+    if (!(std::abs(angle_rad) < kMostTurned_rad))
+        throw UsageError("time: turns the lights too far to tell where they are (" + std::to_string(time_s) +
+                         " s); choose a time nearer to 0");
+    const SineCosine turn = sine_cosine(angle_rad);
+    std::array<DirectionalLight, 3> lights = scene.lights;
+    for (DirectionalLight& light : lights) {
+        const glm::dvec3 d = light.direction;
+        light.direction =
+            glm::vec3(turn.cosine * d.x + turn.sine * d.z, d.y, turn.cosine * d.z - turn.sine * d.x);
+    }
+    return lights;
 }
 
 Bounds world_bounds(const Scene& scene) {

@@ -13,6 +13,7 @@
 #include <glm/vec3.hpp>
 
 #include "rasterizer/camera.h"
+#include "rasterizer/sampler.h"
 #include "rasterizer/texture.h"
 
 namespace crevice {
@@ -46,6 +47,9 @@ struct Material {
     glm::vec3 specular = glm::vec3(0.2f);    // 000: specular reflectance; 002: Fresnel R0
     float shininess = 16;                    // Phong exponent (000), 256 * (1 - roughness) (002)
     std::shared_ptr<const Texture> texture;  // multiplies diffuse and ambient; null: none
+    Sampler sampler = {};                    // of the texture
+    // (0, 1]: where the texture's alpha is below, the surface is cut out in every pass. 0: nothing is.
+    float alpha_cutoff = 0;
 };
 
 struct DirectionalLight {
@@ -66,6 +70,7 @@ struct Scene {
     std::vector<Instance> instances;
     std::vector<Material> materials;  // at least one
     std::array<DirectionalLight, 3> lights;
+    double light_spin_rad_per_s = 0;         // the lights turn about the y axis, from +z towards +x
     glm::vec3 ambient_light = glm::vec3(0);  // 002 only
     LightingModel lighting = LightingModel::blinn_schlick;
     glm::vec3 sky = glm::vec3(0.69f, 0.77f, 0.87f);  // linear light, behind everything
@@ -77,6 +82,9 @@ struct Scene {
 };
 
 std::size_t triangle_count(const Scene& scene);
+
+// The lights as they stand after `time_s` seconds. Throws UsageError unless |time_s * spin| is below 1e5 radians.
+std::array<DirectionalLight, 3> lights_at(const Scene& scene, double time_s);
 
 // The smallest axis-aligned box around all vertices of all instances, world space. `empty` when there are
 // none.

@@ -76,7 +76,8 @@ ScreenGeometry screen_geometry(const Scene& scene, const Camera& camera, Size si
                  geometry.vertices.first_vertex[i], static_cast<std::uint32_t>(i), part.material, mirrored});
         }
     }
-    const SetupSettings setup{!scene.two_sided, settings.depth_format, settings.depth_bias};
+    const SetupSettings setup{!scene.two_sided && !settings.keep_back_faces, settings.depth_format,
+                              settings.depth_bias};
     build_blocks(geometry, sources, setup, run);
     return geometry;
 }

@@ -67,6 +67,7 @@ struct GeometrySettings {
     bool with_normals = true;
     DepthFormat depth_format = DepthFormat::d32f;  // matters to the unit of the bias only
     DepthBias depth_bias = {};
+    bool keep_back_faces = false;  // draw them even where the scene culls them
 };
 
 ScreenGeometry screen_geometry(const Scene& scene, const Camera& camera, Size size,

@@ -89,32 +89,53 @@ Image<float> half_size(const Image<float>& above) {
     return below;
 }
 
+std::string size_text(Size size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
+
 struct FreePixels {
     void operator()(unsigned char* pixels) const { stbi_image_free(pixels); }
 };
 using Pixels = std::unique_ptr<unsigned char, FreePixels>;
 
-// Linear light of each of the 256 sRGB codes.
-std::array<float, 256> linear_table() {
+// What each of the 256 codes of a colour channel means.
+std::array<float, 256> meaning_of_codes(TextureEncoding encoding) {
     std::array<float, 256> table{};
     for (std::size_t code = 0; code < table.size(); ++code) {
-        table[code] = std::min(1.0f, linear_from_srgb(static_cast<float>(code) / 255.0f));
+        const float value = static_cast<float>(code) / 255.0f;
+        table[code] = encoding == TextureEncoding::srgb ? std::min(1.0f, linear_from_srgb(value)) : value;
     }
     return table;
 }
 
-Image3 linear_image(const unsigned char* rgb, Size size) {
-    const std::array<float, 256> linear = linear_table();
-    Image3 image(size, glm::vec3(0));
+// The full size of a texture.
+struct Texels {
+    Image3 colour;
+    Image<float> alpha;  // empty where all of it is 1
+};
+
+Texels texels_from(const unsigned char* rgba, Size size, TextureEncoding encoding, bool has_alpha) {
+    const std::array<float, 256> meaning = meaning_of_codes(encoding);
+    Texels texels{Image3(size, glm::vec3(0)), has_alpha ? Image<float>(size, 1.0f) : Image<float>()};
+    bool opaque = true;
     for (int y = 0; y < size.height; ++y) {
-        for (int x = 0; x < size.width; ++x, rgb += 3) {
-            image.set(x, y, {linear[rgb[0]], linear[rgb[1]], linear[rgb[2]]});
+        for (int x = 0; x < size.width; ++x, rgba += 4) {
+            texels.colour.set(x, y, {meaning[rgba[0]], meaning[rgba[1]], meaning[rgba[2]]});
+            if (!has_alpha) continue;
+            texels.alpha.at(x, y) = static_cast<float>(rgba[3]) / 255.0f;
+            opaque = opaque && rgba[3] == 255;
         }
     }
-    return image;
+    if (opaque) texels.alpha = {};
+    return texels;
 }
 
-Image3 decode(const std::string& bytes, const std::string& name) {
+// The fourth byte of a TGA's pixel is alpha only where the header says so: many writers leave it 0.
+bool has_alpha_channel(const std::string& bytes, int channels) {
+    constexpr std::size_t descriptor = 17;
+    const bool tga = !bytes.starts_with("\x89PNG") && !bytes.starts_with("\xff\xd8");
+    return (channels == 2 || channels == 4) && !(tga && (bytes[descriptor] & 15) == 0);
+}
+
+Texels decode(const std::string& bytes, const std::string& name, TextureEncoding encoding) {
     const std::string damage = damage_in_image(bytes);
     if (!damage.empty()) {
         throw InputError(name + ": the picture is damaged (" + damage + "); replace the file");
@@ -126,21 +147,24 @@ Image3 decode(const std::string& bytes, const std::string& name) {
         throw InputError(name + ": this is not a PNG, JPEG or TGA picture (" + stbi_failure_reason() +
                          "); convert it to PNG");
     }
-    const std::string size_text = std::to_string(width) + " x " + std::to_string(height);
     if (width < 1 || height < 1 || width > kMaxTextureSide || height > kMaxTextureSide) {
-        throw InputError(name + ": the picture's size is out of range (" + size_text + "); 1 to " +
-                         std::to_string(kMaxTextureSide) + " pixels on a side can be read");
+        throw InputError(name + ": the picture's size is out of range (" + size_text({width, height}) +
+                         "); 1 to " + std::to_string(kMaxTextureSide) + " pixels on a side can be read");
     }
-    const Pixels pixels(stbi_load_from_memory(encoded, length, &width, &height, &channels, STBI_rgb));
+    const Pixels pixels(stbi_load_from_memory(encoded, length, &width, &height, &channels, STBI_rgb_alpha));
     if (!pixels) {
         throw InputError(name + ": the picture is damaged (" + stbi_failure_reason() + "); replace the file");
     }
-    return linear_image(pixels.get(), {width, height});
+    return texels_from(pixels.get(), {width, height}, encoding, has_alpha_channel(bytes, channels));
 }
 
 }  // namespace
 
-Texture build_texture(Image3 base) {
+Texture build_texture(Image3 base, Image<float> alpha) {
+    if (!alpha.empty() && alpha.size != base.size()) {
+        throw UsageError("texture: alpha has another size than the colours (" + size_text(alpha.size) +
+                         ", not " + size_text(base.size()) + "); give one value a texel, or none");
+    }
     Texture texture;
     texture.mips.push_back(std::move(base));
     while (texture.mips.back().size() != Size{1, 1} && !texture.mips.back().empty()) {
@@ -151,13 +175,19 @@ Texture build_texture(Image3 base) {
         below.z = half_size(above.z);
         texture.mips.push_back(std::move(below));
     }
+    if (alpha.empty()) return texture;
+    texture.alpha_mips.push_back(std::move(alpha));
+    while (texture.alpha_mips.size() < texture.mips.size()) {
+        texture.alpha_mips.push_back(half_size(texture.alpha_mips.back()));
+    }
     return texture;
 }
 
-Texture load_texture(const std::filesystem::path& path) {
+Texture load_texture(const std::filesystem::path& path, TextureEncoding encoding) {
     const std::string bytes = read_file(path, kMaxFileBytes - 1);
     try {
-        return build_texture(decode(bytes, path.string()));
+        Texels texels = decode(bytes, path.string(), encoding);
+        return build_texture(std::move(texels.colour), std::move(texels.alpha));
     } catch (const std::bad_alloc&) {
         throw InputError(path.string() + ": there is not enough memory for the picture; give a smaller one");
     }

@@ -5,9 +5,10 @@
 namespace crevice {
 namespace {
 
-constexpr std::array<BuiltinScene, 8> kScenes = {{
+constexpr std::array<BuiltinScene, 9> kScenes = {{
     {"columns", "the scene of seed 000: columns, spheres and a house with niches and eaves", "the tutorial's",
      columns_scene},
+    {"columns_2022", "the same, lit as the code of 2022 does", "the tutorial's", columns_2022_scene},
     {"columns_luna",
      "the scene of seed 002: tapered columns, a carved head of 60,492 triangles on a pedestal",
      "the tutorial's", columns_luna_scene},

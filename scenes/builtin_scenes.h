@@ -24,6 +24,8 @@ const BuiltinScene* find_builtin_scene(std::string_view name);
 
 // Seed 000: a plane, ten columns with spheres on top, a house. Lights and materials of its 2020 chapter.
 Scene columns_scene();
+// The same with the lights and materials of its code of 2022: a quarter of the ambient light, more direct.
+Scene columns_2022_scene();
 
 // Seed 002: a grid, ten tapered columns with spheres, a carved head on a pedestal.
 Scene columns_luna_scene();

@@ -1,5 +1,5 @@
-// The scene of seed 000 (MKXJun, chapter 32, as of 2020): window 1280x720. Positions, lights and reflectances
-// are the tutorial's. Its textures are not ours to ship: each material's reflectances are multiplied by the
+// The scene of seed 000 (MKXJun, chapter 32), as its text of 2020 and as its code of 2022 light it: window 1280x720.
+// Positions, lights and reflectances are the tutorial's. Its textures are not ours to ship: each material's reflectances are multiplied by the
 // mean colour such a texture would have, without which the ambient light of 1 would over-expose the picture.
 #include <array>
 #include <vector>
@@ -27,45 +27,59 @@ Material painted(const char* name, glm::vec3 colour, float ambient, float diffus
     return material;
 }
 
-std::vector<Material> materials() {
-    // The house as its .mtl file has it, with the chapter's ambient reflectance of .8.
-    const auto house = [](const char* name, glm::vec3 colour) {
-        return painted(name, colour, 0.8f, 0.588f, 0.0f, 10.0f);
+// What the text of 2020 and the code of 2022 give differently. Reflectances: ambient, diffuse, specular, power.
+struct Reflectance {
+    float ambient, diffuse, specular, power;
+};
+struct Era {
+    Reflectance ground, column, sphere;
+    float house_ambient;
+    std::array<DirectionalLight, 3> lights;
+};
+
+std::vector<Material> materials(const Era& era) {
+    const auto of = [](const char* name, glm::vec3 colour, const Reflectance& r) {
+        return painted(name, colour, r.ambient, r.diffuse, r.specular, r.power);
+    };
+    // The house's .mtl file, but for the ambient reflectance.
+    const auto house = [&](const char* name, glm::vec3 colour) {
+        return painted(name, colour, era.house_ambient, 0.588f, 0.0f, 10.0f);
     };
     return {
-        painted("ground", {0.52f, 0.44f, 0.34f}, 0.7f, 0.6f, 0.4f, 16),
-        painted("column", {0.56f, 0.36f, 0.28f}, 0.8f, 0.4f, 1.0f, 32),
-        painted("sphere", {0.62f, 0.62f, 0.60f}, 0.4f, 0.3f, 0.2f, 16),
-        house("plaster", {0.78f, 0.72f, 0.60f}),
-        house("stone", {0.46f, 0.44f, 0.41f}),
-        house("timber", {0.33f, 0.20f, 0.12f}),
-        house("glass", {0.20f, 0.27f, 0.34f}),
-        house("roof tiles", {0.50f, 0.20f, 0.13f}),
+        of("ground", {0.52f, 0.44f, 0.34f}, era.ground), of("column", {0.56f, 0.36f, 0.28f}, era.column),
+        of("sphere", {0.62f, 0.62f, 0.60f}, era.sphere), house("plaster", {0.78f, 0.72f, 0.60f}),
+        house("stone", {0.46f, 0.44f, 0.41f}),           house("timber", {0.33f, 0.20f, 0.12f}),
+        house("glass", {0.20f, 0.27f, 0.34f}),           house("roof tiles", {0.50f, 0.20f, 0.13f}),
     };
 }
 
-std::array<DirectionalLight, 3> lights() {
-    std::array<DirectionalLight, 3> three;
-    three[0].direction = unit({-0.577, -0.577, 0.577});
-    three[0].ambient = glm::vec3(1);
-    three[0].diffuse = {0.5f, 0.5f, 0.4f};
-    three[0].specular = {0.8f, 0.8f, 0.7f};
-    three[1].direction = unit({0.707, -0.707, 0});
-    three[1].diffuse = glm::vec3(0.4f);
-    three[1].specular = glm::vec3(0.2f);
-    three[2].direction = {0, 0, -1};
-    three[2].diffuse = glm::vec3(0.2f);
-    three[2].specular = glm::vec3(0.2f);
-    return three;
+Era era_2020() {
+    Era era{{0.7f, 0.6f, 0.4f, 16}, {0.8f, 0.4f, 1.0f, 32}, {0.4f, 0.3f, 0.2f, 16}, 0.8f, {}};
+    era.lights[0] = {unit({-0.577, -0.577, 0.577}), glm::vec3(1), {0.5f, 0.5f, 0.4f}, {0.8f, 0.8f, 0.7f}};
+    era.lights[1] = {unit({0.707, -0.707, 0}), glm::vec3(0), glm::vec3(0.4f), glm::vec3(0.2f)};
+    era.lights[2] = {{0, 0, -1}, glm::vec3(0), glm::vec3(0.2f), glm::vec3(0.2f)};
+    return era;
 }
 
-}  // namespace
+// The other two lights, and the first one's highlight, stayed as they were.
+Era era_2022() {
+    Era era = era_2020();
+    era.ground = {0.5f, 0.7f, 0.2f, 16};
+    era.column = {0.5f, 0.7f, 0.1f, 32};
+    era.sphere = {0.5f, 0.7f, 0.1f, 16};
+    era.house_ambient = 0.588f;
+    era.lights[0].direction = unit({5, -5, 0});
+    era.lights[0].ambient = glm::vec3(0.2f);
+    era.lights[0].diffuse = {0.7f, 0.7f, 0.6f};
+    return era;
+}
 
-Scene columns_scene() {
+Scene scene_of(const char* name, const Era& era) {
     Scene scene;
-    scene.name = "columns";
-    scene.materials = materials();
-    scene.lights = lights();
+    scene.name = name;
+    scene.materials = materials(era);
+    scene.lights = era.lights;
+    scene.light_spin_rad_per_s = 2 * kPi / 40;
     scene.lighting = LightingModel::phong;
     scene.sky = glm::vec3(linear_from_srgb(0.75f));  // the chapter clears to silver
     scene.camera.eye = {0, 0, -10};
@@ -86,5 +100,10 @@ Scene columns_scene() {
     }
     return scene;
 }
+
+}  // namespace
+
+Scene columns_scene() { return scene_of("columns", era_2020()); }
+Scene columns_2022_scene() { return scene_of("columns_2022", era_2022()); }
 
 }  // namespace crevice

@@ -41,6 +41,7 @@ Scene columns_luna_scene() {
     scene.name = "columns_luna";
     scene.materials = materials();
     scene.lights = lights();
+    scene.light_spin_rad_per_s = 0.1;
     scene.ambient_light = {0.4f, 0.4f, 0.6f};
     scene.lighting = LightingModel::blinn_schlick;
     // LightSteelBlue, to which the book clears.

@@ -35,6 +35,7 @@ Image<float> luna_occlusion(const AoInputs& inputs, const LunaSettings& settings
     if (tiles.count(TileWork::done) == 0) return ao;
     const LunaKernel kernel(inputs, settings);
     const RandomMap map = random_map(settings.seed);
+    const WholeDepthMap depths{inputs.depth_map};
     const bool skip_background = run.leaves_out(Skip::background_pixels);
     parallel_rows(ao.size.height, run, [&](int first_row, int end_row) {
         run_kernel(
@@ -44,18 +45,8 @@ Image<float> luna_occlusion(const AoInputs& inputs, const LunaSettings& settings
                     for (int x = 0; x < ao.size.width; x += kLanes<F>) {
                         if (tiles.tiles.at(x / kAoTile, y / kAoTile) != TileWork::done) continue;
                         const F z = load<F>(inputs.view_depth.row(y) + x);
-                        const auto surface = z < F(std::numeric_limits<float>::infinity());
-                        if (skip_background && !any(surface)) continue;
-                        const F u = (F(to_float(lane_index<F>() + Int<F>(x))) + F(0.5f)) /
-                                    F(static_cast<float>(ao.size.width));
-                        const F v = F((static_cast<float>(y) + 0.5f) / static_cast<float>(ao.size.height));
-                        const Vec3<F> n = {load<F>(inputs.normal.x.row(y) + x),
-                                           load<F>(inputs.normal.y.row(y) + x),
-                                           load<F>(inputs.normal.z.row(y) + x)};
-                        const Vec3<F> p = inputs.rays.p_view(u, v, select(surface, z, F(1)));
-                        const F access = kernel.accessibility(p, n, kernel.random_vector(map, u, v));
-                        const F contrast = saturate(power(max_of(access, F(0)), F(settings.exponent)));
-                        store(ao.row(y) + x, select(surface, stored_as(contrast, settings.format), F(1)));
+                        if (skip_background && !any(z < F(std::numeric_limits<float>::infinity()))) continue;
+                        store(ao.row(y) + x, kernel.texels_at<F>(map, x, y, depths));
                     }
                 }
             });

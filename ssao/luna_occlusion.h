@@ -8,8 +8,8 @@
 //         rejected; sign(0) is +1; r = p counts nothing; fade_end = fade_start is a step. `as_published`
 //         restores the first and third. It is a weighted vote, not cosine-weighted visibility: it does not
 //         converge to ray-cast AO.
-// Cost:   about 100 operations and four depth reads a sample; half of that where nothing is in front. The tiles
-//         of open_tiles.h cost nothing.
+// Cost:   about 100 operations and four depth reads a sample; half of that where nothing is in front. The
+//         tiles of open_tiles.h cost nothing.
 #pragma once
 
 #include <array>
@@ -44,8 +44,8 @@ void validate(const LunaSettings& settings);
 // One AO map of what `inputs` see. 1 where there is no surface.
 Image<float> luna_occlusion(const AoInputs& inputs, const LunaSettings& settings, const Run& run);
 
-// The same kernel in double, pixel by pixel, rounded at the end: what luna_occlusion() would be without rounding
-// errors of its own. The exponent is taken by libm: to compare with, not to keep.
+// The same kernel in double, pixel by pixel, rounded at the end: what luna_occlusion() would be without
+// rounding errors of its own. The exponent is taken by libm: to compare with, not to keep.
 Image<float> luna_occlusion_in_double(const AoInputs& inputs, const LunaSettings& settings, const Run& run);
 
 // ---- the kernel, for one texel or eight
@@ -53,8 +53,25 @@ Image<float> luna_occlusion_in_double(const AoInputs& inputs, const LunaSettings
 // A position between four pixels of the depth map.
 template <class F>
 struct MapCell {
-    Int<F> upper_left;  // index into Image::pixels
+    Int<F> upper_left;  // what the depth source calls that pixel
     F x, y;             // [0,1] from the upper left one to the right and to the lower one
+};
+
+// Where a kernel reads depths: from the map itself. compute_ssao.cpp has another source, which keeps a part
+// of the map at hand; both hold the same values.
+struct WholeDepthMap {
+    const Image<float>& map;  // AoInputs::depth_map
+
+    // The index into Image::pixels of pixel (x, y) of the picture; -1 is the border.
+    template <class F>
+    CREVICE_INLINE Int<F> index_of(Int<F> x, Int<F> y) const {
+        return y * Int<F>(map.stride) + x + Int<F>(map.stride + 1);
+    }
+    // That pixel, its right and its lower neighbours.
+    template <class I>
+    CREVICE_INLINE auto square_at(I upper_left) const {
+        return gather_square(map.pixels.data(), map.stride, upper_left);
+    }
 };
 
 struct LunaKernel {
@@ -72,22 +89,20 @@ struct LunaKernel {
     }
 
     // Where a screen position lies between the pixels of the depth map, outside the picture on its border.
-    template <class F>
-    CREVICE_INLINE MapCell<F> cell_at(Screen2<F> p_screen) const {
+    template <class F, class Depths>
+    CREVICE_INLINE MapCell<F> cell_at(Screen2<F> p_screen, Depths& depths) const {
         const F width = F(static_cast<float>(inputs.picture.width)),
                 height = F(static_cast<float>(inputs.picture.height));
         const F x = min_of(max_of(p_screen.x - F(0.5f), F(-1)), width),
                 y = min_of(max_of(p_screen.y - F(0.5f), F(-1)), height);
         const Int<F> x0 = floor_to_int(x), y0 = floor_to_int(y);
-        const int stride = inputs.depth_map.stride;
-        return {y0 * Int<F>(stride) + x0 + Int<F>(stride + 1), x - F(to_float(x0)), y - F(to_float(y0))};
+        return {depths.template index_of<F>(x0, y0), x - F(to_float(x0)), y - F(to_float(y0))};
     }
 
     // View depth that the depth map shows there, filtered linearly.
-    template <class F>
-    CREVICE_INLINE F depth_in(const MapCell<F>& cell) const {
-        const Image<float>& map = inputs.depth_map;
-        const auto pixels = gather_square(map.pixels.data(), map.stride, cell.upper_left);
+    template <class F, class Depths>
+    CREVICE_INLINE F depth_in(const MapCell<F>& cell, const Depths& depths) const {
+        const auto pixels = depths.square_at(cell.upper_left);
         const F top = mix(F(pixels.upper_left), F(pixels.upper_right), cell.x);
         const F bottom = mix(F(pixels.lower_left), F(pixels.lower_right), cell.x);
         const F depth = mix(top, bottom, cell.y);
@@ -95,7 +110,8 @@ struct LunaKernel {
     }
     template <class F>
     CREVICE_INLINE F depth_at(Screen2<F> p_screen) const {
-        return depth_in(cell_at(p_screen));
+        const WholeDepthMap depths{inputs.depth_map};
+        return depth_in(cell_at(p_screen, depths), depths);
     }
 
     // How much an occluder `distance_z` in front of p counts, in [0,1].
@@ -146,11 +162,19 @@ struct LunaKernel {
         return contribution(p, n, q, inverse_z, depth_at(inputs.rays.p_screen(q, inverse_z)));
     }
 
-    // 1 - the mean of all samples, before the exponent. A loop a step of sample(): one sample is a long chain
-    // of operations that wait for each other, and the processor overlaps the short chains of a step better
-    // (twice as fast). The steps keep plain arrays, not structs, which GCC copies through memory.
+    // 1 - the mean of all samples, before the exponent.
     template <class F>
     CREVICE_INLINE F accessibility(Vec3<F> p, Vec3<F> n, Vec3<F> random) const {
+        const WholeDepthMap depths{inputs.depth_map};
+        return accessibility_from(p, n, random, depths);
+    }
+
+    // The same with the depths of another source, which is asked for the cells of all samples in order, then
+    // for their pixels. A loop a step of sample(): one sample is a long chain of operations that wait for
+    // each other, and the processor overlaps the short chains of a step better (twice as fast). The steps
+    // keep plain arrays, not structs, which GCC copies through memory.
+    template <class F, class Depths>
+    CREVICE_INLINE F accessibility_from(Vec3<F> p, Vec3<F> n, Vec3<F> random, Depths& depths) const {
         F q_x[kCubeVectors], q_y[kCubeVectors], q_z[kCubeVectors], inverse_z[kCubeVectors];
         for (int i = 0; i < settings.samples; ++i) {
             const Vec3<F> q = sample_point(p, n, random, offsets[static_cast<std::size_t>(i)]);
@@ -162,7 +186,8 @@ struct LunaKernel {
         Int<F> cell[kCubeVectors];
         F cell_x[kCubeVectors], cell_y[kCubeVectors];
         for (int i = 0; i < settings.samples; ++i) {
-            const MapCell<F> at = cell_at(inputs.rays.p_screen<F>({q_x[i], q_y[i], q_z[i]}, inverse_z[i]));
+            const MapCell<F> at =
+                cell_at(inputs.rays.p_screen<F>({q_x[i], q_y[i], q_z[i]}, inverse_z[i]), depths);
             cell[i] = at.upper_left;
             cell_x[i] = at.x;
             cell_y[i] = at.y;
@@ -170,7 +195,7 @@ struct LunaKernel {
         F r_z[kCubeVectors];
         auto occluded = F(0) > F(0);
         for (int i = 0; i < settings.samples; ++i) {
-            r_z[i] = depth_in(MapCell<F>{cell[i], cell_x[i], cell_y[i]});
+            r_z[i] = depth_in(MapCell<F>{cell[i], cell_x[i], cell_y[i]}, depths);
             occluded = occluded | (p.z - r_z[i] > F(nearest_occluder));
         }
         if (!any(occluded)) return F(1);
@@ -185,6 +210,22 @@ struct LunaKernel {
     CREVICE_INLINE Vec3<F> random_vector(const RandomMap& map, F u, F v) const {
         const Vec3<F> r = map.sample(F(kRandomMapRepeats) * u, F(kRandomMapRepeats) * v);
         return settings.as_published ? r : normalize_or<F>(r, {F(0), F(0), F(1)});
+    }
+
+    // AO as it is stored, of the texels from (x, y) on; 1 where there is no surface.
+    template <class F, class Depths>
+    CREVICE_INLINE F texels_at(const RandomMap& map, int x, int y, Depths& depths) const {
+        const Size size = inputs.size();
+        const F z = load<F>(inputs.view_depth.row(y) + x);
+        const auto surface = z < F(std::numeric_limits<float>::infinity());
+        const F u = (F(to_float(lane_index<F>() + Int<F>(x))) + F(0.5f)) / F(static_cast<float>(size.width));
+        const F v = F((static_cast<float>(y) + 0.5f) / static_cast<float>(size.height));
+        const Vec3<F> n = {load<F>(inputs.normal.x.row(y) + x), load<F>(inputs.normal.y.row(y) + x),
+                           load<F>(inputs.normal.z.row(y) + x)};
+        const Vec3<F> p = inputs.rays.p_view(u, v, select(surface, z, F(1)));
+        const F access = accessibility_from(p, n, random_vector(map, u, v), depths);
+        const F contrast = saturate(power(max_of(access, F(0)), F(settings.exponent)));
+        return select(surface, stored_as(contrast, settings.format), F(1));
     }
 };
 

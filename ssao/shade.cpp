@@ -5,8 +5,8 @@
 
 #include <glm/common.hpp>
 
+#include "rasterizer/cutouts.h"
 #include "ssao/light_tile.h"
-#include "ssao/texture_colour.h"
 
 namespace crevice {
 
@@ -75,8 +75,9 @@ struct LitShader {
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(scene.instances[t.instance].mesh)];
         Vec3<F> colour{F(1), F(1), F(1)};
         if (material.texture != nullptr && !mesh.texcoords.empty()) {
-            colour = texture_colour(*material.texture, mesh,
-                                    lighting.geometry.vertices.first_vertex[t.instance], t, f);
+            const std::uint32_t first_vertex = lighting.geometry.vertices.first_vertex[t.instance];
+            const TextureCoordinates<F> at = texture_coordinates(mesh, first_vertex, t, f);
+            colour = texture_colour<F>(*material.texture, material.sampler, at).colour;
         }
         store_vec3(textures, f, colour);
     }
@@ -104,12 +105,28 @@ struct LitShader {
     }
 };
 
+// The same where surfaces have holes: they are the first pass's.
+struct CutLitShader : LitShader {
+    MaterialCutouts cutouts;
+
+    template <class F>
+    CREVICE_INLINE Mask<F> kept(const ScreenTriangle& t, const Fragment<F>& f) const {
+        return cutouts.kept(lighting.geometry, t, f);
+    }
+};
+static_assert(DropsFragments<CutLitShader>);
+
 void draw_again(const TileLighting& lighting, const DepthBuffer& depth, DepthFunction test,
                 const PartsOfTiles* parts, const Run& run) {
     Image<std::int32_t> materials(depth.size());
     Image3 textures =
         any_texture(lighting.scene) || !run.leaves_out(Skip::passes) ? Image3(depth.size()) : Image3();
-    rasterize(lighting.geometry, test, depth, LitShader{lighting, materials, textures, parts}, run);
+    const LitShader shader{lighting, materials, textures, parts};
+    if (has_cutouts(lighting.scene)) {
+        rasterize(lighting.geometry, test, depth, CutLitShader{shader, {lighting.scene}}, run);
+    } else {
+        rasterize(lighting.geometry, test, depth, shader, run);
+    }
 }
 
 void light_from(const GBuffer& g, const TileLighting& lighting, const PartsOfTiles& drawn_again,

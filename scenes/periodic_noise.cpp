@@ -1,0 +1,95 @@
+#include "scenes/periodic_noise.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+#include "rasterizer/wide.h"
+
+namespace crevice {
+namespace {
+
+// Mixes all 32 bits into all 32 (the finaliser of MurmurHash3).
+std::uint32_t mixed(std::uint32_t h) {
+    h ^= h >> 16;
+    h *= 0x85ebca6bu;
+    h ^= h >> 13;
+    h *= 0xc2b2ae35u;
+    return h ^ (h >> 16);
+}
+
+// The golden ratio sets seeds far apart, so that (x, seed) and (x + 1, seed - 1) are strangers.
+std::uint32_t hash_of(int x, int y, std::uint32_t seed) {
+    return mixed(mixed(seed * 0x9e3779b9u + static_cast<std::uint32_t>(x)) + static_cast<std::uint32_t>(y));
+}
+
+// Two numbers in [0,1] from the halves of a hash.
+glm::dvec2 two_numbers(std::uint32_t hash) { return glm::dvec2(hash >> 16, hash & 0xffff) / 65535.0; }
+
+int wrapped(int i, int period) { return (i % period + period) % period; }
+int next_in(int i, int period) { return i + 1 < period ? i + 1 : 0; }
+
+// 0 at 0, 1 at 1, with no slope and no curvature at either.
+double eased(double t) { return t * t * t * (t * (t * 6 - 15) + 10); }
+
+}  // namespace
+
+double hashed(int x, int y, std::uint32_t seed) {
+    return static_cast<double>(hash_of(x, y, seed) >> 8) / 16777215.0;
+}
+
+double periodic_noise(double x, double y, int period, std::uint32_t seed) {
+    const int whole_x = floor_to_int(x), whole_y = floor_to_int(y);
+    const double fx = x - whole_x, fy = y - whole_y;
+    const int left = wrapped(whole_x, period), right = next_in(left, period);
+    const int top = wrapped(whole_y, period), bottom = next_in(top, period);
+    const auto slope = [&](int i, int j, double dx, double dy) {
+        const glm::dvec2 gradient = 2.0 * two_numbers(hash_of(i, j, seed)) - 1.0;
+        return gradient.x * dx + gradient.y * dy;
+    };
+    const double across = eased(fx);
+    const double above = mix(slope(left, top, fx, fy), slope(right, top, fx - 1, fy), across);
+    const double below = mix(slope(left, bottom, fx, fy - 1), slope(right, bottom, fx - 1, fy - 1), across);
+    return mix(above, below, eased(fy));
+}
+
+double fractal_noise(double x, double y, int period, int octaves, std::uint32_t seed) {
+    double sum = 0, height = 1;
+    for (int octave = 0; octave < octaves; ++octave, height *= 0.5) {
+        sum += height * periodic_noise(x, y, period, seed + static_cast<std::uint32_t>(octave));
+        x *= 2;
+        y *= 2;
+        period *= 2;
+    }
+    return sum;
+}
+
+NearestCell nearest_cell(double x, double y, int period, std::uint32_t seed) {
+    const int left = floor_to_int(x), top = floor_to_int(y);
+    const glm::dvec2 here(x - left, y - top);
+    glm::dvec2 nearest(8), second(8);  // to the points
+    std::uint32_t identity = 0;
+    for (int dy = -2; dy <= 2; ++dy) {
+        const int row = wrapped(top + dy, period);
+        for (int dx = -2; dx <= 2; ++dx) {
+            const std::uint32_t cell = hash_of(wrapped(left + dx, period), row, seed);
+            const glm::dvec2 to_point = glm::dvec2(dx, dy) + two_numbers(cell) - here;
+            const double squared = glm::dot(to_point, to_point);
+            if (squared < glm::dot(nearest, nearest)) {
+                second = nearest;
+                nearest = to_point;
+                identity = cell;
+            } else if (squared < glm::dot(second, second)) {
+                second = to_point;
+            }
+        }
+    }
+    const glm::dvec2 apart = second - nearest;
+    const double length = std::max(std::sqrt(glm::dot(apart, apart)), 1e-9);
+    return {std::sqrt(glm::dot(nearest, nearest)), glm::dot(0.5 * (nearest + second), apart) / length,
+            identity};
+}
+
+}  // namespace crevice

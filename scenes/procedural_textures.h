@@ -1,0 +1,40 @@
+// The textures of the built-in scenes, made in code: no files, the same bits everywhere.
+#pragma once
+
+#include "rasterizer/texture.h"
+
+namespace crevice {
+
+inline constexpr int kTextureSide = 512;  // texels; what the scenes use
+inline constexpr int kSmallestTextureSide = 8, kLargestTextureSide = 4096;
+
+// A surface that repeats in both directions: its opposite edges continue each other.
+struct SurfaceTextures {
+    Texture colour;  // albedo, linear light
+    // RGB = n / 2 + 1/2: red along u (right), green along v (down), blue out of the surface. Alpha: the
+    // factor of the material's shininess, as in seed 002.
+    Texture normal;
+    Image<float> height;  // what the normals are of, in widths of the texture; texel centres
+};
+
+// All are square, `side` texels; a side out of [kSmallestTextureSide, kLargestTextureSide] is a UsageError.
+// They are functions of the position alone, so another side gives the same surface sampled otherwise.
+
+// Four by four glazed clay tiles with rounded rims, each of its own shade, and rough grout between them.
+SurfaceTextures floor_tile_textures(int side = kTextureSide);
+
+// Running bond, four bricks across and ten courses, with chipped rims and sunken mortar.
+SurfaceTextures brick_textures(int side = kTextureSide);
+
+// Weathered grey stone: grain, pits and a few cracks.
+SurfaceTextures rough_stone_textures(int side = kTextureSide);
+
+// A single leaf, its tip up and its stalk at the lower edge, that fills the square but for a free rim. The
+// colours go on beyond the outline, so that filters mix in nothing foreign. Alpha is the covered part of each
+// texel; its mip levels are plain means (see keep_coverage).
+Texture leaf_texture(int side = kTextureSide);
+
+// A fence of woven wire, four by four diamonds, that repeats in both directions. Colours and alpha as above.
+Texture fence_texture(int side = kTextureSide);
+
+}  // namespace crevice

@@ -1,0 +1,247 @@
+#include "ssao/compute_ssao.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "rasterizer/error.h"
+#include "rasterizer/isa.h"
+#include "rasterizer/parallel.h"
+#include "ssao/blur_rows.h"
+
+namespace crevice {
+
+namespace {
+
+MapReads sum_of(const std::vector<MapReads>& groups) {
+    MapReads sum;
+    for (const MapReads& reads : groups) sum.grouped += reads.grouped, sum.direct += reads.direct;
+    return sum;
+}
+
+constexpr int kGroupMemorySide = 2 * kAoGroup + 2 + 2 * kWidestApron;
+constexpr std::size_t kGroupMemory = std::size_t{kGroupMemorySide} * kGroupMemorySide;
+static_assert(kGroupMemory * sizeof(float) <= 32 * 1024);
+
+// Pixels first to end - 1 of one axis; the border before the picture is -1.
+struct Span {
+    int first, end;
+    int count() const { return end - first; }
+};
+
+// What `texels` from `texel` on see of an axis: the pixels under them with those right of and below the last,
+// and the apron.
+Span span_of(int texel, int texels, int map_texels, int pixels, int apron_px) {
+    const int last_texel = std::min(texel + texels, map_texels);
+    const auto at = [&](int edge) { return static_cast<int>(std::int64_t{edge} * pixels / map_texels); };
+    return {std::max(at(texel) - apron_px, -1), std::min(at(last_texel) + 2 + apron_px, pixels + 2)};
+}
+
+// A depth source as LunaKernel wants it: the group's memory, and the map for what lies beyond. An index is of
+// the memory, or -1 - index into the map.
+template <class F>
+struct GroupDepths {
+    const Image<float>& map;
+    const float* memory;  // columns.count() a row
+    Span columns, rows;
+    F strays = F(0);  // samples of this thread so far that read the map
+
+    template <class G>
+    CREVICE_INLINE Int<G> index_of(Int<G> x, Int<G> y) {
+        const Int<G> column = x - Int<G>(columns.first), row = y - Int<G>(rows.first);
+        const auto inside = (column >= Int<G>(0)) & (column < Int<G>(columns.count() - 1)) &
+                            (row >= Int<G>(0)) & (row < Int<G>(rows.count() - 1));
+        strays = strays + select(inside, G(0), G(1));
+        const Int<G> in_map = WholeDepthMap{map}.index_of<G>(x, y);
+        return select(inside, row * Int<G>(columns.count()) + column, Int<G>(-1) - in_map);
+    }
+
+    template <class I>
+    CREVICE_INLINE Square<F> square_at(I index) const {
+        const auto stray = index < I(0);
+        const Square<F> kept = gather_square(memory, columns.count(), select(stray, I(0), index));
+        if (!any(stray)) return kept;
+        const Square<F> read = WholeDepthMap{map}.square_at(select(stray, I(-1) - index, I(0)));
+        return {select(stray, read.upper_left, kept.upper_left),
+                select(stray, read.upper_right, kept.upper_right),
+                select(stray, read.lower_left, kept.lower_left),
+                select(stray, read.lower_right, kept.lower_right)};
+    }
+};
+
+// One dispatch of the AO pass, and the group of it whose first texel is (x, y).
+struct AoDispatch {
+    const LunaKernel& kernel;
+    const RandomMap& random;
+    int apron_px;
+
+    MapReads run_group(GroupedAo& out, int x, int y, const Run& run) const {
+        const AoInputs& in = kernel.inputs;
+        const Size size = in.size();
+        const Span columns = span_of(x, kAoGroup, size.width, in.picture.width, apron_px),
+                   rows = span_of(y, kAoGroup, size.height, in.picture.height, apron_px);
+        std::array<float, kGroupMemory> memory;
+        for (int row = rows.first; row < rows.end; ++row)
+            std::copy_n(in.depth_map.row(row + 1) + columns.first + 1, columns.count(),
+                        memory.data() + (row - rows.first) * columns.count());
+        // Here a shader waits until all its threads have got so far: GroupMemoryBarrierWithGroupSync().
+        const int end_x = std::min(x + kAoGroup, size.width), end_y = std::min(y + kAoGroup, size.height);
+        run_kernel(
+            run, [&](auto tag) __attribute__((always_inline)) {
+                using F = typename decltype(tag)::type;
+                for (int texel_y = y; texel_y < end_y; ++texel_y) {
+                    for (int texel_x = x; texel_x < end_x; texel_x += kLanes<F>) {
+                        const F z = load<F>(in.view_depth.row(texel_y) + texel_x);
+                        const auto surface = z < F(kNoSurface);
+                        if (!any(surface)) continue;
+                        GroupDepths<F> depths{in.depth_map, memory.data(), columns, rows};
+                        store(out.ao.row(texel_y) + texel_x,
+                              kernel.texels_at<F>(random, texel_x, texel_y, depths));
+                        store(out.strays.row(texel_y) + texel_x, select(surface, depths.strays, F(0)));
+                    }
+                }
+            });
+        MapReads reads{std::int64_t{columns.count()} * rows.count(), 0};
+        for (int texel_y = y; texel_y < end_y; ++texel_y) {
+            for (int texel_x = x; texel_x < end_x; ++texel_x) {
+                if (!(in.view_depth.at(texel_x, texel_y) < kNoSurface)) continue;
+                reads.grouped += 4 * static_cast<std::int64_t>(out.strays.at(texel_x, texel_y));
+                reads.direct += 4 * kernel.settings.samples;
+            }
+        }
+        return reads;
+    }
+};
+
+// One pass: texels along one axis count for each other.
+struct BlurPass {
+    const Image<float>& ao;
+    const AoInputs& inputs;
+    const BlurSettings& settings;
+    bool down;
+
+    int length() const { return down ? ao.size.height : ao.size.width; }  // along the axis
+    int lines() const { return down ? ao.size.width : ao.size.height; }
+    int segments() const { return (length() + kBlurSegment - 1) / kBlurSegment; }
+    std::ptrdiff_t offset(int line, int along) const {
+        const std::ptrdiff_t y = down ? along : line, x = down ? line : along;
+        return y * ao.stride + x;
+    }
+};
+
+// What a group of the blur keeps: its segment, with five texels more at either end. Texels outside the map
+// have no surface.
+struct SegmentMemory {
+    static constexpr int kTexels = kBlurSegment + 2 * kBlurRadius;
+    std::array<float, kTexels> ao{}, normal_x{}, normal_y{}, normal_z{}, view_depth;
+    std::array<float, kBlurSegment> result;
+
+    SegmentMemory(const BlurPass& pass, int line, int first) {
+        view_depth.fill(kNoSurface);
+        const int from = std::max(first - kBlurRadius, 0),
+                  end = std::min(first + kBlurSegment + kBlurRadius, pass.length());
+        for (int along = from; along < end; ++along) {
+            const auto slot = static_cast<std::size_t>(along - first + kBlurRadius);
+            const auto texel = static_cast<std::size_t>(pass.offset(line, along));
+            ao[slot] = pass.ao.pixels[texel];
+            normal_x[slot] = pass.inputs.normal.x.pixels[texel];
+            normal_y[slot] = pass.inputs.normal.y.pixels[texel];
+            normal_z[slot] = pass.inputs.normal.z.pixels[texel];
+            view_depth[slot] = pass.inputs.view_depth.pixels[texel];
+        }
+    }
+};
+
+// The mean of the texels from `at` on over the taps that count, summed up in the order of blur_row().
+template <class F>
+CREVICE_INLINE F blurred(const SegmentMemory& memory, int at, const BlurSettings& settings) {
+    const SurfaceRow row = {memory.normal_x.data(), memory.normal_y.data(), memory.normal_z.data(),
+                            memory.view_depth.data()};
+    const Thresholds least = {settings.normal_threshold, settings.depth_threshold};
+    const BlurSurface<F> centre = surface_at<F>(row, at + kBlurRadius);
+    const F own = load<F>(memory.ao.data() + at + kBlurRadius);
+    F total = F(settings.weights[kBlurRadius]), sum = total * own;
+    auto has_company = F(0) > F(0);
+    each_tap([&](auto k) __attribute__((always_inline)) {
+        const auto counting = counts<F>(centre, surface_at<F>(row, at + k), least);
+        const F weight = F(settings.weights[k]);
+        has_company = has_company | counting;
+        total = total + select(counting, weight, F(0));
+        sum = sum + select(counting, weight * load<F>(memory.ao.data() + at + k), F(0));
+    });
+    return select(has_company, stored_as(sum / total, settings.format), own);
+}
+
+MapReads run_segment(const BlurPass& pass, Image<float>& out, int line, int first, const Run& run) {
+    constexpr std::int64_t kPlanes = 5;  // AO, depth, normal
+    SegmentMemory memory(pass, line, first);
+    const int count = std::min(kBlurSegment, pass.length() - first);
+    run_kernel(
+        run, [&](auto tag) __attribute__((always_inline)) {
+            using F = typename decltype(tag)::type;
+            for (int i = 0; i < count; i += kLanes<F>)
+                store(memory.result.data() + i, blurred<F>(memory, i, pass.settings));
+        });
+    MapReads reads;
+    const auto reach = [&](int first_texel,
+                           int end_texel) {  // texels of the map that these and their taps are
+        return std::min(end_texel + kBlurRadius, pass.length()) - std::max(first_texel - kBlurRadius, 0);
+    };
+    reads.grouped = kPlanes * reach(first, first + count);
+    for (int i = 0; i < count; ++i) {
+        out.pixels[static_cast<std::size_t>(pass.offset(line, first + i))] =
+            memory.result[static_cast<std::size_t>(i)];
+        reads.direct += kPlanes * reach(first + i, first + i + 1);
+    }
+    return reads;
+}
+
+GroupedBlur dispatch(const BlurPass& pass, const Run& run) {
+    GroupedBlur out{Image<float>(pass.ao.size, 1.0f), {}};
+    const int groups = pass.lines() * pass.segments();
+    std::vector<MapReads> reads(static_cast<std::size_t>(groups));
+    parallel_for(groups, run, [&](int i) {
+        const int line = i % pass.lines(), first = i / pass.lines() * kBlurSegment;
+        reads[static_cast<std::size_t>(i)] = run_segment(pass, out.ao, line, first, run);
+    });
+    out.reads = sum_of(reads);
+    return out;
+}
+
+}  // namespace
+
+GroupedAo luna_occlusion_in_groups(const AoInputs& inputs, const LunaSettings& settings, int apron_px,
+                                   const Run& run) {
+    validate(settings);
+    if (apron_px < 0 || apron_px > kWidestApron)
+        throw UsageError("apron: must lie in 0.." + std::to_string(kWidestApron) + " pixels (" +
+                         std::to_string(apron_px) + "); choose another value");
+    const TileMap tiles = ao_tiles(inputs, settings, run);
+    GroupedAo out{Image<float>(inputs.size(), 1.0f), Image<float>(inputs.size(), 0.0f), {}};
+    const LunaKernel kernel(inputs, settings);
+    const RandomMap random = random_map(settings.seed);
+    const AoDispatch dispatch{kernel, random, apron_px};
+    std::vector<MapReads> reads(tiles.count());
+    parallel_for(static_cast<int>(tiles.count()), run, [&](int i) {
+        const int column = i % tiles.tiles.size.width, row = i / tiles.tiles.size.width;
+        if (tiles.tiles.at(column, row) != TileWork::done) return;
+        reads[static_cast<std::size_t>(i)] = dispatch.run_group(out, column * kAoGroup, row * kAoGroup, run);
+    });
+    out.reads = sum_of(reads);
+    return out;
+}
+
+GroupedBlur bilateral_blur_in_groups(const Image<float>& ao, const AoInputs& inputs,
+                                     const BlurSettings& settings, const Run& run) {
+    validate(settings);
+    GroupedBlur out{ao, {}};
+    for (int pass = 0; pass < 2 * settings.iterations; ++pass) {
+        const MapReads before = out.reads;
+        out = dispatch({out.ao, inputs, settings, pass % 2 == 1}, run);
+        out.reads.grouped += before.grouped, out.reads.direct += before.direct;
+    }
+    return out;
+}
+
+}  // namespace crevice
