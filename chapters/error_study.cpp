@@ -121,6 +121,7 @@ class Study {
         Candidate candidate;
         candidate.point.method = study.method->name;
         candidate.point.setting = setting_name(setting);
+        candidate.point.of = setting;
         candidate.of_method = true;
         candidate.picture = [=, this](std::uint32_t seed) {
             return ao_picture_of(view_, settings(seed), run_);

@@ -27,6 +27,7 @@ struct ErrorSpread {
 struct StudyPoint {
     std::string method;                 // a method of methods.h, "ray_cast" or "vertex_bake"
     std::string setting;                // in words
+    std::optional<ErrorSetting> of;     // of a method: the setting itself
     ErrorSpread truth, screen;          // against T soft and S
     std::optional<ErrorSpread> limit;   // against C, the method's own
     std::optional<double> fitted_rmse;  // against T after the exponent that was fitted on other scenes

@@ -107,7 +107,7 @@ struct Canvas {
 
 std::string label_text(double value) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
+    std::snprintf(text, sizeof text, "%.6g", value);
     return text;
 }
 
