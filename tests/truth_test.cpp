@@ -45,7 +45,8 @@ TEST_CASE("truth: a wrong word is refused with exit code 2 and one line that nam
         {"columns --size 0x3", "0x3"},
         {"columns --no-cache --cache x", "--no-cache"},
     };
-    for (const auto& [arguments, named] : mistakes) {
+    for (const auto& mistake : mistakes) {
+        const std::string &arguments = mistake.first, &named = mistake.second;
         CAPTURE(arguments);
         const Outcome outcome = crevice_says(
             "truth " + arguments + (arguments.empty() ? "" : " --out " + quoted(scratch / "never")));
