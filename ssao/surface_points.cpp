@@ -67,12 +67,11 @@ class PointFinder {
         for (int i = 0; i < 3; ++i) corner[i] = corner_of(instance, shown.vertex[i].at(x, y));
         const glm::dvec3 face = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
         const glm::dvec3 seen = seen_position(x, y, g.view_depth.at(x, y));
-        // A triangle that double finds no area in has no plane of its own: what is seen faces the eye.
+        // The corners come clockwise as drawn, so this is the side that was drawn: the rasterizer's own word, which
+        // a triangle seen nearly edge-on may have against the eye's. A triangle that double finds no area in has no
+        // plane: what is seen faces the eye.
         const double area = glm::length(face);
-        glm::dvec3 geometric = area > 0 ? face / area : -glm::normalize(seen);
-        const glm::dvec3 sight =
-            geometry_.rays.perspective ? seen : relative_from_view_ * glm::dvec3(0, 0, 1);
-        if (glm::dot(geometric, sight) > 0) geometric = -geometric;
+        const glm::dvec3 geometric = area > 0 ? face / area : -glm::normalize(seen);
         const glm::dvec3 position =
             area > 0 ? seen - glm::dot(geometric, seen - corner[0]) * geometric : seen;
         const glm::dvec3 normal = relative_from_view_ * glm::dvec3(g.normal.at(x, y));
