@@ -183,8 +183,9 @@ void hidden_layers(Notebook& book) {
     const RayAoSettings settings{.rays = 64, .radius = 1.5f};
     const Image<float> truth =
         picture_of(points, ray_cast_ao(ray_scene(scene, camera.eye), points.points, settings));
-    const Image<float> layer = picture_of(
-        points, ray_cast_ao(depth_mesh(gbuffer, camera, settings.radius), points.points, settings));
+    const Image<float> layer =
+        picture_of(points, ray_cast_ao(depth_mesh(gbuffer, camera, settings.radius),
+                                       points_on_depth_mesh(points, gbuffer, camera).points, settings));
     const Image<float> lost = difference(layer, truth);
     book.show_row(
         "Rays through the scene; rays against the depth buffer alone, minus these: red: shade lost, blue: "

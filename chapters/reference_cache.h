@@ -21,8 +21,8 @@ class ContentKey {
     void add(const T& value) {
         add_bytes(std::as_bytes(std::span(&value, 1)));
     }
-    template <class T>
-    void add_all(const std::vector<T>& values) {
+    template <class Values>  // a vector or a span
+    void add_all(const Values& values) {
         add(values.size());
         add_bytes(std::as_bytes(std::span(values)));
     }

@@ -29,10 +29,11 @@ class ReferenceMaker {
         Reference hard, soft;
         std::size_t lifted_far = 0;
     };
-    Pair traced(const char* label, const RayScene& scene, const Fade& fade) {
+    // `from`: where the rays start, one for each of the points.
+    Pair traced(const char* label, const SurfacePoints& from, const RayScene& scene, const Fade& fade) {
         RayAoSettings rays = request_.rays;
         for (;;) {
-            Pair pair = traced_with(label, scene, fade, rays);
+            Pair pair = traced_with(label, from.points, scene, fade, rays);
             const double error = std::max(pair.hard.mean_error, pair.soft.mean_error);
             if (request_.wanted_error <= 0 || error <= request_.wanted_error || rays.rays >= kMostRays)
                 return pair;
@@ -68,19 +69,20 @@ class ReferenceMaker {
     }
 
  private:
-    Pair traced_with(const char* label, const RayScene& scene, const Fade& fade, const RayAoSettings& rays) {
-        const std::string key = key_of(scene, fade, rays);
+    Pair traced_with(const char* label, std::span<const SurfacePoint> from, const RayScene& scene,
+                     const Fade& fade, const RayAoSettings& rays) {
+        const std::string key = key_of(from, scene, fade, rays);
         auto hard = find(key + "-hard"), soft = find(key + "-soft");
         Pair pair;
-        pair.lifted_far = lifted_far(points_.points, rays.radius);
+        pair.lifted_far = lifted_far(from, rays.radius);
         if (hard && soft) {
             pair.hard = counted(std::move(*hard), rays.rays, 0, true);
             pair.soft = counted(std::move(*soft), rays.rays, 0, true);
             return pair;
         }
-        Progress progress(label, static_cast<long long>(points_.points.size()));
+        Progress progress(label, static_cast<long long>(from.size()));
         const Clocks before = clocks();
-        const RayAoReference traced = ray_cast_reference(scene, points_.points, rays, &fade, request_.run,
+        const RayAoReference traced = ray_cast_reference(scene, from, rays, &fade, request_.run,
                                                          [&](long long done) { progress.advance(done); });
         const double ms = clocks().wall_ms - before.wall_ms;
         ReferenceImage hard_image = picture_of_estimates(traced.hard),
@@ -92,11 +94,12 @@ class ReferenceMaker {
         return pair;
     }
 
-    std::string key_of(const RayScene& scene, const Fade& fade, const RayAoSettings& rays) const {
+    std::string key_of(std::span<const SurfacePoint> from, const RayScene& scene, const Fade& fade,
+                       const RayAoSettings& rays) const {
         ContentKey key;
         key.add(kReferenceVersion);
         key.add_all(scene.triangles);
-        key.add_all(points_.points);
+        key.add_all(from);
         key.add_all(points_.pixel);
         key.add(request_.size);
         key.add(fade);
@@ -181,11 +184,13 @@ References make_references(const Scene& scene, const Camera& camera, const Refer
 
     ReferenceMaker maker(request, references.points);
     const Fade fade{request.ao.fade_start, request.ao.fade_end};
-    ReferenceMaker::Pair truth = maker.traced("truth", rays, fade);
+    ReferenceMaker::Pair truth = maker.traced("truth", references.points, rays, fade);
     references.hard = std::move(truth.hard);
     references.soft = std::move(truth.soft);
     references.lifted_far = truth.lifted_far;
-    references.screen = maker.traced("screen", screen, fade).soft;
+    const SurfacePoints in_buffer =
+        points_on_depth_mesh(references.points, references.gbuffer, camera, request.run);
+    references.screen = maker.traced("screen", in_buffer, screen, fade).soft;
     if (request.limit_seeds > 0) {
         LunaSettings full = request.ao;
         full.ao_scale = 1;

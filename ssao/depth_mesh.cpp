@@ -68,4 +68,12 @@ RayScene depth_mesh(const GBuffer& g, const Camera& camera, float join, const Ru
     return scene;
 }
 
+SurfacePoints points_on_depth_mesh(SurfacePoints points, const GBuffer& g, const Camera& camera,
+                                   const Run& run) {
+    const std::vector<glm::vec3> positions = pixel_positions(g, camera, run);
+    for (std::size_t i = 0; i < points.points.size(); ++i)
+        points.points[i].position = positions[static_cast<std::size_t>(points.pixel[i])];
+    return points;
+}
+
 }  // namespace crevice

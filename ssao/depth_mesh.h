@@ -19,4 +19,9 @@ namespace crevice {
 // (y * width + x) of the upper left pixel, and one more for the second of the two. Throws UsageError.
 RayScene depth_mesh(const GBuffer& gbuffer, const Camera& camera, float join, const Run& run = {});
 
+// The points of surface_points() where the depth buffer has them: at corners of depth_mesh(), to the bit. Rays
+// against the depth buffer start here; from the true surface they would start below it now and then.
+SurfacePoints points_on_depth_mesh(SurfacePoints points, const GBuffer& gbuffer, const Camera& camera,
+                                   const Run& run = {});
+
 }  // namespace crevice

@@ -1,6 +1,7 @@
 #include "ssao/surface_points.h"
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include <glm/geometric.hpp>
@@ -12,7 +13,7 @@ namespace crevice {
 
 namespace {
 
-// Which triangle each pixel shows, as the vertices of its corners.
+// Which triangle each pixel shows, as the vertices of its corners, clockwise as seen.
 struct ShownTriangles {
     Image<std::int32_t> instance;   // -1: none
     Image<std::int32_t> vertex[3];  // into TransformedVertices
@@ -36,8 +37,12 @@ struct ShownTriangleShader {
     template <class F>
     CREVICE_INLINE void fragment(const ScreenTriangle& t, const Fragment<F>& f) const {
         store_where_passed(shown.instance.row(f.y), f, Int<F>(static_cast<std::int32_t>(t.instance)));
-        for (std::size_t i = 0; i < 3; ++i)
-            store_where_passed(shown.vertex[i].row(f.y), f, Int<F>(static_cast<std::int32_t>(t.vertex[i])));
+        // A clipped triangle keeps the order in which it was submitted; any other has that in which it was drawn.
+        const bool turn = t.back_facing && t.clipped >= 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::uint32_t vertex = t.vertex[turn ? 2 - i : i];
+            store_where_passed(shown.vertex[i].row(f.y), f, Int<F>(static_cast<std::int32_t>(vertex)));
+        }
     }
     template <class F>
     CREVICE_INLINE void finish_tile(PixelRect) const {}
@@ -50,6 +55,26 @@ ShownTriangles shown_triangles(const ScreenGeometry& geometry, DepthFormat forma
     const std::int32_t clear_code = depth_code(format, reversed_z ? 0.0f : 1.0f, 0.0);
     rasterize(geometry, nearest_wins(reversed_z), depth, ShownTriangleShader{shown, depth, clear_code}, run);
     return shown;
+}
+
+// The point of the triangle that is nearest to p, which lies in its plane. Coverage is decided with snapped corners, so
+// a pixel at an edge may show a triangle just beyond its end; a point left there would lie below the neighbour.
+glm::dvec3 nearest_in_triangle(const glm::dvec3& p, const glm::dvec3 (&corner)[3],
+                               const glm::dvec3& unit_normal) {
+    glm::dvec3 nearest = p;
+    double least = std::numeric_limits<double>::infinity();
+    bool inside = true;
+    for (int i = 0; i < 3; ++i) {
+        const glm::dvec3 &from = corner[i], edge = corner[(i + 1) % 3] - from;
+        inside = inside && glm::dot(glm::cross(edge, p - from), unit_normal) >= 0;
+        const double along = glm::dot(p - from, edge) / glm::dot(edge, edge);
+        const glm::dvec3 on_edge = from + (along > 0 ? (along < 1 ? along : 1) : 0) * edge;
+        const glm::dvec3 away = p - on_edge;
+        if (glm::dot(away, away) >= least) continue;
+        least = glm::dot(away, away);
+        nearest = on_edge;
+    }
+    return inside ? p : nearest;
 }
 
 // All in double, relative space.
@@ -72,8 +97,8 @@ class PointFinder {
         // plane: what is seen faces the eye.
         const double area = glm::length(face);
         const glm::dvec3 geometric = area > 0 ? face / area : -glm::normalize(seen);
-        const glm::dvec3 position =
-            area > 0 ? seen - glm::dot(geometric, seen - corner[0]) * geometric : seen;
+        const glm::dvec3 in_plane = seen - glm::dot(geometric, seen - corner[0]) * geometric;
+        const glm::dvec3 position = area > 0 ? nearest_in_triangle(in_plane, corner, geometric) : seen;
         const glm::dvec3 normal = relative_from_view_ * glm::dvec3(g.normal.at(x, y));
         const double length = glm::length(normal);
         return {glm::vec3(position), glm::vec3(length > 0 ? normal / length : geometric),

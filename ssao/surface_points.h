@@ -3,7 +3,7 @@
 // Out:    SurfacePoints, relative space (world axes, origin at the eye: what ray_scene() is given as origin)
 // How:    drawn once more beside normal_depth() with the same geometry and the same test, so every pixel
 //         keeps the triangle whose depth and normal the G-buffer shows. The position is the G-buffer's, moved
-//         onto that triangle's plane in double: what is left is the rounding of a float.
+//         onto that triangle in double: what is left is the rounding of a float.
 // Cost:   one more drawing, and about 100 double operations a pixel.
 #pragma once
 

@@ -85,6 +85,35 @@ TEST_CASE("surface points: the pixels that show a surface, each in its triangle'
     }
 }
 
+// Coverage is decided with snapped corners, so a pixel may show a triangle just beyond its end.
+TEST_CASE("surface points lie within a triangle, also where a pixel shows one beyond its end") {
+    Scene scene = still_life();
+    scene.two_sided = true;
+    scene.camera.near_plane = 1.5;  // cuts through the nearer things: clipped triangles, seen from behind
+    const RayScene rays = ray_scene(scene, scene.camera.eye);
+    const Size size{480, 270};
+    const SurfacePoints points = surface_points(scene, scene.camera, normal_depth(scene, scene.camera, size));
+    for (std::size_t i = 0; i < points.points.size(); ++i) {
+        const SurfacePoint& p = points.points[i];
+        CAPTURE(points.pixel[i] % size.width);
+        CAPTURE(points.pixel[i] / size.width);
+        CHECK(glm::dot(p.geometric_normal, p.position) < 1e-3f * glm::length(p.position));
+        // A shade to each side, so that rounding at an edge does not count.
+        bool found = false;
+        for (const glm::vec3 aside : {glm::vec3(0),
+                                      {1e-5f, 0, 0},
+                                      {-1e-5f, 0, 0},
+                                      {0, 1e-5f, 0},
+                                      {0, -1e-5f, 0},
+                                      {0, 0, 1e-5f},
+                                      {0, 0, -1e-5f}}) {
+            const glm::vec3 above = p.position + aside + 1e-3f * p.geometric_normal;
+            found = found || closest_hit(rays, {above, -p.geometric_normal}, 2e-3f).distance < kInfinity;
+        }
+        CHECK(found);
+    }
+}
+
 TEST_CASE("surface points lie on a floor to the last bit of its coordinate") {
     Scene scene = scene_of(
         {quad_mesh({glm::vec3(-50, -1, 100), {50, -1, 100}, {50, -1, 0.6f}, {-50, -1, 0.6f}}, {0, 1, 0})});
