@@ -13,6 +13,7 @@
 #include <glm/vec3.hpp>
 
 #include "rasterizer/camera.h"
+#include "rasterizer/cube_map.h"
 #include "rasterizer/sampler.h"
 #include "rasterizer/texture.h"
 
@@ -30,6 +31,8 @@ struct Mesh {
     std::vector<glm::vec3> positions;  // object space
     std::vector<glm::vec3> normals;    // object space, unit, one a position
     std::vector<glm::vec2> texcoords;  // one a position, v = 0 at the top row; empty: untextured
+    std::vector<glm::vec4>
+        tangents;  // object space, one a position (tangents.h); empty: normal maps do nothing
     std::vector<std::array<std::uint32_t, 3>> triangles;  // indices into the three above
     std::vector<MeshPart> parts;                          // cover all triangles in order
 };
@@ -47,7 +50,9 @@ struct Material {
     glm::vec3 specular = glm::vec3(0.2f);    // 000: specular reflectance; 002: Fresnel R0
     float shininess = 16;                    // Phong exponent (000), 256 * (1 - roughness) (002)
     std::shared_ptr<const Texture> texture;  // multiplies diffuse and ambient; null: none
-    Sampler sampler = {};                    // of the texture
+    // Red along u, green along v, alpha times the shininess (texture_colour.h); null: none.
+    std::shared_ptr<const Texture> normal_map = nullptr;
+    Sampler sampler = {};  // of both
     // (0, 1]: where the texture's alpha is below, the surface is cut out in every pass. 0: nothing is.
     float alpha_cutoff = 0;
 };
@@ -64,16 +69,28 @@ enum class LightingModel {
     blinn_schlick,  // seed 002: one ambient term, Blinn-Phong with the Schlick Fresnel approximation
 };
 
+// The shadow that the first light throws, as one of the tutorials has it (ssao/shadow_map.h).
+enum class LightShadow {
+    none,
+    bounds,  // seed 002's, fitted to the scene's bounds
+    luna,
+    xjun_2020,
+    xjun_2022,
+};
+
 struct Scene {
     std::string name;
     std::vector<Mesh> meshes;
     std::vector<Instance> instances;
     std::vector<Material> materials;  // at least one
     std::array<DirectionalLight, 3> lights;
+    LightShadow shadow = LightShadow::none;
     double light_spin_rad_per_s = 0;         // the lights turn about the y axis, from +z towards +x
     glm::vec3 ambient_light = glm::vec3(0);  // 002 only
     LightingModel lighting = LightingModel::blinn_schlick;
     glm::vec3 sky = glm::vec3(0.69f, 0.77f, 0.87f);  // linear light, behind everything
+    // Drawn over `sky`; blinn_schlick surfaces mirror it. World space, linear light; null: none.
+    std::shared_ptr<const CubeMap> sky_cube = nullptr;
     bool two_sided = false;  // draw back faces, with their normals turned to the eye; else they are culled
     Camera camera;           // the view the scene is meant to be seen from
     // How many scene units make one unit of the tutorials: the AO methods' default lengths are multiples of

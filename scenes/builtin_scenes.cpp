@@ -5,6 +5,12 @@
 namespace crevice {
 namespace {
 
+// A scene of which there is nothing more than its shapes.
+template <Scene (*make)()>
+Scene plain(SceneDetail) {
+    return make();
+}
+
 constexpr std::array<BuiltinScene, 9> kScenes = {{
     {"columns", "the scene of seed 000: columns, spheres and a house with niches and eaves", "the tutorial's",
      columns_scene},
@@ -13,13 +19,13 @@ constexpr std::array<BuiltinScene, 9> kScenes = {{
      "the scene of seed 002: tapered columns, a carved head of 60,492 triangles on a pedestal",
      "the tutorial's", columns_luna_scene},
     {"sphere_on_plane", "closed form: the shade under a resting sphere", "the sphere's radius",
-     sphere_on_plane_scene},
-    {"wall_corner", "closed form: the shade along a wall", "none, 1", wall_corner_scene},
-    {"trench", "closed form: the shade in a trench as wide as deep", "none, 1", trench_scene},
-    {"cornell", "a closed room: the measured Cornell box", "10 cm", cornell_scene},
+     plain<sphere_on_plane_scene>},
+    {"wall_corner", "closed form: the shade along a wall", "none, 1", plain<wall_corner_scene>},
+    {"trench", "closed form: the shade in a trench as wide as deep", "none, 1", plain<trench_scene>},
+    {"cornell", "a closed room: the measured Cornell box", "10 cm", plain<cornell_scene>},
     {"noise_wall", "a textured wall of noise: nothing that is seen of it can be left out", "none, 1",
-     noise_wall_scene},
-    {"empty", "no triangles: every buffer is its background", "none, 1", empty_scene},
+     plain<noise_wall_scene>},
+    {"empty", "no triangles: every buffer is its background", "none, 1", plain<empty_scene>},
 }};
 
 }  // namespace

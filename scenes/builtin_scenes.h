@@ -9,11 +9,17 @@
 
 namespace crevice {
 
+enum class SceneDetail {
+    shapes,    // plain colours, no shadow, no sky: what AO needs
+    surfaces,  // textures, normal maps, shadow and sky too, where the scene has them
+};
+
 struct BuiltinScene {
     const char* name;     // also Scene::name
     const char* purpose;  // half a sentence
     const char* unit;     // what one scene unit is
-    Scene (*make)();
+    Scene (*build)(SceneDetail detail);
+    Scene make(SceneDetail detail = SceneDetail::shapes) const { return build(detail); }
 };
 
 // All of them, always in the same order.
@@ -23,12 +29,12 @@ std::span<const BuiltinScene> builtin_scenes();
 const BuiltinScene* find_builtin_scene(std::string_view name);
 
 // Seed 000: a plane, ten columns with spheres on top, a house. Lights and materials of its 2020 chapter.
-Scene columns_scene();
+Scene columns_scene(SceneDetail detail = SceneDetail::shapes);
 // The same with the lights and materials of its code of 2022: a quarter of the ambient light, more direct.
-Scene columns_2022_scene();
+Scene columns_2022_scene(SceneDetail detail = SceneDetail::shapes);
 
 // Seed 002: a grid, ten tapered columns with spheres, a carved head on a pedestal.
-Scene columns_luna_scene();
+Scene columns_luna_scene(SceneDetail detail = SceneDetail::shapes);
 
 // A sphere of radius 1 that rests on a plane at the origin. At distance x from the contact the plane's
 // cosine-weighted accessibility is 1 - (r^2 / (x^2 + r^2))^(3/2), the uniform one x / sqrt(x^2 + r^2), for

@@ -103,7 +103,7 @@ Scene scene_of(const char* name, const Era& era) {
 
 }  // namespace
 
-Scene columns_scene() { return scene_of("columns", era_2020()); }
-Scene columns_2022_scene() { return scene_of("columns_2022", era_2022()); }
+Scene columns_scene(SceneDetail) { return scene_of("columns", era_2020()); }
+Scene columns_2022_scene(SceneDetail) { return scene_of("columns_2022", era_2022()); }
 
 }  // namespace crevice

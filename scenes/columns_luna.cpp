@@ -36,7 +36,7 @@ std::array<DirectionalLight, 3> lights() {
 
 }  // namespace
 
-Scene columns_luna_scene() {
+Scene columns_luna_scene(SceneDetail) {
     Scene scene;
     scene.name = "columns_luna";
     scene.materials = materials();
