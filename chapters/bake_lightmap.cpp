@@ -101,7 +101,7 @@ void bake_lightmap(const BakeOptions& options, std::ostream& out) {
     validate(options.rays);
     validate(ChartSettings{.texels = options.texels});
     const SceneArgument argument =
-        load_scene(options.scene, {.textures = false, .unused_texcoords = options.mesh_texcoords});
+        load_scene(options.scene, {.surfaces = false, .unused_texcoords = options.mesh_texcoords});
     try_output_directory(options.out);
     const Bake done = bake(argument.scene, options);
     warn(done, options);

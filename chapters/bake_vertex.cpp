@@ -59,7 +59,7 @@ void warn(const RayScene& rays, const VertexAo& ao, const BakeOptions& options) 
 void bake_vertex(const BakeOptions& options, std::ostream& out) {
     validate(options.rays);
     validate(options.run);
-    const Scene scene = load_scene(options.scene, {.textures = false}).scene;
+    const Scene scene = load_scene(options.scene, {.surfaces = false}).scene;
     try_output_directory(options.out);
     const double start_ms = clocks().wall_ms;
     const RayScene rays = centred_ray_scene(scene, options.scene, options.run);

@@ -33,7 +33,7 @@ struct Words {
     BenchWords bench;
     TruthWords truth;
     BakeWords bake;
-    bool step = false, quiet = false;
+    bool step = false, quiet = false, inset = false;
 };
 
 WantedBuffers buffers_of(const std::string& list) {
@@ -75,6 +75,7 @@ int render(const Words& words) {
     request.wanted = buffers_of(words.only);
     request.repeats = static_cast<int>(parse_whole("--repeat", words.repeat, 1, 100000));
     options.time_s = parse_number("--time", words.time);
+    options.inset = words.inset;
     if (words.frames) {
         turntable_command(options, frames_of("--frames", *words.frames), std::cout);
     } else {
@@ -139,6 +140,8 @@ void add_render(CLI::App& app, Words& words) {
         ->capture_default_str();
     render->add_option("--time", words.time, "seconds that the scene's lights have been turning")
         ->capture_default_str();
+    render->add_flag("--inset", words.inset,
+                     "the AO map over the lower right of lit.png, as the tutorials show it");
     render->add_option(
         "--frames", words.frames,
         "A-B: a turntable of 36 frames a turn, as frame_NNNN.png and, with img2webp, turntable.webp");

@@ -1,7 +1,9 @@
 #include "chapters/frame.h"
 
 #include "ssao/open_tiles.h"
+#include "ssao/scene_shadow.h"
 #include "ssao/shade.h"
+#include "ssao/sky.h"
 
 namespace crevice {
 
@@ -37,6 +39,7 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
 
     ScreenGeometry geometry;
     AoInputs inputs;
+    ShadowMap shadow;
     Stopwatch stopwatch;
     for (int repeat = 0; repeat < request.repeats; ++repeat) {
         stopwatch.time("frame", [&] {
@@ -61,10 +64,18 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
                     frame.ao_blurred = bilateral_blur(frame.ao_raw, inputs, blur, request.run);
                 });
             }
+            if (needs.shadow) stopwatch.time("shadow", [&] { shadow = scene_shadow(scene, request.run); });
             if (needs.lit) {
                 stopwatch.time("lit", [&] {
                     const Image<float>& ao = needs.blur ? frame.ao_blurred : frame.ao_raw;
-                    frame.lit = shade(scene, frame.camera, geometry, frame.gbuffer, ao, request.run);
+                    frame.lit = shade(scene, frame.camera, geometry, frame.gbuffer, ao, request.run,
+                                      needs.shadow ? &shadow : nullptr);
+                });
+            }
+            if (needs.sky) {
+                stopwatch.time("sky", [&] {
+                    frame.lit = with_sky(std::move(frame.lit), frame.gbuffer.depth, frame.camera,
+                                         *scene.sky_cube, request.run);
                 });
             }
         });

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "chapters/buffer_writer.h"
+#include "chapters/demo_view.h"
 #include "chapters/output_directory.h"
 #include "chapters/savings.h"
 #include "rasterizer/write_file.h"
@@ -17,8 +18,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json described_buffers(const Frame& frame, const FrameRequest& request, const std::filesystem::path& out) {
-    BufferWriter writer(out);
+Json described_buffers(const Frame& frame, const RenderOptions& options) {
+    const FrameRequest& request = options.request;
+    BufferWriter writer(options.out);
     const auto wanted = [&](const char* name) { return request.wanted.contains(name); };
     const GBuffer& g = frame.gbuffer;
     if (wanted("normal")) writer.write("normal", g.normal, normal_picture(g.normal));
@@ -29,7 +31,7 @@ Json described_buffers(const Frame& frame, const FrameRequest& request, const st
     }
     if (wanted("ao_raw")) writer.write("ao_raw", frame.ao_raw, ao_picture(frame.ao_raw));
     if (wanted("ao_blurred")) writer.write("ao_blurred", frame.ao_blurred, ao_picture(frame.ao_blurred));
-    if (wanted("lit")) writer.write("lit", frame.lit, lit_picture(frame.lit));
+    if (wanted("lit")) writer.write("lit", frame.lit, demo_view(frame, options.inset));
     return writer.described();
 }
 
@@ -119,8 +121,8 @@ PreparedRender prepared_render(const RenderOptions& options) {
     validate(request.run);
     // Before the scene is loaded, for a quick answer to a wrong word.
     settings_of(*request.method, options.params);
-    // Loads no texture when no picture shows one.
-    SceneArgument argument = load_scene(options.scene, {.textures = request.wanted.contains("lit")});
+    // Loads or makes no texture when no picture shows one.
+    SceneArgument argument = load_scene(options.scene, {.surfaces = request.wanted.contains("lit")});
     argument.scene.lights = lights_at(argument.scene, options.time_s);
     const Camera camera = chosen_camera(argument, options.camera);
     const float ao_scale = request.settings.ao.ao_scale;
@@ -145,7 +147,7 @@ void render_command(const RenderOptions& given) {
     }
     const std::vector<Saving> savings =
         measure_savings(argument.scene, camera, request, found, std::min(request.repeats, kMostSavingPairs));
-    Json buffers = described_buffers(frame, options.request, options.out);
+    Json buffers = described_buffers(frame, options);
     const std::filesystem::path report = options.out / "passes.json";
     write_file_atomically(
         report, passes_json(options, frame, savings, argument.load_steps, std::move(buffers)).dump(1) + "\n");

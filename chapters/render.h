@@ -15,6 +15,7 @@ struct RenderOptions {
     std::vector<std::string> params;  // "name=value"
     FrameRequest request;             // its settings follow from params and the scene
     double time_s = 0;                // how long the lights have been turning
+    bool inset = false;               // the AO map over the lower right of lit.png (not of lit.npy)
     std::filesystem::path out = "out";
 };
 

@@ -12,10 +12,10 @@
 
 namespace crevice {
 
-SceneArgument load_scene(const std::string& name_or_path, const WantedOfObj& wanted) {
+SceneArgument load_scene(const std::string& name_or_path, const WantedOfScene& wanted) {
     if (const BuiltinScene* builtin = find_builtin_scene(name_or_path)) {
         const auto start = std::chrono::steady_clock::now();
-        Scene scene = builtin->make();
+        Scene scene = builtin->make(wanted.surfaces ? SceneDetail::surfaces : SceneDetail::shapes);
         const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
         return {std::move(scene), false, {{"make the scene", took.count()}}};
     }
@@ -25,7 +25,7 @@ SceneArgument load_scene(const std::string& name_or_path, const WantedOfObj& wan
                          ": neither a built-in scene nor a file; `crevice scenes` lists the scenes");
     }
     ObjOptions options;
-    options.want_textures = wanted.textures;
+    options.want_textures = wanted.surfaces;
     options.want_unused_texcoords = wanted.unused_texcoords;
     LoadedObj loaded = load_obj(name_or_path, options);
     for (const std::string& warning : loaded.report.warnings) std::cerr << warning << "\n";

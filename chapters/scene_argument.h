@@ -14,14 +14,15 @@ struct SceneArgument {
     std::vector<LoadStep> load_steps;  // what making or reading it took
 };
 
-// What of an OBJ file is wanted beside its triangles and materials.
-struct WantedOfObj {
-    bool textures = true;           // else texture files stay unread
-    bool unused_texcoords = false;  // texture coordinates that no texture asks for
+// What of a scene is wanted beside its triangles and materials.
+struct WantedOfScene {
+    // SceneDetail::surfaces, and the texture files of an OBJ; else those stay unread.
+    bool surfaces = true;
+    bool unused_texcoords = false;  // of an OBJ: texture coordinates that no texture asks for
 };
 
 // Warnings of the OBJ loader go to stderr. Throws InputError.
-SceneArgument load_scene(const std::string& name_or_path, const WantedOfObj& wanted = {});
+SceneArgument load_scene(const std::string& name_or_path, const WantedOfScene& wanted = {});
 
 // The camera flags, each as it was typed; nothing means: as the scene says.
 struct CameraFlags {

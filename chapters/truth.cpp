@@ -127,7 +127,7 @@ void truth_command(const TruthOptions& options) {
     request.ao = settings_of(*request.method, options.params).ao;
     request.rays.radius = options.radius.value_or(1);
     validate(request.rays);
-    const SceneArgument argument = load_scene(options.scene, {.textures = false});
+    const SceneArgument argument = load_scene(options.scene, {.surfaces = false});
     if (triangle_count(argument.scene) == 0)
         std::cerr << options.scene << ": 0 triangles; everything is open\n";
     const Camera camera = chosen_camera(argument, options.camera);

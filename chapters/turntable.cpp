@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 
 #include "chapters/bench/child.h"
+#include "chapters/demo_view.h"
 #include "chapters/output_directory.h"
 #include "chapters/parse.h"
-#include "chapters/picture.h"
 #include "chapters/progress.h"
 #include "rasterizer/approx_math.h"
 #include "rasterizer/error.h"
@@ -22,8 +22,8 @@ constexpr int kMostFrame = 99999;
 constexpr double kEncoderPatience_s = 120;
 
 // The buffer that is shown: the lit picture if it is wanted, else the first there is.
-Picture shown_picture(const Frame& frame, const WantedBuffers& wanted) {
-    if (wanted.contains("lit")) return lit_picture(frame.lit);
+Picture shown_picture(const Frame& frame, const WantedBuffers& wanted, bool inset) {
+    if (wanted.contains("lit")) return demo_view(frame, inset);
     if (wanted.contains("ao_blurred")) return ao_picture(frame.ao_blurred);
     if (wanted.contains("ao_raw")) return ao_picture(frame.ao_raw);
     if (wanted.contains("normal")) return normal_picture(frame.gbuffer.normal);
@@ -91,7 +91,7 @@ void turntable_command(const RenderOptions& options, FrameRange range, std::ostr
         scene.lights = lights_at(scene, i * kFrame_s);
         const Frame frame = render_frame(scene, turned_camera(start, i), prepared.request);
         frames.push_back(frame_path(options.out, i));
-        write_picture(frames.back(), shown_picture(frame, prepared.request.wanted));
+        write_picture(frames.back(), shown_picture(frame, prepared.request.wanted, options.inset));
         progress.advance();
     }
     out << frames.front().string() << " ... " << frames.back().filename().string() << "\n";

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "rasterizer/cutouts.h"
+#include "rasterizer/shown_normal.h"
 
 namespace crevice {
 
@@ -11,7 +12,10 @@ DepthFunction nearest_wins(bool reversed_z) {
 }
 
 GeometrySettings geometry_settings(const NormalDepthSettings& settings) {
-    return {settings.position_order, true, settings.depth_format, settings.depth_bias};
+    return {.position_order = settings.position_order,
+            .depth_format = settings.depth_format,
+            .depth_bias = settings.depth_bias,
+            .normal_matrix = settings.normal_matrix};
 }
 
 namespace {
@@ -20,6 +24,7 @@ struct NormalDepthShader {
     const ScreenGeometry& geometry;
     GBuffer& g;
     std::int32_t clear_code;
+    const Scene* normal_maps;  // null: normals are the vertices'
 
     PixelRect wanted_part(int, PixelRect tile) const { return tile; }
     void empty_tile(PixelRect tile) const { begin_tile(tile); }
@@ -35,7 +40,8 @@ struct NormalDepthShader {
         store_where_passed(g.view_depth.row(f.y), f, stored_as(f.view_depth, g.format));
         if (!g.material.empty()) store_where_passed(g.material.row(f.y), f, Int<F>(t.material));
         if (!geometry.vertices.with_normals) return;
-        const Vec3<F> n = interpolated_normal(geometry, t, f);
+        const Vec3<F> n = normal_maps == nullptr ? interpolated_normal(geometry, t, f)
+                                                 : shown_normal(*normal_maps, geometry, t, f);
         store_where_passed(g.normal.x.row(f.y), f, n.x);
         store_where_passed(g.normal.y.row(f.y), f, n.y);
         store_where_passed(g.normal.z.row(f.y), f, n.z);
@@ -90,17 +96,20 @@ std::int32_t clear_code(const NormalDepthSettings& settings, bool reversed_z) {
 GBuffer normal_depth(const ScreenGeometry& geometry, bool reversed_z, const NormalDepthSettings& settings,
                      const Run& run) {
     GBuffer g = cleared_later(geometry, settings);
-    const NormalDepthShader shader{geometry, g, clear_code(settings, reversed_z)};
+    const NormalDepthShader shader{geometry, g, clear_code(settings, reversed_z), nullptr};
     g.tiles = rasterize(geometry, nearest_wins(reversed_z), g.depth, shader, run);
     return g;
 }
 
 GBuffer normal_depth(const Scene& scene, const ScreenGeometry& geometry, bool reversed_z,
                      const NormalDepthSettings& settings, const Run& run) {
-    if (!has_cutouts(scene)) return normal_depth(geometry, reversed_z, settings, run);
     GBuffer g = cleared_later(geometry, settings);
-    const CutNormalDepthShader shader{{geometry, g, clear_code(settings, reversed_z)}, {scene}};
-    g.tiles = rasterize(geometry, nearest_wins(reversed_z), g.depth, shader, run);
+    const bool mapped = settings.mapped_normals && !geometry.tangent_turns.empty();
+    const NormalDepthShader shader{geometry, g, clear_code(settings, reversed_z), mapped ? &scene : nullptr};
+    const DepthFunction test = nearest_wins(reversed_z);
+    g.tiles = has_cutouts(scene)
+                  ? rasterize(geometry, test, g.depth, CutNormalDepthShader{shader, {scene}}, run)
+                  : rasterize(geometry, test, g.depth, shader, run);
     return g;
 }
 

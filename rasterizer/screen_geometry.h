@@ -12,6 +12,7 @@
 #include "rasterizer/run.h"
 #include "rasterizer/scene.h"
 #include "rasterizer/spaces.h"
+#include "rasterizer/tangent_turn.h"
 #include "rasterizer/triangle_setup.h"
 #include "rasterizer/vertex_transform.h"
 
@@ -40,6 +41,7 @@ struct ScreenGeometry {
     ViewRays rays{glm::vec2(1), {}, true};
     float depth_a = 0, depth_b = 0;  // CameraMatrices
     TransformedVertices vertices;
+    std::vector<TangentTurn> tangent_turns;  // one an instance; empty without normals or normal maps
     std::vector<TriangleBlock> blocks;
     std::size_t submitted_triangles = 0;
 
@@ -68,6 +70,7 @@ struct GeometrySettings {
     DepthFormat depth_format = DepthFormat::d32f;  // matters to the unit of the bias only
     DepthBias depth_bias = {};
     bool keep_back_faces = false;  // draw them even where the scene culls them
+    NormalMatrix normal_matrix = NormalMatrix::inverse_transpose;
 };
 
 ScreenGeometry screen_geometry(const Scene& scene, const Camera& camera, Size size,

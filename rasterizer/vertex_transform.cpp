@@ -157,14 +157,25 @@ void transform_block(const VertexBlock& block, Size size, TransformedVertices& o
     });
 }
 
+glm::dmat3 normal_matrix_by(NormalMatrix kind, const glm::mat4& world_from_object, const CameraMatrices& m) {
+    const glm::dmat4 world(world_from_object);
+    const glm::dmat3 view_from_object = glm::dmat3(glm::dmat4(m.view_from_relative)) * glm::dmat3(world);
+    switch (kind) {
+        case NormalMatrix::inverse_transpose: return normal_matrix(view_from_object);
+        case NormalMatrix::with_translation:
+            return glm::dmat3(glm::dmat4(m.view_from_world) * glm::transpose(glm::inverse(world)));
+        case NormalMatrix::world: return view_from_object;
+    }
+    return {};
+}
+
 // Scaled to order 1, so that normalising neither overflows nor finds the normal too short.
-glm::mat3 scaled_normal_matrix(const glm::dmat3& view_from_object) {
-    const glm::dmat3 cofactors = normal_matrix(view_from_object);
+glm::mat3 scaled_to_one(const glm::dmat3& normals) {
     double largest = 0;
     for (int column = 0; column < 3; ++column) {
-        for (int row = 0; row < 3; ++row) largest = std::fmax(largest, std::fabs(cofactors[column][row]));
+        for (int row = 0; row < 3; ++row) largest = std::fmax(largest, std::fabs(normals[column][row]));
     }
-    return largest > 0 ? glm::mat3(cofactors / largest) : glm::mat3(0);
+    return largest > 0 ? glm::mat3(normals / largest) : glm::mat3(0);
 }
 
 }  // namespace
@@ -180,7 +191,7 @@ glm::dmat3 normal_matrix(const glm::dmat3& m) {
 }
 
 TransformedVertices transform_vertices(const Scene& scene, const Camera& camera, Size size,
-                                       PositionOrder order, bool with_normals, const Run& run) {
+                                       const VertexSettings& settings, const Run& run) {
     const CameraMatrices matrices = camera_matrices(camera, size);
     TransformedVertices result;
     std::vector<VertexBlock> blocks;
@@ -188,14 +199,15 @@ TransformedVertices transform_vertices(const Scene& scene, const Camera& camera,
     for (const Instance& instance : scene.instances) {
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
         const int count = static_cast<int>(mesh.positions.size());
-        const glm::dmat3 view_from_object = glm::dmat3(glm::dmat4(matrices.view_from_relative)) *
-                                            glm::dmat3(glm::dmat4(instance.world_from_object));
+        const PositionTransform positions =
+            position_transform(instance.world_from_object, camera, matrices, settings.position_order);
+        const glm::mat3 normals = scaled_to_one(
+            normal_matrix_by(settings.normal_matrix, instance.world_from_object, matrices));
         result.first_vertex.push_back(static_cast<std::uint32_t>(total));
         for (int first = 0; first < count; first += kBlockVertices) {
             const int block_count = count - first < kBlockVertices ? count - first : kBlockVertices;
-            blocks.push_back({&mesh, position_transform(instance.world_from_object, camera, matrices, order),
-                              scaled_normal_matrix(view_from_object), first, block_count,
-                              total + static_cast<std::size_t>(first)});
+            blocks.push_back(
+                {&mesh, positions, normals, first, block_count, total + static_cast<std::size_t>(first)});
         }
         total += static_cast<std::size_t>(count);
     }
@@ -205,8 +217,8 @@ TransformedVertices transform_vertices(const Scene& scene, const Camera& camera,
     }
     result.p_clip.resize(total);
     result.projected.resize(total);
-    result.with_normals = with_normals;
-    if (with_normals) result.n_view.resize(total);
+    result.with_normals = settings.with_normals;
+    if (settings.with_normals) result.n_view.resize(total);
     parallel_for(static_cast<int>(blocks.size()), run, [&](int block) {
         transform_block(blocks[static_cast<std::size_t>(block)], size, result, run);
     });

@@ -24,6 +24,16 @@ enum class PositionOrder {
     view_first,     // clip_from_view * ((view_from_world * world_from_object) * p): its normal pass, (x(WV))P
 };
 
+// What turns object-space normals into view space. Only the first keeps every normal perpendicular to its
+// surface; the others exist to show what happens without (chapter 03).
+enum class NormalMatrix {
+    inverse_transpose,  // normal_matrix(): what every pass uses
+    // The upper 3x3 of view_from_world * transpose(inverse(world_from_object)), all of them 4x4: the bottom row
+    // of the transpose holds the instance's translation, and view_from_world's own multiplies it.
+    with_translation,
+    world,  // The upper 3x3 of view_from_world * world_from_object: right under rotation and uniform scale.
+};
+
 // What is wrong with a vertex for the clipper; see clip.h. Bits of ProjectedVertex::outside.
 enum OutsideBits : std::int32_t {
     kOutsideNear = 1 << 0,       // z_clip < 0
@@ -53,11 +63,17 @@ struct ProjectedVertex {
     std::int32_t outside = 0;  // OutsideBits
 };
 
+struct VertexSettings {
+    PositionOrder position_order = PositionOrder::relative;
+    bool with_normals = true;
+    NormalMatrix normal_matrix = NormalMatrix::inverse_transpose;
+};
+
 // All vertices of a draw, instances one after the other.
 struct TransformedVertices {
     std::vector<glm::vec4> p_clip;
     std::vector<ProjectedVertex> projected;
-    std::vector<glm::vec3> n_view;            // unit; empty when not asked for
+    std::vector<glm::vec3> n_view;            // unit, or zero where there is none; empty when not asked for
     bool with_normals = false;                // whether they were
     std::vector<std::uint32_t> first_vertex;  // of each instance
 };
@@ -66,7 +82,7 @@ ProjectedVertex project_vertex(glm::vec4 p_clip, Size size);
 
 // Throws InputError when there are more vertices than 32-bit offsets reach, 306,783,378.
 TransformedVertices transform_vertices(const Scene& scene, const Camera& camera, Size size,
-                                       PositionOrder order, bool with_normals, const Run& run);
+                                       const VertexSettings& settings, const Run& run);
 
 // The matrix that turns object-space normals into view space: the cofactors of the upper 3x3 of
 // view_from_object, which is the inverse transpose up to a positive factor, exists for singular matrices too,

@@ -7,11 +7,11 @@ namespace {
 
 // A scene of which there is nothing more than its shapes.
 template <Scene (*make)()>
-Scene plain(SceneDetail) {
+Scene plain(SceneDetail, const Run&) {
     return make();
 }
 
-constexpr std::array<BuiltinScene, 9> kScenes = {{
+constexpr std::array<BuiltinScene, 12> kScenes = {{
     {"columns", "the scene of seed 000: columns, spheres and a house with niches and eaves", "the tutorial's",
      columns_scene},
     {"columns_2022", "the same, lit as the code of 2022 does", "the tutorial's", columns_2022_scene},
@@ -23,6 +23,11 @@ constexpr std::array<BuiltinScene, 9> kScenes = {{
     {"wall_corner", "closed form: the shade along a wall", "none, 1", plain<wall_corner_scene>},
     {"trench", "closed form: the shade in a trench as wide as deep", "none, 1", plain<trench_scene>},
     {"cornell", "a closed room: the measured Cornell box", "10 cm", plain<cornell_scene>},
+    {"fence", "cut-outs: a wire fence before a floor and solid things, seen and lit through its holes",
+     "the tutorial's", fence_scene},
+    {"leaves", "cut-outs, two-sided: a small tree of leaves", "the tutorial's", leaves_scene},
+    {"field", "instances: 10,000 stones that are one mesh, each turned and stretched in its own way",
+     "the tutorial's", field_scene},
     {"noise_wall", "a textured wall of noise: nothing that is seen of it can be left out", "none, 1",
      plain<noise_wall_scene>},
     {"empty", "no triangles: every buffer is its background", "none, 1", plain<empty_scene>},

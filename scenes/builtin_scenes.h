@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "rasterizer/run.h"
 #include "rasterizer/scene.h"
 
 namespace crevice {
@@ -18,8 +19,11 @@ struct BuiltinScene {
     const char* name;     // also Scene::name
     const char* purpose;  // half a sentence
     const char* unit;     // what one scene unit is
-    Scene (*build)(SceneDetail detail);
-    Scene make(SceneDetail detail = SceneDetail::shapes) const { return build(detail); }
+    Scene (*build)(SceneDetail detail, const Run& run);
+    // `run` says on how many threads; the scene is the same on any.
+    Scene make(SceneDetail detail = SceneDetail::shapes, const Run& run = {}) const {
+        return build(detail, run);
+    }
 };
 
 // All of them, always in the same order.
@@ -29,12 +33,12 @@ std::span<const BuiltinScene> builtin_scenes();
 const BuiltinScene* find_builtin_scene(std::string_view name);
 
 // Seed 000: a plane, ten columns with spheres on top, a house. Lights and materials of its 2020 chapter.
-Scene columns_scene(SceneDetail detail = SceneDetail::shapes);
+Scene columns_scene(SceneDetail detail = SceneDetail::shapes, const Run& run = {});
 // The same with the lights and materials of its code of 2022: a quarter of the ambient light, more direct.
-Scene columns_2022_scene(SceneDetail detail = SceneDetail::shapes);
+Scene columns_2022_scene(SceneDetail detail = SceneDetail::shapes, const Run& run = {});
 
 // Seed 002: a grid, ten tapered columns with spheres, a carved head on a pedestal.
-Scene columns_luna_scene(SceneDetail detail = SceneDetail::shapes);
+Scene columns_luna_scene(SceneDetail detail = SceneDetail::shapes, const Run& run = {});
 
 // A sphere of radius 1 that rests on a plane at the origin. At distance x from the contact the plane's
 // cosine-weighted accessibility is 1 - (r^2 / (x^2 + r^2))^(3/2), the uniform one x / sqrt(x^2 + r^2), for
@@ -52,6 +56,20 @@ Scene trench_scene();
 
 // The Cornell box as measured: room open to the front, short and tall block.
 Scene cornell_scene();
+
+// A fence of woven wire around a corner, before a floor, a brick wall and solid things: its holes let eye, light
+// and ambient light through. kFencePanels panels, two triangles each.
+inline constexpr int kFencePanels = 5;
+Scene fence_scene(SceneDetail detail = SceneDetail::shapes, const Run& run = {});
+
+// A small tree whose leaves are cut-outs of two triangles each, all instances of one square a tint.
+Scene leaves_scene(SceneDetail detail = SceneDetail::shapes, const Run& run = {});
+
+// A field of kFieldStones stones, each an instance of one mesh, every one turned and stretched in its own way. They
+// stand on the spiral of a sunflower's seeds, kFieldSpacing * sqrt(n + 1/2) from the middle, none touching another.
+inline constexpr int kFieldStones = 10000;
+inline constexpr double kFieldSpacing = 0.25;
+Scene field_scene(SceneDetail detail = SceneDetail::shapes, const Run& run = {});
 
 // A textured wall of noise, larger than the view: no tile and no triangle that is seen can be left out.
 Scene noise_wall_scene();

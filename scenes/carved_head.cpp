@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "rasterizer/parallel.h"
 #include "rasterizer/vertex_normals.h"
 #include "scenes/cube_sphere.h"
 
@@ -127,6 +128,17 @@ glm::dvec3 onto_surface(glm::dvec3 p) {
     return p - std::clamp(d, -0.1, 0.1) / (glm::dot(slope, slope) + 0.01) * slope;
 }
 
+// Each point moved by itself, on all threads.
+template <class Move>
+void move_each(std::vector<glm::dvec3>& points, const Run& run, const Move& move) {
+    constexpr std::size_t kAtOnce = 512;
+    parallel_for(static_cast<int>((points.size() + kAtOnce - 1) / kAtOnce), run, [&](int batch) {
+        const std::size_t first = static_cast<std::size_t>(batch) * kAtOnce;
+        const std::size_t end = std::min(first + kAtOnce, points.size());
+        for (std::size_t i = first; i < end; ++i) points[i] = move(points[i]);
+    });
+}
+
 // Every vertex moved by `weight` of the way to the middle of its neighbours.
 std::vector<glm::dvec3> smoothed(const std::vector<glm::dvec3>& points,
                                  const std::vector<std::array<std::uint32_t, 3>>& triangles, double weight) {
@@ -166,19 +178,18 @@ std::vector<glm::vec3> smooth_normals(const Mesh& mesh) {
 
 }  // namespace
 
-Mesh carved_head_mesh() {
+Mesh carved_head_mesh(const Run& run) {
     constexpr int kCells = 71, kPasses = 6;
     CubeSphere sphere = cube_sphere(kCells);
-    std::vector<glm::dvec3> points;
-    points.reserve(sphere.directions.size());
-    for (const glm::dvec3& even : sphere.directions) {
+    std::vector<glm::dvec3> points = std::move(sphere.directions);
+    move_each(points, run, [](glm::dvec3 even) {
         const glm::dvec3 direction = toward_face(even);
-        points.push_back(kMiddle + outermost_surface(direction) * direction);
-    }
+        return kMiddle + outermost_surface(direction) * direction;
+    });
     // Rays along a steep surface have stretched its triangles; sliding along the surface evens them out.
     for (int pass = 0; pass < kPasses; ++pass) {
         points = smoothed(points, sphere.triangles, 0.6);
-        for (glm::dvec3& p : points) p = onto_surface(p);
+        move_each(points, run, onto_surface);
     }
     points = smoothed(points, sphere.triangles, 0.5);  // rounds crevices finer than a triangle
     fit(points, kHeadLow, kHeadHigh);

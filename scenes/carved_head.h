@@ -1,6 +1,7 @@
 // The head on the pedestal of `columns_luna`: our own carving in the place of the book's skull.
 #pragma once
 
+#include "rasterizer/run.h"
 #include "rasterizer/scene.h"
 
 namespace crevice {
@@ -13,8 +14,8 @@ namespace crevice {
 // A sphere's vertices are moved along rays from the head's middle onto the outermost surface of a solid that
 // is described by its distance: ellipsoids and limbs joined and carved with rounded seams, after I. Quilez,
 // "Distance functions" and "Smooth minimum". Then they slide along the surface to even out the triangles.
-// Takes some tenths of a second.
-Mesh carved_head_mesh();
+// Takes some tenths of a second on one thread.
+Mesh carved_head_mesh(const Run& run = {});
 
 inline constexpr glm::vec3 kHeadLow{-3.096f, -0.058f, -3.825f}, kHeadHigh{3.096f, 6.863f, 5.135f};
 

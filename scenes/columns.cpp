@@ -1,31 +1,24 @@
-// The scene of seed 000 (MKXJun, chapter 32), as its text of 2020 and as its code of 2022 light it: window 1280x720.
-// Positions, lights and reflectances are the tutorial's. Its textures are not ours to ship: each material's reflectances are multiplied by the
-// mean colour such a texture would have, without which the ambient light of 1 would over-expose the picture.
+// The scene of seed 000 (MKXJun, chapter 32), as its text of 2020 and as its code of 2022 light it: window
+// 1280x720. Positions, lights and reflectances are the tutorial's, its textures and its desert are not ours to
+// ship. Of the shapes alone, each material's reflectances are multiplied by the mean colour that such a texture
+// would have; of the surfaces, our own textures and sky stand in the place of the tutorial's.
 #include <array>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "rasterizer/approx_math.h"
 #include "scenes/builtin_scenes.h"
 #include "scenes/composing.h"
 #include "scenes/house.h"
+#include "scenes/procedural_sky.h"
 #include "scenes/shapes.h"
+#include "scenes/surfaces.h"
 
 namespace crevice {
 namespace {
 
 enum ColumnsMaterial { kGround, kColumn, kSphere, kHouse };  // kHouse: the first of kHouseMaterialCount
-
-// `colour` is linear light, the stand-in for a texture's mean.
-Material painted(const char* name, glm::vec3 colour, float ambient, float diffuse, float specular,
-                 float power) {
-    Material material;
-    material.name = name;
-    material.ambient = ambient * colour;
-    material.diffuse = diffuse * colour;
-    material.specular = glm::vec3(specular);
-    material.shininess = power;
-    return material;
-}
 
 // What the text of 2020 and the code of 2022 give differently. Reflectances: ambient, diffuse, specular, power.
 struct Reflectance {
@@ -37,19 +30,52 @@ struct Era {
     std::array<DirectionalLight, 3> lights;
 };
 
-std::vector<Material> materials(const Era& era) {
-    const auto of = [](const char* name, glm::vec3 colour, const Reflectance& r) {
-        return painted(name, colour, r.ambient, r.diffuse, r.specular, r.power);
+// What the shapes are dressed in: nothing, all null, unless the surfaces are asked for.
+struct Dress {
+    Surface floor, bricks, stone;
+    std::shared_ptr<const CubeMap> sky;
+};
+
+Dress dress(SceneDetail detail, const Run& run) {
+    Dress made;
+    if (detail == SceneDetail::shapes) return made;
+    // The stone takes longest to make and is seen smallest.
+    at_once(run,
+            {[&] { made.sky = std::make_shared<const CubeMap>(procedural_sky(desert_look(), 512, run)); },
+             [&] { made.stone = shared_surface(rough_stone_textures(kTextureSide / 2)); },
+             [&] { made.floor = shared_surface(floor_tile_textures()); },
+             [&] { made.bricks = shared_surface(brick_textures()); }});
+    made.stone.normal = nullptr;  // the tutorial's stone has none
+    return made;
+}
+
+Material reflecting(const char* name, const Reflectance& r) {
+    Material material;
+    material.name = name;
+    material.ambient = glm::vec3(r.ambient);
+    material.diffuse = glm::vec3(r.diffuse);
+    material.specular = glm::vec3(r.specular);
+    material.shininess = r.power;
+    return material;
+}
+
+std::vector<Material> materials(const Era& era, const Dress& worn) {
+    const auto of = [](const char* name, glm::vec3 mean_colour, const Reflectance& r,
+                       const Surface& surface) {
+        return covered(reflecting(name, r), surface, mean_colour, kXjunSampler);
     };
     // The house's .mtl file, but for the ambient reflectance.
-    const auto house = [&](const char* name, glm::vec3 colour) {
-        return painted(name, colour, era.house_ambient, 0.588f, 0.0f, 10.0f);
-    };
+    const Reflectance house{era.house_ambient, 0.588f, 0.0f, 10.0f};
+    const Surface plain;
     return {
-        of("ground", {0.52f, 0.44f, 0.34f}, era.ground), of("column", {0.56f, 0.36f, 0.28f}, era.column),
-        of("sphere", {0.62f, 0.62f, 0.60f}, era.sphere), house("plaster", {0.78f, 0.72f, 0.60f}),
-        house("stone", {0.46f, 0.44f, 0.41f}),           house("timber", {0.33f, 0.20f, 0.12f}),
-        house("glass", {0.20f, 0.27f, 0.34f}),           house("roof tiles", {0.50f, 0.20f, 0.13f}),
+        of("ground", {0.52f, 0.44f, 0.34f}, era.ground, worn.floor),
+        of("column", {0.56f, 0.36f, 0.28f}, era.column, worn.bricks),
+        of("sphere", {0.62f, 0.62f, 0.60f}, era.sphere, worn.stone),
+        of("plaster", {0.78f, 0.72f, 0.60f}, house, plain),
+        of("stone", {0.46f, 0.44f, 0.41f}, house, plain),
+        of("timber", {0.33f, 0.20f, 0.12f}, house, plain),
+        of("glass", {0.20f, 0.27f, 0.34f}, house, plain),
+        of("roof tiles", {0.50f, 0.20f, 0.13f}, house, plain),
     };
 }
 
@@ -74,21 +100,28 @@ Era era_2022() {
     return era;
 }
 
-Scene scene_of(const char* name, const Era& era) {
+Scene scene_of(const char* name, const Era& era, LightShadow shadow, SceneDetail detail, const Run& run) {
+    const bool dressed = detail == SceneDetail::surfaces;
+    const Dress worn = dress(detail, run);
     Scene scene;
     scene.name = name;
-    scene.materials = materials(era);
+    scene.materials = materials(era, worn);
     scene.lights = era.lights;
     scene.light_spin_rad_per_s = 2 * kPi / 40;
     scene.lighting = LightingModel::phong;
     scene.sky = glm::vec3(linear_from_srgb(0.75f));  // the chapter clears to silver
+    scene.sky_cube = worn.sky;
+    if (dressed) scene.shadow = shadow;
     scene.camera.eye = {0, 0, -10};
     scene.camera.target = {0, 0, 0};
     scene.camera.fov_y_rad = kPi / 3;
 
-    const int ground = add_mesh(scene, with_material(grid_mesh(20, 30, 2, 2, {6, 9}), kGround));
+    const auto add = [&](Mesh mesh, int material) {
+        return add_mesh(scene, with_material(dressed ? with_tangents(std::move(mesh)) : std::move(mesh), material));
+    };
+    const int ground = add(grid_mesh(20, 30, 2, 2, {6, 9}), kGround);
     const int house = add_mesh(scene, house_mesh(kHouse));
-    const int column = add_mesh(scene, with_material(cylinder_mesh(0.5, 0.5, 3, 20, 10), kColumn));
+    const int column = add(cylinder_mesh(0.5, 0.5, 3, 20, 10), kColumn);
     const int sphere = add_mesh(scene, with_material(sphere_mesh(0.5, 20, 20), kSphere));
     scene.instances = {placed(ground, {0, -3, 0}), placed(house, {0, -3, 0})};
     for (int i = 0; i < 5; ++i) {
@@ -103,7 +136,11 @@ Scene scene_of(const char* name, const Era& era) {
 
 }  // namespace
 
-Scene columns_scene(SceneDetail) { return scene_of("columns", era_2020()); }
-Scene columns_2022_scene(SceneDetail) { return scene_of("columns_2022", era_2022()); }
+Scene columns_scene(SceneDetail detail, const Run& run) {
+    return scene_of("columns", era_2020(), LightShadow::xjun_2020, detail, run);
+}
+Scene columns_2022_scene(SceneDetail detail, const Run& run) {
+    return scene_of("columns_2022", era_2022(), LightShadow::xjun_2022, detail, run);
+}
 
 }  // namespace crevice

@@ -1,6 +1,7 @@
 #include "scenes/periodic_noise.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -33,6 +34,12 @@ int next_in(int i, int period) { return i + 1 < period ? i + 1 : 0; }
 
 // 0 at 0, 1 at 1, with no slope and no curvature at either.
 double eased(double t) { return t * t * t * (t * (t * 6 - 15) + 10); }
+
+// Offsets of the cells around one: the nearer first, so that most of the others need no look.
+constexpr std::array<int, 5> kNearFirst = {0, -1, 1, -2, 2};
+
+// The least distance along one axis from `here`, in [0,1] of the middle cell, to the cell at an offset.
+double way_into_cell(int offset, double here) { return std::max({offset - here, here - (offset + 1), 0.0}); }
 
 }  // namespace
 
@@ -71,9 +78,12 @@ NearestCell nearest_cell(double x, double y, int period, std::uint32_t seed) {
     const glm::dvec2 here(x - left, y - top);
     glm::dvec2 nearest(8), second(8);  // to the points
     std::uint32_t identity = 0;
-    for (int dy = -2; dy <= 2; ++dy) {
+    for (const int dy : kNearFirst) {
         const int row = wrapped(top + dy, period);
-        for (int dx = -2; dx <= 2; ++dx) {
+        const double down = way_into_cell(dy, here.y);
+        for (const int dx : kNearFirst) {
+            const double across = way_into_cell(dx, here.x);
+            if (across * across + down * down > glm::dot(second, second)) continue;
             const std::uint32_t cell = hash_of(wrapped(left + dx, period), row, seed);
             const glm::dvec2 to_point = glm::dvec2(dx, dy) + two_numbers(cell) - here;
             const double squared = glm::dot(to_point, to_point);

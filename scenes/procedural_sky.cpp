@@ -35,13 +35,15 @@ float value_noise(std::uint32_t seed, float x, float y) {
 }
 
 // Octaves of it, each twice as fine and half as strong, turned by 3:4:5 so that their lattices do not line
-// up. [0,1].
-float cloud_noise(std::uint32_t seed, float x, float y) {
-    float sum = 0, weight = 0.5f, total = 0;
+// up. [0,1]; where it is below `least`, it may be 0 instead.
+float cloud_noise(std::uint32_t seed, float x, float y, float least) {
+    constexpr float total = 1 - 1.0f / (1 << kOctaves);
+    float sum = 0, weight = 0.5f;
     for (int octave = 0; octave < kOctaves; ++octave) {
         sum += weight * value_noise(seed + static_cast<std::uint32_t>(octave), x, y);
-        total += weight;
         weight *= 0.5f;
+        // All the octaves to come weigh less than 2 * weight. Most of a clear sky needs but three.
+        if (sum + 2 * weight < least * total) return 0;
         const float turned_x = 1.2f * x - 1.6f * y + 17.3f, turned_y = 1.6f * x + 1.2f * y - 5.7f;
         x = turned_x;
         y = turned_y;
@@ -68,12 +70,12 @@ glm::vec3 with_sun(const SkyLook& look, glm::vec3 colour, float to_sun_cosine) {
 glm::vec3 with_clouds(const SkyLook& look, glm::vec3 colour, glm::vec3 d) {
     const float reach = look.cloud_scale / (d.y + 0.12f);
     const float x = d.x * reach, y = d.z * reach;
-    const float density = cloud_noise(look.seed, x, y);
     const float threshold = 0.75f - 0.55f * look.cloud_cover;
+    const float density = cloud_noise(look.seed, x, y, threshold);
     const float opacity = smooth_step(threshold, threshold + 0.22f, density) * smooth_step(0.0f, 0.16f, d.y);
     if (!(opacity > 0)) return colour;
     // Lit where the layer is thinner towards the sun.
-    const float towards_sun = cloud_noise(look.seed, x + 0.3f * look.to_sun.x, y + 0.3f * look.to_sun.z);
+    const float towards_sun = cloud_noise(look.seed, x + 0.3f * look.to_sun.x, y + 0.3f * look.to_sun.z, 0);
     const float bright = saturate(0.6f + 3 * (density - towards_sun) - 0.9f * (density - threshold));
     return blend(colour, blend(look.cloud_dark, look.cloud_bright, bright), 0.9f * opacity);
 }
@@ -81,41 +83,37 @@ glm::vec3 with_clouds(const SkyLook& look, glm::vec3 colour, glm::vec3 d) {
 }  // namespace
 
 SkyLook desert_look() {
-    SkyLook look{};
-    look.zenith = {0.10f, 0.24f, 0.58f};
-    look.middle = {0.28f, 0.46f, 0.76f};
-    look.horizon = {0.80f, 0.76f, 0.66f};
-    look.ground = {0.46f, 0.33f, 0.19f};
-    look.ground_far = {0.72f, 0.60f, 0.43f};
-    look.to_sun = unit({0.577, 0.577, -0.577});
-    look.sun = {4.0f, 3.8f, 3.2f};
-    look.glow = {0.75f, 0.66f, 0.48f};
-    look.sun_cosine = 0.9995f;
-    look.cloud_bright = {0.96f, 0.95f, 0.92f};
-    look.cloud_dark = {0.62f, 0.62f, 0.64f};
-    look.cloud_cover = 0.30f;
-    look.cloud_scale = 0.9f;
-    look.seed = 11;
-    return look;
+    return {.zenith = {0.10f, 0.24f, 0.58f},
+            .middle = {0.28f, 0.46f, 0.76f},
+            .horizon = {0.80f, 0.76f, 0.66f},
+            .ground = {0.46f, 0.33f, 0.19f},
+            .ground_far = {0.72f, 0.60f, 0.43f},
+            .to_sun = unit({0.577, 0.577, -0.577}),
+            .sun = {4.0f, 3.8f, 3.2f},
+            .glow = {0.75f, 0.66f, 0.48f},
+            .sun_cosine = 0.9995f,
+            .cloud_bright = {0.96f, 0.95f, 0.92f},
+            .cloud_dark = {0.62f, 0.62f, 0.64f},
+            .cloud_cover = 0.30f,
+            .cloud_scale = 0.9f,
+            .seed = 11};
 }
 
 SkyLook sunset_look() {
-    SkyLook look{};
-    look.zenith = {0.06f, 0.07f, 0.20f};
-    look.middle = {0.30f, 0.18f, 0.30f};
-    look.horizon = {0.95f, 0.42f, 0.16f};
-    look.ground = {0.05f, 0.04f, 0.05f};
-    look.ground_far = {0.34f, 0.17f, 0.12f};
-    look.to_sun = unit({-0.70, 0.12, -0.70});
-    look.sun = {5.0f, 3.2f, 1.4f};
-    look.glow = {1.10f, 0.50f, 0.16f};
-    look.sun_cosine = 0.9985f;
-    look.cloud_bright = {0.98f, 0.52f, 0.30f};
-    look.cloud_dark = {0.22f, 0.14f, 0.20f};
-    look.cloud_cover = 0.40f;
-    look.cloud_scale = 1.1f;
-    look.seed = 29;
-    return look;
+    return {.zenith = {0.06f, 0.07f, 0.20f},
+            .middle = {0.30f, 0.18f, 0.30f},
+            .horizon = {0.95f, 0.42f, 0.16f},
+            .ground = {0.05f, 0.04f, 0.05f},
+            .ground_far = {0.34f, 0.17f, 0.12f},
+            .to_sun = unit({-0.70, 0.12, -0.70}),
+            .sun = {5.0f, 3.2f, 1.4f},
+            .glow = {1.10f, 0.50f, 0.16f},
+            .sun_cosine = 0.9985f,
+            .cloud_bright = {0.98f, 0.52f, 0.30f},
+            .cloud_dark = {0.22f, 0.14f, 0.20f},
+            .cloud_cover = 0.40f,
+            .cloud_scale = 1.1f,
+            .seed = 29};
 }
 
 glm::vec3 sky_colour(const SkyLook& look, glm::vec3 direction) {

@@ -6,6 +6,7 @@
 #include <glm/mat3x3.hpp>
 
 #include "rasterizer/cube_map.h"
+#include "ssao/fresnel.h"
 
 namespace crevice {
 
@@ -27,14 +28,6 @@ struct Surroundings {
 template <class F>
 CREVICE_INLINE Vec3<F> mirrored(Vec3<F> n, Vec3<F> v) {
     return F(2) * dot(n, v) * n - v;
-}
-
-// Schlick's approximation: the share of light that is mirrored, from `r0` straight on to 1 at grazing angles.
-template <class F>
-CREVICE_INLINE Vec3<F> schlick_fresnel(Vec3<F> r0, F cosine) {
-    const F one(1), grazing = one - saturate(cosine), grazing2 = grazing * grazing;
-    const Vec3<F> ones{one, one, one};
-    return r0 + (grazing2 * grazing2 * grazing) * (ones - r0);
 }
 
 // To be added to the lit colour, linear light. n and to_eye unit, view space; `r0` the reflectance straight

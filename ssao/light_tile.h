@@ -2,7 +2,9 @@
 #pragma once
 
 #include "rasterizer/fragment.h"
+#include "ssao/cube_reflection.h"
 #include "ssao/lighting.h"
+#include "ssao/shadow_factor.h"
 #include "ssao/widened_ao.h"
 
 namespace crevice {
@@ -15,6 +17,8 @@ struct ShownSurface {
     Int<F> material;  // index into Scene::materials, or kSkyMaterial
     Vec3<F> n_view;   // unit
     Vec3<F> texture;  // colour
+    F gloss;          // of the normal map, times the shininess
+    F view_depth;     // read only where there is a shadow
 };
 
 struct TileLighting {
@@ -23,6 +27,8 @@ struct TileLighting {
     const ScreenGeometry& geometry;
     const ViewLights& lights;
     const AoTaps& ao;
+    const ShadowLookup* shadow;  // of the light that casts one; null: every light arrives
+    const Surroundings* around;  // mirrored by blinn_schlick surfaces; null: none
     Image3& lit;
 
     // surface_at(x, y) gives the ShownSurface of the pixels from (x, y) on.
@@ -41,6 +47,12 @@ struct TileLighting {
         }
     }
 
+    void fill_with_sky(PixelRect tile) const {
+        fill_tile(lit.x, tile, scene.sky.x);
+        fill_tile(lit.y, tile, scene.sky.y);
+        fill_tile(lit.z, tile, scene.sky.z);
+    }
+
  private:
     // One material after the other, until every lane has had its own.
     template <class F>
@@ -50,22 +62,38 @@ struct TileLighting {
         if (!any(left)) return colour;
         const Vec3<F> ray = view_ray_at<F>(geometry, x, y);
         const Vec3<F> to_eye = normalize_or<F>({F(0) - ray.x, F(0) - ray.y, F(0) - ray.z}, ray);
-        const LitPoint<F> point{surface.n_view, to_eye, surface.texture, accessibility};
+        const LitPoint<F> point{surface.n_view, to_eye,        surface.texture,
+                                surface.gloss,  accessibility, shadow_on(surface, left, x, y)};
         do {
             const std::int32_t index = scene.materials.size() == 1
                                            ? 0
                                            : largest_of(select(left, surface.material, Int<F>(kSkyMaterial)));
-            const Material& material = scene.materials[static_cast<std::size_t>(index)];
             const auto lanes = surface.material == Int<F>(index);
-            colour = select<F>(lanes,
-                               scene.lighting == LightingModel::phong
-                                   ? phong(point, material, lights)
-                                   : blinn_schlick(point, material, lights, scene.ambient_light,
-                                                   no_highlight_below[static_cast<std::size_t>(index)]),
-                               colour);
+            colour = select<F>(lanes, lit_by(point, static_cast<std::size_t>(index)), colour);
             left = left & !lanes;
         } while (any(left));
         return colour;
+    }
+
+    template <class F>
+    CREVICE_INLINE Vec3<F> lit_by(const LitPoint<F>& point, std::size_t index) const {
+        const Material& material = scene.materials[index];
+        if (scene.lighting == LightingModel::phong) return phong(point, material, lights);
+        const Vec3<F> colour =
+            blinn_schlick(point, material, lights, scene.ambient_light, no_highlight_below[index]);
+        if (around == nullptr) return colour;
+        const F smoothness = point.gloss * F(material.shininess / kFullShininess);
+        return colour + reflected_colour(*around, point.n, point.to_eye, spread<F>(material.specular),
+                                         smoothness, F(0));
+    }
+
+    // How much arrives of the light that casts a shadow; not looked up where it could light nothing.
+    template <class F>
+    CREVICE_INLINE F shadow_on(const ShownSurface<F>& surface, Mask<F> shown, int x, int y) const {
+        if (shadow == nullptr || lights.empty()) return F(1);
+        const auto facing = shown & (dot(surface.n_view, spread<F>(-lights.front().direction)) > F(0));
+        if (!any(facing)) return F(1);
+        return shadow_factor(*shadow, p_view_at(geometry, x, y, select(shown, surface.view_depth, F(1))));
     }
 };
 

@@ -8,6 +8,7 @@
 
 #include "rasterizer/approx_math.h"
 #include "rasterizer/scene.h"
+#include "ssao/fresnel.h"
 
 namespace crevice {
 
@@ -16,26 +17,35 @@ template <class F>
 struct LitPoint {
     Vec3<F> n, to_eye;       // unit
     Vec3<F> texture_colour;  // multiplies diffuse and ambient reflectance
+    F gloss;                 // [0,1], of a normal map; multiplies the shininess of blinn_schlick
     F accessibility;         // multiplies every ambient term
+    F shadow;                // [0,1], of the light that casts one: 0 nothing of it arrives, 1 all
 };
 
-using ViewLights = std::vector<DirectionalLight>;
+// Those that shine, directions in view space.
+struct ViewLight : DirectionalLight {
+    bool casts_shadow = false;  // the first at most
+};
+using ViewLights = std::vector<ViewLight>;
+
+// Material::shininess of a surface with no roughness (seed 002).
+inline constexpr float kFullShininess = 256;
 
 // Seed 000: ambient, diffuse and Phong specular of each light; the texture multiplies the first two.
 template <class F>
 CREVICE_INLINE Vec3<F> phong(const LitPoint<F>& s, const Material& material, const ViewLights& lights) {
     const F zero = F(0);
     Vec3<F> ambient{zero, zero, zero}, diffuse = ambient, specular = ambient;
-    for (const DirectionalLight& light : lights) {
+    for (const ViewLight& light : lights) {
         const Vec3<F> to_light = spread<F>(-light.direction);
-        const F facing = dot(s.n, to_light);
+        const F facing = dot(s.n, to_light), arriving = light.casts_shadow ? s.shadow : F(1);
         ambient = ambient + spread<F>(light.ambient * material.ambient);
         if (!any(facing > zero)) continue;  // would add zero
-        diffuse = diffuse + max_of(facing, zero) * spread<F>(light.diffuse * material.diffuse);
+        diffuse = diffuse + (arriving * max_of(facing, zero)) * spread<F>(light.diffuse * material.diffuse);
         const Vec3<F> mirrored = F(2) * facing * s.n - to_light;
         const F highlight = power(max_of(dot(mirrored, s.to_eye), zero), F(material.shininess));
-        specular =
-            specular + select(facing > zero, highlight, zero) * spread<F>(light.specular * material.specular);
+        specular = specular + (arriving * select(facing > zero, highlight, zero)) *
+                                  spread<F>(light.specular * material.specular);
     }
     return s.texture_colour * (s.accessibility * ambient + diffuse) + specular;
 }
@@ -60,28 +70,25 @@ inline float invisible_highlight(const Material& material) {
 // Schlick's Fresnel term and brought into [0,1) for a low dynamic range. Highlights up to `no_highlight_below`
 // (0, or invisible_highlight of an untextured surface) are left out.
 template <class F>
-CREVICE_INLINE Vec3<F> blinn_schlick(const LitPoint<F>& s, const Material& material,
-                                     const ViewLights& lights, const glm::vec3& ambient_light,
-                                     float no_highlight_below) {
+CREVICE_INLINE Vec3<F> blinn_schlick(const LitPoint<F>& s, const Material& material, const ViewLights& lights,
+                                     const glm::vec3& ambient_light, float no_highlight_below) {
     const F zero = F(0), one = F(1);
-    const Vec3<F> albedo = s.texture_colour * spread<F>(material.diffuse), ones{one, one, one};
+    const Vec3<F> albedo = s.texture_colour * spread<F>(material.diffuse);
     const Vec3<F> r0 = spread<F>(material.specular);
     Vec3<F> colour = s.accessibility * (spread<F>(ambient_light) * albedo);
-    for (const DirectionalLight& light : lights) {
+    for (const ViewLight& light : lights) {
         const Vec3<F> to_light = spread<F>(-light.direction);
-        const F facing = max_of(dot(s.n, to_light), zero);
+        F facing = max_of(dot(s.n, to_light), zero);
+        if (light.casts_shadow) facing = facing * s.shadow;
         if (!any(facing > zero)) continue;  // would add zero
         const Vec3<F> half = normalize_or<F>(to_light + s.to_eye, s.n);
-        const F m = F(material.shininess), cosine = max_of(dot(s.n, half), zero);
+        const F m = s.gloss * F(material.shininess), cosine = max_of(dot(s.n, half), zero);
         if (!any(cosine > F(no_highlight_below))) {
             colour = colour + facing * (spread<F>(light.diffuse) * albedo);
             continue;
         }
         const F roughness = (m + F(8)) * power(cosine, m) * F(0.125f);
-        const F grazing = one - saturate(dot(half, to_light));
-        const F grazing2 = grazing * grazing;
-        const Vec3<F> fresnel = r0 + (grazing2 * grazing2 * grazing) * (ones - r0);
-        const Vec3<F> highlight = roughness * fresnel;
+        const Vec3<F> highlight = roughness * schlick_fresnel(r0, dot(half, to_light));
         const Vec3<F> bounded{highlight.x / (highlight.x + one), highlight.y / (highlight.y + one),
                               highlight.z / (highlight.z + one)};
         colour = colour + facing * (spread<F>(light.diffuse) * (albedo + bounded));

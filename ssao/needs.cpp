@@ -2,7 +2,48 @@
 
 #include <algorithm>
 
+#include "rasterizer/cutouts.h"
+#include "rasterizer/tangent_turn.h"
+#include "ssao/scene_shadow.h"
+
 namespace crevice {
+
+namespace {
+
+// What the lit image alone shows, and of that what this scene has none of. With keep_all there is a lit image.
+void leave_out_surfaces(const Scene& scene, Needs& needs, bool keep_all) {
+    const auto leave_out = [&](const char* what, const char* why) {
+        if (!keep_all) needs.left_out.push_back({what, why});
+    };
+    const bool flat = std::none_of(scene.materials.begin(), scene.materials.end(), [](const Material& m) {
+        return m.texture != nullptr || m.normal_map != nullptr;
+    });
+    // The passes see by themselves what the scene's materials hold.
+    if (!has_cutouts(scene)) leave_out("cut-outs", "no material has a texture with holes");
+    if (!needs.lit || flat)
+        leave_out("texture coordinates",
+                  needs.lit ? "no material has a texture" : "only the lit image shows textures");
+    if (!needs.lit || !has_normal_maps(scene))
+        leave_out("tangents",
+                  needs.lit ? "no material has a normal map" : "only the lit image shows normal maps");
+    if (!needs.lit || scene.materials.size() == 1) {
+        needs.materials = keep_all;
+        leave_out("materials", needs.lit ? "the scene has only one: no pixel looks it up"
+                                         : "only the lit image shows materials");
+    }
+    // Where there is nothing to draw, keep_all cannot bring it back.
+    needs.shadow = needs.lit && throws_shadow(scene);
+    needs.sky = needs.lit && scene.sky_cube != nullptr;
+    if (!needs.shadow)
+        needs.left_out.push_back({"shadow", throws_shadow(scene) ? "only the lit image shows shadows"
+                                                                 : "no light of the scene throws one"});
+    if (!needs.sky)
+        needs.left_out.push_back({"sky", scene.sky_cube != nullptr
+                                             ? "only the lit image shows the sky"
+                                             : "the scene has none: its background is one colour"});
+}
+
+}  // namespace
 
 WantedBuffers all_buffers() { return {std::begin(kBufferNames), std::end(kBufferNames)}; }
 
@@ -37,17 +78,7 @@ Needs needs_of(const Scene& scene, const WantedBuffers& wanted, bool ao_on, int 
         leave_out(needs.normals, "normals",
                   "neither the normals nor anything computed from them was asked for");
     }
-    bool texcoords = true;  // shade() sees by itself whether there are textures
-    if (!needs.lit) {
-        leave_out(texcoords, "texture coordinates", "only the lit image shows textures");
-        leave_out(needs.materials, "materials", "only the lit image shows materials");
-    } else {
-        const auto textured = [](const Material& material) { return material.texture != nullptr; };
-        if (std::none_of(scene.materials.begin(), scene.materials.end(), textured))
-            leave_out(texcoords, "texture coordinates", "no material has a texture");
-        if (scene.materials.size() == 1)
-            leave_out(needs.materials, "materials", "the scene has only one: no pixel looks it up");
-    }
+    leave_out_surfaces(scene, needs, keep_all);
     return needs;
 }
 

@@ -27,6 +27,8 @@ struct Needs {
     bool blur = true;
     bool lit = true;
     bool materials = true;  // the first pass keeps which material a pixel shows
+    bool shadow = true;
+    bool sky = true;
     std::vector<LeftOut> left_out;  // a reason for every "no"
 };
 

@@ -88,7 +88,7 @@ TEST_CASE("every lane count and instruction set transforms to the same bits, acr
     scene.instances.push_back({0, glm::translate(glm::mat4(2.0f), glm::vec3(1, 2, 3))});
     const Size size = {801, 601};
     const auto transform = [&](const Run& run) {
-        return transform_vertices(scene, {}, size, PositionOrder::relative, true, run);
+        return transform_vertices(scene, {}, size, {}, run);
     };
     const TransformedVertices expected = transform({.threads = 1, .lanes = 1, .isa = Isa::baseline});
     REQUIRE(expected.projected.size() == 10006);
@@ -133,8 +133,7 @@ TEST_CASE("normals stay perpendicular to their surface under rotation and scales
         mesh.normals = {glm::vec3(n)};
         const glm::dmat3 world = glm::dmat3(glm::dmat4(glm::mat4(glm::dmat4(m))));
         const Scene scene = scene_of(mesh, glm::mat4(glm::dmat4(m)));
-        const TransformedVertices v =
-            transform_vertices(scene, {}, {64, 64}, PositionOrder::relative, true, kPlainRun);
+        const TransformedVertices v = transform_vertices(scene, {}, {64, 64}, {}, kPlainRun);
         // The default camera looks along +z: view axes are world axes.
         CHECK(angle_off(glm::dvec3(v.n_view[0]), world * tangent) < 1e-5);
         CHECK(angle_off(glm::dvec3(v.n_view[0]), world * bitangent) < 1e-5);

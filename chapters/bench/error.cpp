@@ -115,7 +115,7 @@ int bench_error(const BenchErrorOptions& options, std::ostream& out) {
     validate(options.run);
     ErrorPlan plan = options.quick ? quick_error_plan() : full_error_plan();
     if (options.size) plan.size = *options.size;
-    const SceneArgument argument = load_scene(options.scene, {.textures = false});
+    const SceneArgument argument = load_scene(options.scene, {.surfaces = false});
     if (triangle_count(argument.scene) == 0)
         throw InputError(options.scene + ": no error to measure (0 triangles); give a scene with some");
     const Camera camera = chosen_camera(argument, options.camera);

@@ -25,7 +25,7 @@ PassTime loading(const std::string& name) {
     Stopwatch stopwatch;
     for (int i = 0; i < kBenchRuns; ++i) {
         SceneArgument scene;
-        stopwatch.time("load", [&] { scene = load_scene(name); });
+        stopwatch.time("load", [&] { scene = load_scene(name, {.surfaces = false}); });
     }
     return stopwatch.summaries().front();
 }
@@ -56,7 +56,7 @@ struct SceneFigures {
 };
 
 SceneFigures measured(const FramesOptions& options, const std::string& name) {
-    const SceneArgument scene = load_scene(name);
+    const SceneArgument scene = load_scene(name, {.surfaces = false});
     const PassTime load = loading(name);
     FrameRequest request = bench_request(scene.scene, options.size, options.run);
     const Camera camera = chosen_camera(scene, options.camera);

@@ -157,7 +157,7 @@ int bench_peers(const PeersOptions& options, std::ostream& out) {
     report.facts.push_back({"pairs", std::to_string(options.pairs)});
     bool same = true;
     for (const std::string& name : options.scenes) {
-        const SceneArgument argument = load_scene(name, {.textures = false});
+        const SceneArgument argument = load_scene(name, {.surfaces = false});
         const std::size_t triangles = triangle_count(argument.scene);
         if (triangles == 0) throw UsageError(name + ": no triangles to compare; choose another --scene");
         const Duel duel = fight(argument, name, peer, options);

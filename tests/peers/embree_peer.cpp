@@ -106,7 +106,7 @@ void answer_agreement(const Subject& subject, const EmbreeScene& embree, const W
 }
 
 void measure(const Words& words) {
-    const SceneArgument argument = load_scene(words.scene, {.textures = false});
+    const SceneArgument argument = load_scene(words.scene, {.surfaces = false});
     const Camera camera = chosen_camera(argument, words.camera);
     const Subject subject{argument.scene, camera, ray_scene(argument.scene, camera.eye)};
     Run run;
