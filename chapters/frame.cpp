@@ -1,5 +1,6 @@
 #include "chapters/frame.h"
 
+#include "ssao/ao_lookup.h"
 #include "ssao/open_tiles.h"
 #include "ssao/scene_shadow.h"
 #include "ssao/shade.h"
@@ -23,6 +24,20 @@ FrameTiles tiles_of(const Scene& scene, const ScreenGeometry& geometry, const Ao
     }
     if (needs.lit) tiles.lit = lit_tiles(scene, geometry, frame.gbuffer, run);
     return tiles;
+}
+
+// With EQUAL and the first pass's positions its geometry serves again; else the scene is drawn anew.
+Image3 lit_image(const Scene& scene, const ScreenGeometry& geometry, const Frame& frame,
+                 const Image<float>& map, const ShadowMap* shadow, const FrameRequest& request) {
+    const MethodSettings& settings = request.settings;
+    ShadeSettings as_first;
+    as_first.position_order = settings.buffers.position_order;
+    const Image<float> slipped =
+        settings.ao_lookup == AoLookup::exact ? Image<float>() : looked_up(map, settings.ao_lookup);
+    const Image<float>& ao = slipped.empty() ? map : slipped;
+    if (settings.lit == as_first)
+        return shade(scene, frame.camera, geometry, frame.gbuffer, ao, request.run, shadow);
+    return shade(scene, frame.camera, frame.gbuffer.depth, ao, settings.lit, request.run, shadow);
 }
 
 }  // namespace
@@ -68,8 +83,8 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
             if (needs.lit) {
                 stopwatch.time("lit", [&] {
                     const Image<float>& ao = needs.blur ? frame.ao_blurred : frame.ao_raw;
-                    frame.lit = shade(scene, frame.camera, geometry, frame.gbuffer, ao, request.run,
-                                      needs.shadow ? &shadow : nullptr);
+                    frame.lit =
+                        lit_image(scene, geometry, frame, ao, needs.shadow ? &shadow : nullptr, request);
                 });
             }
             if (needs.sky) {

@@ -7,16 +7,20 @@
 #include <vector>
 
 #include "rasterizer/normal_depth.h"
+#include "ssao/ao_lookup.h"
 #include "ssao/bilateral_blur.h"
 #include "ssao/luna_occlusion.h"
+#include "ssao/shade.h"
 
 namespace crevice {
 
 // Everything `--param` can set.
 struct MethodSettings {
-    LunaSettings ao;
-    BlurSettings blur;
-    NormalDepthSettings buffers;
+    LunaSettings ao = {};
+    BlurSettings blur = {};
+    NormalDepthSettings buffers = {};
+    ShadeSettings lit = {};  // of the second drawing
+    AoLookup ao_lookup = AoLookup::exact;
     bool reversed_z = false;
 };
 

@@ -21,6 +21,7 @@ struct DepthBias {
     int constant = 0;  // codes
     float slope = 0;   // per pixel of depth slope
     float clamp = 0;   // largest |bias| when not 0, in ndc depth
+    bool operator==(const DepthBias&) const = default;
 };
 
 struct DepthBuffer {

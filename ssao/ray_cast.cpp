@@ -52,6 +52,19 @@ void trace_all(std::size_t count, const Run& run, const Trace& trace) {
     });
 }
 
+// As bits. Rays that are not usable() meet nothing.
+template <class F>
+CREVICE_INLINE std::uint32_t which_are_occluded(const RayScene& scene, std::span<const Ray> rays,
+                                                float max_distance) {
+    if (!scene.holes.any()) return which_meet_any<F>(scene.bvh, rays, max_distance);
+    std::uint32_t met = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (usable(rays[i]) && nearest_solid_hit<F>(scene, rays[i], max_distance).triangle >= 0)
+            met |= 1u << i;
+    }
+    return met;
+}
+
 }  // namespace
 
 OccludedRays occluded(const RayScene& scene, std::span<const Ray> rays, float max_distance, const Run& run) {
@@ -65,7 +78,7 @@ OccludedRays occluded(const RayScene& scene, std::span<const Ray> rays, float ma
             refused += count_unusable(rays.subspan(first, end - first));
             for (std::size_t i = first; i < end; i += kLanes<F>) {
                 const std::size_t count = std::min<std::size_t>(kLanes<F>, end - i);
-                const std::uint32_t met = which_meet_any<F>(scene.bvh, rays.subspan(i, count), max_distance);
+                const std::uint32_t met = which_are_occluded<F>(scene, rays.subspan(i, count), max_distance);
                 for (std::size_t lane = 0; lane < count; ++lane)
                     result.occluded[i + lane] = static_cast<std::uint8_t>(met >> lane & 1);
             }
@@ -85,7 +98,7 @@ ClosestHits closest_hits(const RayScene& scene, std::span<const Ray> rays, float
             using F = typename decltype(tag)::type;
             refused += count_unusable(rays.subspan(first, end - first));
             for (std::size_t i = first; i < end; ++i) {
-                if (usable(rays[i])) result.hits[i] = nearest_hit<F>(scene.bvh, rays[i], max_distance);
+                if (usable(rays[i])) result.hits[i] = nearest_solid_hit<F>(scene, rays[i], max_distance);
             }
         });
     result.refused = refused;

@@ -20,6 +20,7 @@
 #include "rasterizer/run.h"
 #include "rasterizer/scene.h"
 #include "ssao/bvh.h"
+#include "ssao/ray_holes.h"
 #include "ssao/ray_traverse.h"
 
 namespace crevice {
@@ -40,7 +41,18 @@ struct RayScene {
     std::size_t degenerate = 0;           // triangles left out because they have no area
     std::size_t not_finite = 0;           // triangles left out for a corner that is NaN or beyond kRayReach
     Bvh bvh;                              // of `triangles`
+    RayHoles holes;                       // of cut-outs: rays go through them
 };
+
+// For kernels: the first solid thing met.
+template <class F>
+CREVICE_INLINE RayHit nearest_solid_hit(const RayScene& scene, const Ray& ray, float max_distance) {
+    if (!scene.holes.any()) return nearest_hit<F>(scene.bvh, ray, max_distance);
+    return nearest_hit<F>(scene.bvh, ray, max_distance, [&](std::int32_t triangle, float u, float v) {
+        const TriangleSource& source = scene.sources[static_cast<std::size_t>(triangle)];
+        return is_solid(scene.holes, triangle, source.material, u, v);
+    });
+}
 
 // Triangles are transformed and brought to `origin` in double, then rounded to float: with the eye of the
 // camera as origin, what is near it keeps its bits however far away the scene is. Triangles come in the order

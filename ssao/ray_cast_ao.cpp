@@ -71,8 +71,13 @@ CREVICE_INLINE void aim_rays(const SurfacePoint& point, const SquarePoints& squa
 
 // How many of the rays meet nothing.
 template <class F>
-CREVICE_INLINE int open_rays(const Bvh& bvh, std::span<const Ray> rays, float radius) {
+CREVICE_INLINE int open_rays(const RayScene& scene, std::span<const Ray> rays, float radius) {
+    const Bvh& bvh = scene.bvh;
     int met = 0;
+    if (scene.holes.any()) {
+        for (const Ray& ray : rays) met += nearest_solid_hit<F>(scene, ray, radius).triangle >= 0 ? 1 : 0;
+        return static_cast<int>(rays.size()) - met;
+    }
     for (std::size_t i = 0; i < rays.size(); i += kPointGroup) {
         const auto group = rays.subspan(i, std::min<std::size_t>(kPointGroup, rays.size() - i));
         if constexpr (kLanes<F> == 1) {
@@ -90,13 +95,13 @@ struct OpenShare {
 };
 
 template <class F>
-CREVICE_INLINE OpenShare open_share(const Bvh& bvh, const PointRays& on, const RayAoSettings& settings,
+CREVICE_INLINE OpenShare open_share(const RayScene& scene, const PointRays& on, const RayAoSettings& settings,
                                     const Fade* fade, int count) {
-    if (fade == nullptr) return {open_rays<F>(bvh, on.rays, settings.radius) / double(count), 1};
+    if (fade == nullptr) return {open_rays<F>(scene, on.rays, settings.radius) / double(count), 1};
     int open = 0;
     double soft = 0;
     for (const Ray& ray : on.rays) {
-        const RayHit hit = nearest_hit<F>(bvh, ray, settings.radius);
+        const RayHit hit = nearest_solid_hit<F>(scene, ray, settings.radius);
         open += hit.triangle < 0 ? 1 : 0;
         soft += hit.triangle < 0 ? 1.0 : 1.0 - fade->occlusion(hit.distance);
     }
@@ -143,7 +148,7 @@ std::vector<float> ray_cast_ao(const RayScene& scene, std::span<const SurfacePoi
             for (int i = first; i < end; ++i) {
                 const auto index = static_cast<std::size_t>(i);
                 aim_rays<F>(points[index], square, settings, static_cast<std::uint32_t>(i), on);
-                const OpenShare share = open_share<F>(scene.bvh, on, settings, fade, settings.rays);
+                const OpenShare share = open_share<F>(scene, on, settings, fade, settings.rays);
                 open[index] = static_cast<float>(fade == nullptr ? share.hard : share.soft);
             }
         });
@@ -193,7 +198,7 @@ RayAoReference ray_cast_reference(const RayScene& scene, std::span<const Surface
                 for (std::size_t replicate = 0; replicate < kReplicates; ++replicate) {
                     const auto stream = static_cast<std::uint32_t>(index * kReplicates + replicate);
                     aim_rays<F>(points[index], square, settings, stream, on);
-                    const OpenShare open = open_share<F>(scene.bvh, on, settings, fade, rays);
+                    const OpenShare open = open_share<F>(scene, on, settings, fade, rays);
                     hard[replicate] = open.hard;
                     soft[replicate] = open.soft;
                 }

@@ -5,6 +5,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "rasterizer/cutouts.h"
 #include "rasterizer/error.h"
 #include "ssao/ray_cast.h"
 
@@ -21,8 +22,14 @@ glm::dvec3 area_vector(const Corners& c) {
     return glm::cross(glm::dvec3(c[1]) - glm::dvec3(c[0]), glm::dvec3(c[2]) - glm::dvec3(c[0]));
 }
 
+// Zero where the mesh has none.
+std::array<glm::vec2, 3> texcoords_of(const Mesh& mesh, const std::array<std::uint32_t, 3>& vertices) {
+    if (mesh.texcoords.empty()) return {};
+    return {mesh.texcoords[vertices[0]], mesh.texcoords[vertices[1]], mesh.texcoords[vertices[2]]};
+}
+
 // Adds the triangles of one instance.
-void add_instance(RayScene& rays, const Scene& scene, std::size_t index) {
+void add_instance(RayScene& rays, const Scene& scene, std::size_t index, bool with_holes) {
     const Instance& instance = scene.instances[index];
     const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
     const glm::dmat4 world_from_object(instance.world_from_object);
@@ -43,6 +50,7 @@ void add_instance(RayScene& rays, const Scene& scene, std::size_t index) {
                 rays.triangles.push_back(corners);
                 rays.sources.push_back(
                     {static_cast<std::int32_t>(index), static_cast<std::int32_t>(i), part.material});
+                if (with_holes) rays.holes.texcoords.push_back(texcoords_of(mesh, vertices));
             }
         }
     }
@@ -60,7 +68,9 @@ RayScene ray_scene(const Scene& scene, glm::dvec3 origin, const Run& run) {
     rays.origin = origin;
     rays.triangles.reserve(triangle_count(scene));
     rays.sources.reserve(triangle_count(scene));
-    for (std::size_t i = 0; i < scene.instances.size(); ++i) add_instance(rays, scene, i);
+    const bool with_holes = has_cutouts(scene);
+    if (with_holes) rays.holes.materials = scene.materials;
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) add_instance(rays, scene, i, with_holes);
     rays.bvh = build_bvh(rays.triangles, run);
     return rays;
 }

@@ -184,10 +184,16 @@ struct RayHit {
     float u = 0, v = 0;  // weights of the triangle's corners 1 and 2; corner 0 has 1 - u - v
 };
 
-// The nearest hit at a distance in (0, max_distance]; of those equal in float the one with the lowest index.
-// The ray must be usable().
-template <class F>
-CREVICE_INLINE RayHit nearest_hit(const Bvh& bvh, const Ray& ray, float max_distance) {
+// For nearest_hit(): a ray goes through nothing.
+struct NoHoles {
+    bool operator()(std::int32_t, float, float) const { return true; }
+};
+
+// The nearest hit at a distance in (0, max_distance] of those with solid(triangle, u, v); of those equal in float the one
+// with the lowest index. The ray must be usable().
+template <class F, class Solid = NoHoles>
+CREVICE_INLINE RayHit nearest_hit(const Bvh& bvh, const Ray& ray, float max_distance,
+                                  const Solid& solid = {}) {
     RaySpace<float> space = ray_space<float>(ray, max_distance);
     BoxRay box = box_ray(ray, max_distance, bvh.reach);
     RayHit nearest;
@@ -201,12 +207,13 @@ CREVICE_INLINE RayHit nearest_hit(const Bvh& bvh, const Ray& ray, float max_dist
                 const int lane = __builtin_ctz(perhaps);
                 const ExactHit hit = exact_hit(ray, max_distance, block, lane);
                 if (!hit.met) continue;
-                const float distance = static_cast<float>(hit.distance);
+                const float distance = hit.distance;
                 const std::int32_t triangle = block.triangle[lane];
                 if (distance > nearest.distance ||
                     (distance == nearest.distance && triangle >= nearest.triangle))
                     continue;
-                nearest = {distance, triangle, static_cast<float>(hit.u), static_cast<float>(hit.v)};
+                if (!solid(triangle, hit.u, hit.v)) continue;
+                nearest = {distance, triangle, hit.u, hit.v};
                 space.depth_limit = distance * along;
                 box.max_distance = distance * kBoxTolerance;
             }

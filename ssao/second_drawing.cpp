@@ -139,14 +139,14 @@ bool shows_texture(const std::vector<bool>& textured, const GBuffer& g, PixelRec
 
 }  // namespace
 
-void draw_again(const TileLighting& lighting, const DepthBuffer& depth, DepthFunction test,
+void draw_again(const TileLighting& lighting, const DepthBuffer& depth, DepthFunction test, bool cutouts,
                 const PartsOfTiles* parts, const Run& run) {
     const bool keep_all = !run.leaves_out(Skip::passes);
     const bool textured = any_of(textured_materials(lighting.scene)) || keep_all;
     NotedSurfaces surfaces(lighting, depth.size(), textured,
                            !lighting.geometry.tangent_turns.empty() || keep_all);
     const LitShader shader{lighting, surfaces, parts};
-    if (has_cutouts(lighting.scene)) {
+    if (cutouts && has_cutouts(lighting.scene)) {
         rasterize(lighting.geometry, test, depth, CutLitShader{shader, {lighting.scene}}, run);
     } else {
         rasterize(lighting.geometry, test, depth, shader, run);

@@ -125,7 +125,7 @@ Image3 shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geo
     light_from(gbuffer, lighting, parts, run);
     const bool any =
         std::any_of(parts.begin(), parts.end(), [](const PixelRect& part) { return !part.empty(); });
-    if (any) draw_again(lighting, gbuffer.depth, DepthFunction::equal, &parts, run);
+    if (any) draw_again(lighting, gbuffer.depth, DepthFunction::equal, true, &parts, run);
     return lit;
 }
 
@@ -134,7 +134,7 @@ Image3 shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geo
              const ShadowMap* shadow) {
     const ViewLighting view(scene, camera, depth.size(), ao, shadow, run);
     Image3 lit(depth.size());
-    draw_again(view.of_tiles(geometry, lit), depth, settings.depth_function, nullptr, run);
+    draw_again(view.of_tiles(geometry, lit), depth, settings.depth_function, settings.cutouts, nullptr, run);
     return lit;
 }
 

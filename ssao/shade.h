@@ -22,6 +22,8 @@ struct ShadeSettings {
     DepthFunction depth_function = DepthFunction::equal;
     PositionOrder position_order = PositionOrder::relative;
     DepthBias depth_bias;
+    bool cutouts = true;  // false: what the first pass cut out is drawn whole here
+    bool operator==(const ShadeSettings&) const = default;
 };
 
 Image3 shade(const Scene& scene, const Camera& camera, const DepthBuffer& depth, const Image<float>& ao,

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "rasterizer/cutouts.h"
 #include "rasterizer/error.h"
 #include "rasterizer/parallel.h"
 
@@ -48,12 +49,30 @@ struct ShownTriangleShader {
     CREVICE_INLINE void finish_tile(PixelRect) const {}
 };
 
-ShownTriangles shown_triangles(const ScreenGeometry& geometry, DepthFormat format, bool reversed_z,
-                               const Run& run) {
+// The same with the holes of cut-outs left open.
+struct CutShownTriangleShader : ShownTriangleShader {
+    const ScreenGeometry& geometry;
+    MaterialCutouts cutouts;
+
+    template <class F>
+    CREVICE_INLINE Mask<F> kept(const ScreenTriangle& t, const Fragment<F>& f) const {
+        return cutouts.kept(geometry, t, f);
+    }
+};
+static_assert(DropsFragments<CutShownTriangleShader>);
+
+ShownTriangles shown_triangles(const Scene& scene, const ScreenGeometry& geometry, DepthFormat format,
+                               bool reversed_z, const Run& run) {
     ShownTriangles shown(geometry.size);
     DepthBuffer depth{format, Image<std::int32_t>(geometry.size)};
     const std::int32_t clear_code = depth_code(format, reversed_z ? 0.0f : 1.0f, 0.0);
-    rasterize(geometry, nearest_wins(reversed_z), depth, ShownTriangleShader{shown, depth, clear_code}, run);
+    const ShownTriangleShader shader{shown, depth, clear_code};
+    const DepthFunction test = nearest_wins(reversed_z);
+    if (has_cutouts(scene)) {
+        rasterize(geometry, test, depth, CutShownTriangleShader{shader, geometry, {scene}}, run);
+    } else {
+        rasterize(geometry, test, depth, shader, run);
+    }
     return shown;
 }
 
@@ -143,7 +162,8 @@ SurfacePoints surface_points(const Scene& scene, const Camera& camera, const GBu
     NormalDepthSettings settings;
     settings.depth_format = gbuffer.depth.format;
     const ScreenGeometry geometry = screen_geometry(scene, camera, size, geometry_settings(settings), run);
-    const ShownTriangles shown = shown_triangles(geometry, gbuffer.depth.format, camera.reversed_z, run);
+    const ShownTriangles shown =
+        shown_triangles(scene, geometry, gbuffer.depth.format, camera.reversed_z, run);
     SurfacePoints points{size, {}, {}};
     for (int y = 0; y < size.height; ++y) {
         for (int x = 0; x < size.width; ++x) {

@@ -27,7 +27,7 @@ Vec3<float> kernel_vector(const glm::dvec3& v) { return spread<float>(glm::vec3(
 struct Lit {
     Material material;
     LitPoint<float> point;
-    DirectionalLight light;
+    ViewLight light;
     glm::vec3 ambient_light;
     double cosine;  // between normal and half vector
 
@@ -47,7 +47,7 @@ Lit lit_at(RandomSequence& random, const Material& material, double cosine) {
                      to_eye = std::cos(from_half) * half - std::sin(from_half) * beside;
     Lit lit{material, {}, {}, random_vec3(random, 0, 1), cosine};
     lit.point = {
-        kernel_vector(n), kernel_vector(to_eye), {1, 1, 1}, static_cast<float>(random.between(0, 1))};
+        kernel_vector(n), kernel_vector(to_eye), {1, 1, 1}, 1, static_cast<float>(random.between(0, 1)), 1};
     lit.light.direction = glm::vec3(-to_light);
     lit.light.diffuse = random_vec3(random, 0, 3);
     return lit;

@@ -8,9 +8,11 @@
 
 #include "rasterizer/image_summary.h"
 #include "rasterizer/tangents.h"
+#include "scenes/builtin_scenes.h"
 #include "ssao/cube_reflection.h"
 #include "ssao/scene_shadow.h"
 #include "ssao/shade.h"
+#include "ssao/sky.h"
 #include "tests/test_scenes.h"
 
 using namespace crevice;
@@ -289,4 +291,34 @@ TEST_CASE("lit: each of them changes the picture, and only a light that shines t
     dark.lights[0].diffuse = dark.lights[0].specular = glm::vec3(0);
     CHECK(!throws_shadow(dark));
     CHECK(hash(dark, &map) == hash(dark, nullptr));
+}
+
+TEST_CASE(
+    "lit: in every built-in scene with its surfaces EQUAL lights what has depth, the sky fills the rest") {
+    const CubeMap marker = build_cube_map(1, [](glm::vec3) { return glm::vec3(7); });
+    for (const BuiltinScene& builtin : builtin_scenes()) {
+        Scene scene = builtin.make(SceneDetail::surfaces);
+        CAPTURE(scene.name);
+        scene.sky = kMagenta;
+        const Size size{96, 54};
+        for (const bool reversed : {false, true}) {
+            Camera camera = scene.camera;
+            camera.reversed_z = reversed;
+            NormalDepthSettings settings;
+            settings.with_material = true;
+            const ScreenGeometry geometry = screen_geometry(scene, camera, size, geometry_settings(settings));
+            const GBuffer g = normal_depth(scene, geometry, reversed, settings);
+            ShadowMap map;
+            const ShadowMap* const shadow = throws_shadow(scene) ? &(map = scene_shadow(scene)) : nullptr;
+            const Image3 lit = shade(scene, camera, geometry, g, {}, {}, shadow);
+            const Image3 again = shade(scene, camera, geometry, g.depth, {}, ShadeSettings{}, {}, shadow);
+            CHECK(content_hash(lit) == content_hash(again));
+            const Image3 under_sky = with_sky(lit, g.depth, camera, marker);
+            CHECK(pixels_against(size, [&](int x, int y) {
+                      const bool surface = g.view_depth.at(x, y) < kInfinity;
+                      return surface == (lit.at(x, y) != kMagenta) &&
+                             surface == (under_sky.at(x, y) != glm::vec3(7));
+                  }) == "");
+        }
+    }
 }
