@@ -4,32 +4,34 @@
 // visible side of the scene. Both are in view space: x right, y up, z into the picture.
 //
 // Source: seed 000, "Rendering normals and depths", "Transforming normals"; seeds 002 and 003, the same pass.
-// Look for: how little of the range of ndc depth the scene uses; the wrong normals, which point towards the
-//           eye or away from it because a translation has crept into a direction.
+// Look for: how little of the range of ndc depth the scene uses; a floor that faces away from you because a
+//           translation has crept into its direction; a slanted box shaded as if it stood straight.
 // Run: crevice chapter 03
 #include <algorithm>
 #include <cmath>
-
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
+#include <cstdio>
 
 #include "chapters/chapter.h"
-#include "rasterizer/normal_depth.h"
+#include "chapters/plot_picture.h"
+#include "chapters/wrong_normals.h"
 #include "scenes/builtin_scenes.h"
-#include "scenes/shapes.h"
 
 namespace crevice {
 namespace {
 
-// Ndc depth, up to 1, over view depths from 0 to 20 scene units.
+std::string text(double value) {
+    char characters[32];
+    std::snprintf(characters, sizeof characters, "%.3g", value);
+    return characters;
+}
+std::string percent(double share) { return text(100 * share) + " %"; }
+
+// Ndc depth over view depth.
 Picture ndc_curve(const CameraMatrices& m) {
-    Image<float> canvas({400, 100}, 1.0f);
-    for (int x = 1; x < 400; ++x) {
-        const float ndc = m.depth_a + m.depth_b / (static_cast<float>(x) / 20);
-        const int height = static_cast<int>(100 * ndc);
-        for (int y = 0; y < height; ++y) canvas.at(x, 99 - y) = x % 100 == 0 ? 0.5f : 0.3f;
-    }
-    return grey_picture(canvas, 0, 1);
+    PlotSeries curve{{}, {}, PlotMark::line, kPlotBlue};
+    for (double z = 1; z <= 20; z += 0.125)
+        curve.x.push_back(z), curve.y.push_back(double(m.depth_a) + double(m.depth_b) / z);
+    return plot_picture({400, 160}, {0, 20, 0, 1}, {&curve, 1});
 }
 
 // What the comments in normal_depth.h promise, pixel by pixel.
@@ -59,38 +61,67 @@ void buffers_hold(Notebook& book, const GBuffer& gbuffer, const Image<float>& nd
     book.check("background: normal 0, view depth infinite, ndc depth 1", dirty == 0);
 }
 
-// Interpolation cuts corners: the shortest mean of a triangle's three unit normals.
-float shortest_mean(const Mesh& mesh) {
-    float shortest = 1;
-    for (const auto& [a, b, c] : mesh.triangles) {
-        shortest = std::min(shortest, glm::length(mesh.normals[a] + mesh.normals[b] + mesh.normals[c]) / 3);
-    }
-    return shortest;
+// The right matrix beside the wrong one: normals, AO, numbers.
+ComparedNormals side_by_side(Notebook& book, const std::string& name, const Scene& scene, NormalMatrix matrix,
+                             const char* caption) {
+    const ComparedNormals both = compare_normals(scene, matrix, book.size());
+    book.show_row(caption, {{name + "_right", normal_picture(both.right)},
+                            {name + "_wrong", normal_picture(both.wrong)}});
+    book.show_row("Seed 000's AO from the normals above.", {{name + "_ao_right", ao_picture(both.ao_right)},
+                                                            {name + "_ao_wrong", ao_picture(both.ao_wrong)}});
+    book.table({name, "largest angle off, degrees", "pixels off by over 1 degree", "shade lost", "invented"},
+               {{"wrong", text(both.off.most_deg), percent(both.off.share), percent(both.shade_lost),
+                 percent(both.shade_invented)}});
+    return both;
 }
 
-// Naive, as in seed 003: W keeps its translation, so its inverse transpose moves normals out of w = 0.
-glm::vec3 naive_normal(const glm::mat4& view_from_world, const glm::mat4& world_from_object, glm::vec3 n) {
-    return glm::vec3(view_from_world * glm::transpose(glm::inverse(world_from_object)) * glm::vec4(n, 0));
+void wrong_matrices(Notebook& book, const Scene& columns) {
+    book.text(R"(
+        Normals stay perpendicular under the inverse transpose of W, then turn with the view V. Seed 000
+        warns: W's translation must be erased first, or the 4x4 product mixes V's into the 3x3 part. Where W
+        only moves by t, and V by v, the normal becomes `n - (n . t) v`.
+
+            crevice render columns --param normal_matrix=with_translation
+    )");
+    const ComparedNormals moved =
+        side_by_side(book, "translation", columns, NormalMatrix::with_translation,
+                     "Translation erased; left in: only the house's front is right.");
+    book.check("left in, most normals are off, some point the other way",
+               moved.off.share > 0.5 && moved.off.most_deg > 120);
+    book.check("the shade at the columns' feet is lost", moved.shade_lost > 2 * moved.shade_invented);
+    book.text(R"(
+        Seed 002 uses W itself, and its box, stretched by (2, 1, 2), looks right: its faces lie along the axes
+        of the stretch. What is turned before it is stretched, or round, does not:
+
+            crevice render SCENE --param normal_matrix=world
+    )");
+    Scene boxes = stretched_scene();
+    const ComparedNormals shown =
+        side_by_side(book, "stretch", boxes, NormalMatrix::world,
+                     "By the inverse transpose; by W: seed 002's box, one turned before, a ball.");
+    boxes.instances.resize(2);
+    const ComparedNormals hidden = compare_normals(boxes, NormalMatrix::world, book.size());
+    book.check("W is right for seed 002's box, not for the others",
+               hidden.off.most_deg < 0.01 && shown.off.most_deg > 30 && shown.off.share > 0.03);
+    book.check("their tops take themselves for something in the way",
+               shown.shade_invented > shown.shade_lost);
 }
 
-void normal_matrices(Notebook& book, const glm::mat4& view_from_world) {
-    // Turned by atan(3/4) about z, stretched, moved.
-    const glm::mat4 world_from_object({1.6f, 1.2f, 0, 0}, {-.6f, .8f, 0, 0}, {0, 0, 0.5f, 0}, {3, -1, 4, 1});
-    const glm::mat3 view_from_object(view_from_world * world_from_object);
-    const glm::vec3 n(1, 1, 1), tangents[] = {{1, 0, -1}, {0, 1, -1}};
+// Seed 003 multiplies float4(n, 0), so that no translation should matter.
+void float4_claim(Notebook& book, const Scene& scene) {
     std::vector<std::vector<std::string>> rows;
-    std::vector<float> worst;
-    const auto row = [&](const char* name, glm::vec3 n_view) {
-        const float a = glm::dot(glm::normalize(n_view), glm::normalize(view_from_object * tangents[0]));
-        const float b = glm::dot(glm::normalize(n_view), glm::normalize(view_from_object * tangents[1]));
-        rows.push_back({name, std::to_string(a), std::to_string(b)});
-        worst.push_back(std::max(std::fabs(a), std::fabs(b)));
-    };
-    row("cofactors of 3 x 3 (this lab)", glm::mat3(normal_matrix(view_from_object)) * n);
-    row("W itself (seed 002)", view_from_object * n);
-    row("inverse transpose of 4 x 4 (seed 003)", naive_normal(view_from_world, world_from_object, n));
-    book.table({"normal by", "cosine to one tangent", "to another"}, rows);
-    book.check("only the first stays perpendicular", worst[0] < 1e-6f && worst[1] > 0.1f && worst[2] > 0.1f);
+    std::vector<double> most;
+    for (const bool erased : {false, true}) {
+        for (const NormalProduct product : {NormalProduct::float3x3, NormalProduct::float4}) {
+            const double off_deg = tutorial_error_deg(scene, scene.camera, product, erased);
+            most.push_back(off_deg);
+            rows.push_back({product == NormalProduct::float4 ? "float4(n, 0) M" : "n (float3x3) M",
+                            erased ? "erased" : "left in", text(off_deg)});
+        }
+    }
+    book.table({"M = (W^-1)^T V, normal by", "W's translation", "largest angle off, degrees"}, rows);
+    book.check("float4(n, 0) keeps nothing out: it does as the 3x3 part does, right only where W's is erased",
+               most[0] == most[1] && most[2] == most[3] && most[1] > 120 && most[3] < 0.1);
 }
 
 void normals_and_depth(Notebook& book) {
@@ -102,13 +133,14 @@ void normals_and_depth(Notebook& book) {
     book.text(R"(
         # 03 Normals and depth
 
-        Drawn before any light: for each pixel, the nearest surface's normal and depth.
+        Drawn before any light: for each pixel, the nearest surface's normal and depth. Interpolated normals
+        are too short; they are normalised again.
     )");
     book.show("normal", normal_picture(gbuffer.normal), "Normals: red right, green up, blue away from you.");
     book.show("view_depth", view_depth_picture(gbuffer.view_depth), "View depth, linear in distance.");
     book.show("ndc_depth", ndc_depth_picture(ndc), "Ndc depth z / w, as the depth buffer keeps it.");
     book.text("It is `A + B / z`, `A = " + exact_text(m.depth_a) + ", B = " + exact_text(m.depth_b) + "`:");
-    book.show("ndc_curve", ndc_curve(m), "Ndc depth over z from 0 to 20: half of it is below z = 2.");
+    book.show("ndc_curve", ndc_curve(m), "Ndc depth over z from 0 to 20: half of it is spent below z = 2.");
     std::vector<std::vector<std::string>> rows;
     for (const float z : {1.0f, 2.0f, 10.0f, 100.0f, 1000.0f}) {
         const float d24_step = z * z / -m.depth_b / 16777216;
@@ -116,31 +148,19 @@ void normals_and_depth(Notebook& book) {
     }
     book.table({"z", "ndc depth", "one step of D24 is, in units of z"}, rows);
     buffers_hold(book, gbuffer, ndc, m);
-    const float shortest = shortest_mean(sphere_mesh(0.5, 20, 20));
-    book.check("interpolated normals are too short: normalise", shortest < 0.99f, exact_text(shortest));
-
-    normal_matrices(book, m.view_from_world);
-    ScreenGeometry geometry = screen_geometry(scene, camera, book.size());
-    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-        const Instance& instance = scene.instances[i];
-        const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
-        for (std::size_t v = 0; v < mesh.normals.size(); ++v) {
-            geometry.vertices.n_view[geometry.vertices.first_vertex[i] + v] =
-                glm::normalize(naive_normal(m.view_from_world, instance.world_from_object, mesh.normals[v]));
-        }
-    }
-    const GBuffer naive = normal_depth(geometry, false, {});
-    book.show("naive_normal", normal_picture(naive.normal), "By seed 003: what is blue looks away.");
+    wrong_matrices(book, scene);
+    float4_claim(book, scene);
     book.try_it({
         "Set `near_plane` to 0.1: everything moves beyond ndc depth 0.98, steps get ten times coarser.",
-        "Use `sphere_mesh(0.5, 8, 8)`: the fewer the slices, the shorter interpolated normals get.",
-        "Set `eye` to 0, `target` to `{0, 0, 1}`: no translation in V, and seed 003 is right.",
+        "Make the ball's stretch (2, 2, 2): W is right again, as under any uniform scale.",
+        "Give `wrong_matrices` a scene whose `camera.eye` is 0: V moves nothing, and the leak is gone.",
     });
     book.errata({
-        "*Seed 003:* multiplies float4(n, 0) by all of (W^-1)^T V. The 0 does not keep V's translation out.",
+        "*Seed 003:* float4(n, 0) times all of (W^-1)^T V. The 0 skips the product's last row, but V's "
+        "translation is in its first three by then: last table.",
+        "*Seed 002, shader comment:* takes nonuniform scaling as the case where W will do. Uniform is meant; "
+        "its box hides the slip: `stretch`.",
         "*Seed 000, prose:* alpha is the depth in screen space. The shader writes view-space z.",
-        "*Seed 002, shader comment:* W will do for normals under nonuniform scaling. Only under uniform.",
-        "*Seed 000:* a border depth of 1e5 in a 16-bit float, whose largest value is 65504.",
     });
 }
 

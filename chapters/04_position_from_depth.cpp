@@ -14,10 +14,9 @@
 
 #include "chapters/chapter.h"
 #include "chapters/depth_error_plot.h"
-#include "chapters/position_picture.h"
+#include "chapters/position_ways.h"
+#include "chapters/stored_depth.h"
 #include "scenes/builtin_scenes.h"
-#include "scenes/composing.h"
-#include "scenes/shapes.h"
 #include "ssao/bilateral_blur.h"
 #include "ssao/luna_ssao.h"
 #include "ssao/xjun_ssao.h"
@@ -25,60 +24,18 @@
 namespace crevice {
 namespace {
 
-using Vector = Vec3<float>;
-
 std::string text(double value, int digits = 2) {
     char characters[32];
     std::snprintf(characters, sizeof characters, "%.*g", digits, value);
     return characters;
 }
 
-// ---- the ray, as the tutorials do it and as one should not
-
-Vector unit_of(Vector a) { return normalize_or<float>(a, {0, 0, 1}); }
-Vector far_corner(const ViewRays& rays, float x, float y) {
-    return 1000.0f * Vector{x * rays.ray_scale.x, y * rays.ray_scale.y, 1};
-}
-// What a pixel gets of four corners.
-Vector interpolated(const ViewRays& rays, float u, float v) {
-    const Vector left = far_corner(rays, -1, 1), right = far_corner(rays, 1, 1),
-                 below = far_corner(rays, -1, -1);
-    return left + u * (right - left) + v * (below - left);
-}
-Vector far_plane(const ViewRays& rays, float u, float v, float z) {
-    const Vector ray = interpolated(rays, u, v);
-    return (z / ray.z) * ray;
-}
-// Naive: a unit ray, and depth taken for distance.
-Vector unit_ray(const ViewRays& rays, float u, float v, float z) {
-    return z * unit_of(interpolated(rays, u, v));
-}
-// Naive: one triangle over the screen, whose corners are normalised before they are interpolated.
-Vector unit_corners(const ViewRays& rays, float u, float v, float z) {
-    const Vector a = unit_of(far_corner(rays, -1, 1)), b = unit_of(far_corner(rays, 3, 1)),
-                 c = unit_of(far_corner(rays, -1, -3));
-    const Vector ray = a + (u / 2) * (b - a) + (v / 2) * (c - a);
-    return (z / ray.z) * ray;
-}
-// Naive, seed 003: the far plane's size where x and y in -1 to 1 need half of it.
-Vector full_size(const ViewRays& rays, float u, float v, float z) {
-    const Vector p = far_plane(rays, u, v, z);
-    return {2 * p.x, 2 * p.y, p.z};
-}
-// Naive, seed 002: (p.z/v/z) v, as printed.
-Vector misprint(const ViewRays& rays, float u, float v, float z) {
-    const Vector ray = interpolated(rays, u, v);
-    return {z / ray.x / z * ray.x, z / ray.y / z * ray.y, z / ray.z / z * ray.z};
-}
-
 void compare_positions(Notebook& book, const Scene& scene) {
     const GBuffer gbuffer = normal_depth(scene, scene.camera, book.size());
     const AoInputs inputs = ao_inputs(gbuffer, scene.camera, xjun_fetch(kXjunSettings));
-    constexpr std::pair<const char*, Position> kWays[] = {{"far_plane", far_plane},
-                                                          {"unit_ray", unit_ray},
-                                                          {"unit_corners", unit_corners},
-                                                          {"full_size", full_size},
-                                                          {"misprint", misprint}};
+    constexpr std::pair<const char*, Position> kWays[] = {
+        {"far_plane", by_far_plane},       {"near_plane", by_near_plane}, {"unit_ray", by_unit_ray},
+        {"unit_corners", by_unit_corners}, {"full_size", by_full_size},   {"misprint", as_misprinted}};
     std::vector<Notebook::Named> cubes, occlusion;
     std::vector<std::vector<std::string>> rows;
     std::vector<double> worst;
@@ -86,7 +43,7 @@ void compare_positions(Notebook& book, const Scene& scene) {
         const PositionError error = position_error(inputs, position);
         rows.push_back({name, text(error.mean), text(error.most)});
         worst.push_back(error.most);
-        if (position == &misprint) continue;
+        if (position == &by_near_plane || position == &as_misprinted) continue;
         cubes.push_back({std::string("cubes_") + name, unit_cubes(gbuffer, scene.camera, position)});
         occlusion.push_back({std::string("ao_") + name, ao_picture(ao_at(inputs, position))});
     }
@@ -95,34 +52,55 @@ void compare_positions(Notebook& book, const Scene& scene) {
     book.show_row("Seed 000's AO of each: shade leaves its place, or comes where nothing is near.",
                   occlusion);
     book.table({"p by", "off by, units, mean", "at most"}, rows);
-    book.check("the far-plane ray gives p to the last bits", worst[0] < 1e-4, text(worst[0]));
-    book.check("each other way is off by units", *std::min_element(worst.begin() + 1, worst.end()) > 0.5);
-    const Vector p = misprint(inputs.rays, 0.3f, 0.8f, 7);
+    book.check("rays to the far and to the near plane give p to the last bits",
+               std::max(worst[0], worst[1]) < 1e-4, text(worst[0]) + " and " + text(worst[1]));
+    book.check("each other way is off by units", *std::min_element(worst.begin() + 2, worst.end()) > 0.5);
+    const Vec3<float> p = as_misprinted(inputs.rays, 0.3f, 0.8f, 7);
     book.check("`(p.z/v/z) v` is (1, 1, 1) for every pixel",
                std::fabs(p.x - 1) + std::fabs(p.y - 1) + std::fabs(p.z - 1) < 1e-5f);
 }
 
-// ---- where the depth is too coarse
-
-// Enough pixels for the stripes, whatever the size of this notebook.
-constexpr Size kWallsSize = {640, 360};
-
-// Five bare walls side by side, 20 units behind each other, turned a little so that each crosses some steps.
-Scene walls() {
-    Scene scene = empty_scene();
-    scene.camera.eye = {0, 0, 0}, scene.camera.target = {0, 0, 1}, scene.camera.fov_y_rad = 0.35;
-    const int box = add_mesh(scene, box_mesh({1, 1, 0.1}));
-    for (int i = 0; i < 5; ++i) {
-        const float z = 25 + 20 * static_cast<float>(i), x = 0.125f * z * static_cast<float>(i - 2);
-        const glm::mat4 turned =
-            glm::rotate(glm::translate(glm::mat4(1.0f), {x, 0, z}), 0.06f, glm::vec3(0, 1, 0));
-        scene.instances.push_back({box, glm::scale(turned, {0.12f * z, 0.3f * z, 1})});
+// So the ray does not matter. What matters is the number that p_z is made of.
+void compare_storages(Notebook& book, const Scene& scene) {
+    std::vector<Notebook::Named> pictures;
+    std::vector<std::vector<std::string>> rows;
+    std::vector<StoredDepthError> errors;
+    for (const DepthStorage& storage : kDepthStorages) {
+        errors.push_back(stored_depth_error(scene, book.size(), storage));
+        const StoredDepthError& e = errors.back();
+        rows.push_back({storage.name, text(e.most), text(e.most_of_z), text(e.most_of_z2)});
+        if (errors.size() <= 3)
+            pictures.push_back({"stored_" + std::to_string(errors.size()), difference_picture(e.off, 0.01f)});
     }
-    return scene;
+    book.show_row(
+        "Rebuilt minus drawn view depth, 0.01 too near blue, too far red: a 16-bit float of z (seed 000), "
+        "D16, D24 (seed 002).",
+        pictures);
+    book.table({"stored", "off by at most, units", "over z", "over z^2"}, rows);
+    book.check(
+        "16 bits of z: off by less than z / 1024; 16 bits of z / w: by about half a step, z^2 / |B| / 2^17",
+        errors[0].most_of_z < 1.0 / 1024 && errors[1].most_of_z2 < 1.05 / (1.001 * 131072),
+        text(1024 * errors[0].most_of_z, 4) + " and " + text(1.001 * 131072 * errors[1].most_of_z2, 4) +
+            " of it");
+    book.check(
+        "in this scene a 16-bit float of z is the coarser of the two; D24 is fifty times better than both",
+        errors[1].most < errors[0].most && 50 * errors[2].most < errors[1].most);
+}
+
+void bounds(Notebook& book) {
+    const DepthErrorTable errors = depth_error_table();
+    book.text("The largest relative error of a view depth, stored and rebuilt:");
+    book.table(errors.header, errors.rows);
+    book.check("all are inside the bound", errors.most_of_bound <= 1, text(errors.most_of_bound) + " of it");
+    book.check("reversed floats: below 2e-7 everywhere", errors.worst_reversed < 2e-7,
+               text(errors.worst_reversed));
+    book.show("depth_error", depth_error_plot(),
+              "Relative error over z, planes at 1 and 1000: measured (dots) below the bound (lines). D16 "
+              "orange, D24 blue, reversed D32F green.");
 }
 
 void false_occlusion(Notebook& book) {
-    Scene scene = walls();
+    const Scene scene = bare_walls();
     const double epsilon = double(kLunaSettings.epsilon);
     const double from_d16 = depth_of_step(scene.camera, DepthFormat::d16, epsilon),
                  from_d24 = depth_of_step(scene.camera, DepthFormat::d24, epsilon);
@@ -133,49 +111,16 @@ void false_occlusion(Notebook& book) {
     std::vector<Notebook::Named> pictures;
     std::vector<double> means;
     for (const int kind : {0, 1, 3}) {
-        scene.camera.reversed_z = kDepthKinds[kind].reversed_z;
-        const GBuffer gbuffer =
-            normal_depth(scene, scene.camera, kWallsSize, {.depth_format = kDepthKinds[kind].format});
-        const Image<float> ao = luna_ssao(gbuffer, scene.camera);
-        pictures.push_back({"walls_" + std::to_string(kind), ao_picture(ao)});
+        const WallAo walls = wall_ao(kDepthKinds[kind]);
+        pictures.push_back({"walls_" + std::to_string(kind), ao_picture(walls.ao)});
         rows.push_back({kDepthKinds[kind].name});
-        for (int i = 0; i < 5; ++i) {  // the middle row, within each wall
-            double sum = 0, count = 0;
-            for (int x = ao.size.width * (4 * i + 1) / 20; x < ao.size.width * (4 * i + 3) / 20; ++x, ++count)
-                sum += double(ao.at(x, ao.size.height / 2));
-            means.push_back(sum / count);
-            rows.back().push_back(text(means.back(), 3));
-        }
+        for (const double mean : walls.means) means.push_back(mean), rows.back().push_back(text(mean, 3));
     }
     book.show_row("AO of bare walls 25, 45, 65, 85 and 105 away with D16, D24, reversed D32F.", pictures);
     book.table({"mean AO of the wall at z =", "25", "45", "65", "85", "105"}, rows);
     book.check("D16: open at 25 and 45, striped at 85 and 105",
                std::min(means[0], means[1]) > 0.99 && std::max(means[3], means[4]) < 0.97);
     book.check("D24 and reversed D32F: open", *std::min_element(means.begin() + 5, means.end()) > 0.999);
-}
-
-// ---- 1e5 in a half
-
-// Naive: seed 000's loop in C++, whose std::max(NaN, 0) is NaN. HLSL's is 0.
-Image<float> with_std_max(const AoInputs& in) {
-    const LunaKernel kernel(in, kXjunSettings);
-    const RandomMap map = random_map(kXjunSettings.seed);
-    Image<float> ao(in.size(), 1.0f);
-    for (int i = 0; i < in.size().width * in.size().height; ++i) {
-        const int x = i % in.size().width, y = i / in.size().width;
-        const float u = (float(x) + 0.5f) / float(in.size().width),
-                    v = (float(y) + 0.5f) / float(in.size().height);
-        const Vector p = in.rays.p_view(u, v, in.view_depth.at(x, y)), n = spread<float>(in.normal.at(x, y));
-        float sum = 0;
-        for (const glm::vec3& offset : kernel.offsets) {
-            const Vector q = kernel.sample_point(p, n, kernel.random_vector(map, u, v), offset);
-            const float r_z = kernel.depth_at(in.rays.p_screen(q, 1 / q.z));
-            const Vector to_r = (r_z / q.z) * q - p;
-            sum += std::max(dot(n, to_r) / std::sqrt(dot(to_r, to_r)), 0.0f) * kernel.occlusion(p.z - r_z);
-        }
-        ao.at(x, y) = 1 - sum / kCubeVectors;
-    }
-    return ao;
 }
 
 std::string number(float value) { return std::isnan(value) ? "NaN" : exact_text(value); }
@@ -189,7 +134,7 @@ void half_floats(Notebook& book, const Scene& scene) {
         const float sky = stored_as(1e5f, format);
         const GBuffer gbuffer = normal_depth(scene, scene.camera, book.size(), {.buffer_format = format});
         const AoInputs inputs = ao_inputs(gbuffer, scene.camera, xjun_fetch({.as_published = true}));
-        const Image<float> ao = with_std_max(inputs), blurred = bilateral_blur(ao, inputs);
+        const Image<float> ao = ao_with_std_max(inputs), blurred = bilateral_blur(ao, inputs);
         const double texels = double(ao.size.width) * ao.size.height / 100;
         nan.push_back(double(buffer_statistics(ao).nan) / texels);
         const std::string name = pictures.empty() ? "toward_zero" : "nearest";
@@ -207,27 +152,24 @@ void position_from_depth(Notebook& book) {
     book.text(R"(
         # 04 Position from depth
 
-        A ray through the pixel and a view depth: `p = (p_z / v_z) v`. Seed 000 stores `p_z`; seed 002 rebuilds
-        it from ndc depth, `p_z = B / (d - A)`. An error e of d is then one of `e z^2 / |B|` in `p_z`.
+        A ray through the pixel and a view depth: `p = (p_z / v_z) v`. Seed 000 takes a ray to the far plane
+        and stores `p_z`; seed 002 takes one to the near plane and rebuilds `p_z = B / (d - A)` from ndc depth
+        d. An error e of d is then one of `e z^2 / |B|` in `p_z`.
+
+            crevice render columns --param depth_format=d16 --param buffer_format=float16
     )");
     const Scene scene = find_builtin_scene("columns")->make();
     compare_positions(book, scene);
-    const DepthErrorTable errors = depth_error_table();
-    book.text("The largest relative error of a view depth, stored and rebuilt:");
-    book.table(errors.header, errors.rows);
-    book.check("all are inside the bound", errors.most_of_bound <= 1, text(errors.most_of_bound) + " of it");
-    book.check("reversed floats: below 2e-7 everywhere", errors.worst_reversed < 2e-7,
-               text(errors.worst_reversed));
-    book.show(
-        "depth_error", depth_error_plot(),
-        "Relative error over z, planes at 1 and 1000: measured (dots) below the bound (lines). D16 orange, "
-        "D24 blue, reversed D32F green.");
+    compare_storages(book, scene);
+    bounds(book);
     false_occlusion(book);
     half_floats(book, scene);
     book.try_it({
-        "In `unit_corners` use `interpolated`'s corners: all are equally long, and normalising them does no "
+        "In `by_unit_corners` use `interpolated`'s corners: all are equally long, and normalising them does "
+        "no "
         "harm.",
-        "Set `scene.camera.near_plane = 4` in `walls`: D16's stripes begin at 115, behind the last wall.",
+        "Set `scene.camera.near_plane = 4` in `bare_walls`: D16's stripes begin at 115, behind the last "
+        "wall.",
         "Add `BufferFormat::float32` to the loop of `half_floats`: 1e5 fits, and no texel of the sky is NaN.",
     });
     book.errata({

@@ -11,6 +11,7 @@
 #include <cstdio>
 
 #include "chapters/chapter.h"
+#include "chapters/switched_ao.h"
 #include "scenes/builtin_scenes.h"
 #include "scenes/composing.h"
 #include "scenes/shapes.h"
@@ -58,22 +59,6 @@ Sample sample_of(const LunaKernel& kernel, const RandomMap& map, int x, int y, s
     return {p, q, r, p.z - r_z, cosine > 0 ? cosine : 0, kernel.occlusion(p.z - r_z)};
 }
 
-// Naive, exercise 3 of seed 000: the test by depth alone.
-Image<float> without_dp(const AoInputs& inputs, const LunaSettings& settings) {
-    const LunaKernel kernel(inputs, settings);
-    const RandomMap map = random_map(settings.seed);
-    Image<float> ao(inputs.size(), 1.0f);
-    for (int y = 0; y < ao.size.height; ++y) {
-        for (int x = 0; x < ao.size.width; ++x) {
-            if (std::isinf(inputs.view_depth.at(x, y))) continue;
-            float sum = 0;
-            for (std::size_t i = 0; i < kCubeVectors; ++i) sum += sample_of(kernel, map, x, y, i).occlusion;
-            ao.at(x, y) = power(1 - sum / kCubeVectors, settings.exponent);
-        }
-    }
-    return ao;
-}
-
 void tell_one_texel(Notebook& book, const LunaKernel& kernel, const Image<float>& ao) {
     const auto darkest = std::min_element(ao.pixels.begin(), ao.pixels.end()) - ao.pixels.begin();
     const int x = static_cast<int>(darkest) % ao.stride, y = static_cast<int>(darkest) / ao.stride;
@@ -93,19 +78,92 @@ void tell_one_texel(Notebook& book, const LunaKernel& kernel, const Image<float>
                std::fabs(told - ao.at(x, y)) < 1e-6f, "mean " + text(sum / kCubeVectors) + ", " + text(told));
 }
 
-void look_at_a_bare_plane(Notebook& book) {
+// Exercise 3 of seed 000: without dp.
+void remove_dp(Notebook& book, const SwitchedView& view) {
     Scene scene = empty_scene();
     scene.instances = {placed(add_mesh(scene, grid_mesh(400, 400, 2, 2)), {0, 0, 0})};
     scene.camera.eye = {0, 3, -4};
     const GBuffer gbuffer = normal_depth(scene, scene.camera, book.size());
-    const AoInputs inputs = ao_inputs(gbuffer, scene.camera, luna_fetch(kLunaSettings));
-    const Image<float> with = luna_occlusion(inputs, kLunaSettings, {});
-    const Image<float> without = without_dp(inputs, kLunaSettings);
-    book.show_row("A bare plane, looked at askew: with dp it is open; by depth alone it occludes itself.",
-                  {{"plane", ao_picture(with)}, {"plane_without_dp", ao_picture(without)}});
+    LunaSettings settings = kLunaSettings;
+    const AoInputs inputs = ao_inputs(gbuffer, scene.camera, luna_fetch(settings));
+    const Image<float> with = luna_occlusion(inputs, settings, {});
+    settings.self_occlusion_test = false;
+    const Image<float> without = luna_occlusion(inputs, settings, {});
+    const Words no_dp = {"self_occlusion_test=false"};
+    book.show_row(
+        "Exercise 3: a bare plane, with dp and without, where it occludes itself; and the columns, " +
+            view.command(no_dp) + ": every slope is shaded, and the contacts drown.",
+        {{"plane", ao_picture(with)},
+         {"plane_without_dp", ao_picture(without)},
+         {"ao_without_dp", ao_picture(view.ao(no_dp).raw)}});
     book.check("with dp every texel of the plane is open", buffer_statistics(with).min > 0.99f);
     const double mean = buffer_statistics(without).mean;
-    book.check("without dp it is not", mean < 0.7, "mean " + text(static_cast<float>(mean)));
+    book.check("without dp it is not", mean < 0.7, "mean " + four_digits(mean));
+}
+
+// The mean over texels that show a surface.
+double mean_access(const SwitchedAo& ao) {
+    double sum = 0, count = 0;
+    for (int y = 0; y < ao.raw.size.height; ++y) {
+        for (int x = 0; x < ao.raw.size.width; ++x) {
+            if (std::isinf(ao.inputs.view_depth.at(x, y))) continue;
+            sum += static_cast<double>(ao.raw.at(x, y));
+            count += 1;
+        }
+    }
+    return sum / count;
+}
+
+// One number of the occlusion function at a time, with the tutorial's in the middle.
+void turn_the_numbers(Notebook& book, const SwitchedView& view) {
+    const auto row = [&](const std::string& caption, const std::vector<Words>& variants) {
+        std::vector<Notebook::Named> pictures;
+        std::vector<double> means;
+        for (const Words& words : variants) {
+            const SwitchedAo ao = view.ao(words);
+            std::string name = words.front();
+            for (char& c : name) c = c == '=' || c == '.' ? '_' : c;
+            pictures.push_back({name, ao_picture(ao.raw)});
+            means.push_back(mean_access(ao));
+        }
+        book.show_row(caption + " (" + view.command(variants.front()) + " and so on)", pictures);
+        return means;
+    };
+    const auto epsilon = row("Epsilon 0, .05 and .5: noise on level stone, contact shade, none left.",
+                             {{"epsilon=0"}, {"epsilon=0.05"}, {"epsilon=0.5"}});
+    book.check(
+        "a larger epsilon only ever opens", epsilon[0] < epsilon[1] && epsilon[1] < epsilon[2],
+        "means " + four_digits(epsilon[0]) + ", " + four_digits(epsilon[1]) + ", " + four_digits(epsilon[2]));
+    const auto fade = row("Fade end 1 (seed 002), 2 (seed 000), and no range check: halos grow.",
+                          {{"fade_end=1"}, {"fade_end=2"}, {"fade_end=1e30"}});
+    book.check("a wider range only ever closes; without one, columns shade the ground far behind them",
+               fade[0] > fade[1] && fade[1] > fade[2],
+               "means " + four_digits(fade[0]) + ", " + four_digits(fade[1]) + ", " + four_digits(fade[2]));
+}
+
+// HLSL's sign(0) is 0. It takes a normal along an axis and vectors that stay where they are.
+void look_along_the_surface(Notebook& book, const AoInputs& inputs) {
+    const Vec3<float> p = {0, 0, 10}, n = {0, 0, -1};
+    const auto moved = [&](SignOfZero sign, std::size_t i) {
+        const LunaKernel kernel(inputs, {.random_vectors = RandomVectors::none, .sign_of_zero = sign});
+        const Vec3<float> way = kernel.sample_point(p, n, Vec3<float>{0, 0, 0}, kernel.offsets[i]) - p;
+        return dot(way, way) > 0;
+    };
+    int plus = 0, zero = 0;
+    for (std::size_t i = 0; i < kCubeVectors; ++i) {
+        plus += moved(SignOfZero::plus, i);
+        zero += moved(SignOfZero::zero, i);
+    }
+    book.check("facing a wall, 4 of 14 unmirrored samples have sign 0 and fall onto their own texel",
+               plus == kCubeVectors && zero == kCubeVectors - 4,
+               std::to_string(plus) + " and " + std::to_string(zero) + " of 14 move");
+    const SwitchedView wall("cornell", book.size());
+    const Words plain = {"random_vectors=none"}, trap = {plain[0], "sign_of_zero=zero"};
+    const Image<float> cured = wall.ao(plain).raw, trapped = wall.ao(trap).raw;
+    book.show_row("Without random vectors: sign(0) = 1; sign(0) = 0, " + wall.command(trap) + "; 0 minus 1.",
+                  {{"sign_plus", ao_picture(cured)},
+                   {"sign_zero", ao_picture(trapped)},
+                   {"sign_difference", difference_picture(difference_of(trapped, cured))}});
 }
 
 void occlusion_test(Notebook& book) {
@@ -116,30 +174,26 @@ void occlusion_test(Notebook& book) {
 
             dp * occlusion(p_z - r_z)      with  dp = max(0, n . (r - p) / |r - p|)
     )");
-    const Scene scene = find_builtin_scene("columns")->make();
-    Camera camera = scene.camera;
-    camera.eye = {-4.6, -1.4, -2.6}, camera.target = {-6.2, -2.8, 0};
-    const GBuffer gbuffer = normal_depth(scene, camera, book.size());
-    const AoInputs inputs = ao_inputs(gbuffer, camera, xjun_fetch(kXjunSettings));
-    const LunaKernel xjun(inputs, kXjunSettings), luna(inputs, kLunaSettings);
+    const SwitchedView view = column_foot(book.size());
+    const SwitchedAo shown = view.ao();
+    const LunaKernel xjun(shown.inputs, kXjunSettings), luna(shown.inputs, kLunaSettings);
     book.show("curves", curves(xjun, luna), "occlusion(dz), dz to 2.5: seed 000 all, seed 002 violet only.");
-    const Image<float> ao = luna_occlusion(inputs, kXjunSettings, {});
-    book.show("ao", ao_picture(ao), "Seed 000's AO: dark where something near stands in front.");
-    tell_one_texel(book, xjun, ao);
-    look_at_a_bare_plane(book);
-    book.show("ao_without_dp", ao_picture(without_dp(inputs, kXjunSettings)), "Exercise 3: without dp.");
-    book.show_row("Epsilon 0, where tiny steps of one surface begin to count; and 0.5, where contacts fade.",
-                  {{"epsilon_0", ao_picture(luna_occlusion(inputs, {.epsilon = 0}, {}))},
-                   {"epsilon_large", ao_picture(luna_occlusion(inputs, {.epsilon = 0.5f}, {}))}});
+    book.show("ao", ao_picture(shown.raw), "Seed 000's AO: dark where something near stands in front.");
+    tell_one_texel(book, xjun, shown.raw);
+    remove_dp(book, view);
+    turn_the_numbers(book, view);
+    look_along_the_surface(book, shown.inputs);
     book.try_it({
-        "Use `.fade_end = 10` for `.epsilon = 0`: what is far in front of p still counts: a halo at columns.",
+        "Add `\"radius=2\"` to `fade_end=1e30`: the halos are as wide as the radius.",
         "Set the plane's `eye` to `{0, 30, -4}`: right below the eye dz stays under epsilon: no need of dp.",
-        "In `without_dp`, add up `s.dp * s.occlusion`: the picture is that of the pass again.",
+        "In `tell_one_texel`, add up `s.occlusion` alone: the texel of exercise 3.",
     });
     book.errata({
-        "*Seed 000, prose:* r occludes q. It occludes **p**; q only says where to look.",
+        "*Seed 000, prose:* r occludes q. It occludes **p**; q only says where to look (table).",
+        "*Seed 000, prose:* p is the intersection with the eye's ray. r is; the ray goes through **q**.",
         "*Seed 000, prose:* |p_z - r_z|. The shader's is signed: what lies behind p does not occlude it.",
         "*Seed 002, prose:* |q - r| is tested against epsilon. The shader tests p_z - r_z.",
+        "*Seed 000:* fade start may equal fade end in its demo: 0 / 0. Here that is a step.",
         "*Seed 000, shader comment:* depth(q) is too close to depth(p). It tests depth(r).",
     });
 }

@@ -4,46 +4,26 @@
 // into fine grain, which an average over neighbours can remove.
 //
 // Source: seed 000, "Finishing the computation" and the full listing; seed 002, Ssao.hlsl.
-// Look for: the step from 1 to 2 samples, which gains next to nothing; the lines on the roof, of which half
-//           resolution keeps only some; how the exponent alone makes shade out of hints.
+// Look for: the bands where no random vector breaks them up; the step from 1 to 2 samples, which gains next
+//           to nothing; how the exponent alone makes shade out of hints; the picture's rim under three borders.
 // Run: crevice chapter 07
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "chapters/chapter.h"
+#include "chapters/switched_ao.h"
 #include "scenes/builtin_scenes.h"
+#include "ssao/luna_limit.h"
 #include "ssao/luna_ssao.h"
 #include "ssao/metrics.h"
-#include "ssao/shade.h"
 #include "ssao/widened_ao.h"
 #include "ssao/xjun_ssao.h"
 
 namespace crevice {
 namespace {
 
-std::string text(double value) {
-    char characters[32];
-    std::snprintf(characters, sizeof characters, "%.4f", value);
-    return characters;
-}
-
-Image<float> difference(Image<float> a, const Image<float>& b) {
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) a.pixels[i] -= b.pixels[i];
-    return a;
-}
-
-// The mean over many seeds: what the estimator gives when no noise is left.
-Image<float> without_noise(const AoInputs& inputs, LunaSettings settings) {
-    constexpr int kSeeds = 32;
-    Image<float> mean(inputs.size(), 0.0f);
-    for (int i = 0; i < kSeeds; ++i) {
-        settings.seed = 1000 + static_cast<std::uint32_t>(i);
-        const Image<float> ao = luna_occlusion(inputs, settings, {});
-        for (std::size_t k = 0; k < ao.pixels.size(); ++k) mean.pixels[k] += ao.pixels[k] / kSeeds;
-    }
-    return mean;
-}
+constexpr int kSeeds = 32;
 
 void both_tutorials(Notebook& book, const Image<float>& ao, const AoInputs& inputs) {
     book.show("xjun", ao_picture(ao), "Seed 000's raw AO, half the picture's size: grain in the shade.");
@@ -65,27 +45,62 @@ void both_tutorials(Notebook& book, const Image<float>& ao, const AoInputs& inpu
 }
 
 void sample_counts(Notebook& book, const AoInputs& inputs) {
-    LunaSettings linear{.exponent = 1, .seed = book.seed()};
-    const Image<float> mean = without_noise(inputs, linear);
+    const LunaSettings linear{.exponent = 1, .seed = book.seed()};
+    const Image<float> limit = luna_limit(inputs, linear, kSeeds).mean;
     std::vector<Notebook::Named> pictures;
     std::vector<std::vector<std::string>> rows;
     std::vector<double> noise;
     for (const int samples : {1, 2, 4, 7, 10, 14}) {
-        const LunaSettings settings{.samples = samples, .seed = book.seed()};
-        linear.samples = samples;
+        const LunaSettings settings{.samples = samples, .exponent = 1, .seed = book.seed()};
         const Image<float> ao = luna_occlusion(inputs, settings, {});
+        noise.push_back(compare_images(ao, limit).rmse);
         pictures.push_back({"samples_" + std::to_string(samples), ao_picture(ao)});
-        noise.push_back(compare_images(luna_occlusion(inputs, linear, {}), mean).rmse);
-        rows.push_back({std::to_string(samples), text(noise.back()), text(noise.back() / noise.front())});
+        rows.push_back(
+            {std::to_string(samples), four_digits(noise.back()), four_digits(noise.back() / noise.front())});
     }
-    book.show_row("1, 2, 4, 7, 10 and 14 samples: the noise shrinks, the shade stays where it is.", pictures);
+    book.show_row("1, 2, 4, 7, 10 and 14 samples, exponent 1: the noise shrinks, the shade stays.", pictures);
     book.table({"samples", "RMS noise before the exponent", "over that of 1"}, rows);
     book.check("14 samples have less than half the noise of one", noise.back() < 0.5 * noise.front());
     book.check("2 samples gain less over 1 than 4 over 2: a pair looks the same way (chapter 05)",
                noise[0] / noise[1] < noise[1] / noise[2]);
-    const Image<float> raw = luna_occlusion(inputs, {.seed = book.seed()}, {});
-    book.show("noise", difference_picture(difference(raw, without_noise(inputs, kXjunSettings))),
-              "Raw AO minus its mean over 32 seeds: grain as fine as the map, no bands.");
+}
+
+// The share of an error's square that two neighbours have in common: 1 bands, 0 grain.
+double likeness_of_neighbours(const Image<float>& error) {
+    double product = 0, square = 0;
+    for (int y = 0; y < error.size.height; ++y) {
+        for (int x = 0; x + 1 < error.size.width; ++x) {
+            const double own = error.at(x, y), next = error.at(x + 1, y);
+            product += own * next;
+            square += own * own;
+        }
+    }
+    return product / square;
+}
+
+// Bands without random vectors, and what the blur of chapter 08 makes of bands and of grain.
+void bands_and_grain(Notebook& book) {
+    const SwitchedView view = column_foot(book.size());
+    const SwitchedAo grain = view.ao(), bands = view.ao({"random_vectors=none"});
+    const Image<float> limit = luna_limit(grain.inputs, grain.settings.ao, kSeeds).mean;
+    const Image<float> band_error = difference_of(bands.raw, limit),
+                       grain_error = difference_of(grain.raw, limit);
+    book.show_row("Grain without blur, " + view.command({"blur_iterations=0"}) +
+                      "; bands without random vectors, " + view.command({"random_vectors=none"}) +
+                      "; both blurred four times.",
+                  {{"grain", ao_picture(grain.raw)},
+                   {"bands", ao_picture(bands.raw)},
+                   {"grain_blurred", ao_picture(grain.blurred)},
+                   {"bands_blurred", ao_picture(bands.blurred)}});
+    const double alike = likeness_of_neighbours(band_error), unlike = likeness_of_neighbours(grain_error);
+    book.check("without random vectors neighbours err alike, with them much less", alike > 1.5 * unlike,
+               "correlation " + four_digits(alike) + " and " + four_digits(unlike));
+    const Image<float> blurred = bilateral_blur(limit, grain.inputs, grain.settings.blur);
+    const double bands_left = compare_images(bands.blurred, blurred).rmse,
+                 grain_left = compare_images(grain.blurred, blurred).rmse;
+    book.check("the blur removes grain and leaves bands", grain_left < 0.9 * bands_left,
+               "RMS from the blurred mean of 32 seeds " + four_digits(grain_left) + " and " +
+                   four_digits(bands_left));
 }
 
 // Whether the random map repeats after a quarter of the picture.
@@ -100,6 +115,73 @@ void noise_pattern(Notebook& book, Size size) {
     book.check("a quarter of the picture further right, texels read the same random vectors", change < 1e-6f);
 }
 
+// Half against full size, and a half-size texel that takes a neighbour's point for its own.
+void texels_and_pixels(Notebook& book, const SwitchedView& view) {
+    const Image<float> half = view.ao().raw, full = view.ao({}, 1).raw;
+    const Image<float> change = difference_of(ao_at_picture_size(half, book.size()), full);
+    book.show_row("Full size, `--ao-scale 1`, and half minus full: thin lines are lost, the rest is noise.",
+                  {{"full_size", ao_picture(full)}, {"half_minus_full", difference_picture(change)}});
+    const double mean = buffer_statistics(change).mean;
+    book.check("on average half size is about as dark as full size", std::fabs(mean) < 0.03,
+               four_digits(mean));
+
+    const SwitchedView walls("cornell", book.size());
+    const Image<float> exact = walls.ao().raw, off = walls.ao({"texel_centre=off"}).raw;
+    book.show_row("A room: the point at the texel's centre; a pixel's half a pixel off, " +
+                      walls.command({"texel_centre=off"}) + "; off minus exact.",
+                  {{"texel_exact", ao_picture(exact)},
+                   {"texel_off", ao_picture(off)},
+                   {"off_minus_exact", difference_picture(difference_of(off, exact))}});
+    const double darker = buffer_statistics(difference_of(off, exact)).mean;
+    book.check("misplaced points lie behind their own walls, which darken", darker < -0.002,
+               four_digits(darker));
+}
+
+void sky_in_a_half(Notebook& book, const SwitchedView& view) {
+    Words words = {"buffer_format=float16_nearest", "edge_texels=mixed"};
+    const SwitchedAo finite = view.ao(words);
+    words.push_back("sky_depth=as_stored");
+    const SwitchedAo infinite = view.ao(words);
+    book.show_row("1e5 in a half-float kept at 65504; rounded to nearest, which is infinite, " +
+                      view.command(words) + "; infinite minus finite: white specks along silhouettes.",
+                  {{"sky_finite", ao_picture(finite.raw)},
+                   {"sky_infinite", ao_picture(infinite.raw)},
+                   {"infinite_minus_finite", difference_picture(difference_of(infinite.raw, finite.raw))}});
+    const SwitchedAo truncated = view.ao({"buffer_format=float16", "sky_depth=as_stored"});
+    const float sky = infinite.inputs.depth_map.at(0, 0), kept = truncated.inputs.depth_map.at(0, 0);
+    const float filtered = sky + 0 * (kept - sky);
+    book.check("toward zero 65504, to nearest infinity, and a filter that touches infinity gives NaN",
+               kept == 65504 && std::isinf(sky) && std::isnan(filtered));
+    const Image<float> change = difference_of(infinite.raw, finite.raw);
+    const auto lost =
+        std::count_if(change.pixels.begin(), change.pixels.end(), [](float a) { return a > 0.01f; });
+    book.check("texels that saw a NaN lose their shade; none leaves the pass",
+               lost > 0 && buffer_statistics(infinite.raw).nan == 0, std::to_string(lost) + " texels");
+}
+
+void beyond_the_border(Notebook& book) {
+    Camera camera = find_builtin_scene("columns")->make().camera;
+    camera.eye = {-4.6, -1.4, -2.6}, camera.target = {-3.9, -2.8, 0};
+    const SwitchedView view("columns", book.size(), camera, "--eye -4.6,-1.4,-2.6 --target -3.9,-2.8,0");
+    const Image<float> far = view.ao().blurred, edge = view.ao({"border=edge"}).blurred,
+                       wrap = view.ao({"border=wrap"}).blurred;
+    book.show_row("Beyond the picture: nothing; its last pixel, " + view.command({"border=edge"}) +
+                      "; its other side, " + view.command({"border=wrap"}) + "; edge and wrap minus nothing.",
+                  {{"border_far", ao_picture(far)},
+                   {"border_edge", ao_picture(edge)},
+                   {"border_wrap", ao_picture(wrap)},
+                   {"edge_minus_far", difference_picture(difference_of(edge, far))},
+                   {"wrap_minus_far", difference_picture(difference_of(wrap, far))}});
+    const auto most = [](const Image<float>& change) {
+        const BufferStatistics s = buffer_statistics(change);
+        return max_of(-s.min, s.max);
+    };
+    book.check("a border changes the picture, and no policy knows what is really there",
+               most(difference_of(edge, far)) > 0.05f && most(difference_of(wrap, far)) > 0.05f,
+               "by up to " + four_digits(static_cast<double>(most(difference_of(edge, far)))) + " and " +
+                   four_digits(static_cast<double>(most(difference_of(wrap, far)))));
+}
+
 void raw_ao(Notebook& book) {
     book.text(R"(
         # 07 Raw ambient occlusion
@@ -108,35 +190,38 @@ void raw_ao(Notebook& book) {
 
             access = 1 - (1/14) sum of dp * occlusion(dz)          AO = access ^ exponent
     )");
-    const Scene scene = find_builtin_scene("columns")->make();
-    const GBuffer gbuffer = normal_depth(scene, scene.camera, book.size());
-    const AoInputs inputs = ao_inputs(gbuffer, scene.camera, xjun_fetch(kXjunSettings));
-    const Image<float> half = xjun_ssao(gbuffer, scene.camera, {.seed = book.seed()});
-    both_tutorials(book, half, inputs);
-    sample_counts(book, inputs);
-    noise_pattern(book, inputs.size());
-
-    const Image<float> full = xjun_ssao(gbuffer, scene.camera, {.seed = book.seed(), .ao_scale = 1});
-    const Image<float> change = difference(ao_at_picture_size(half, book.size()), full);
-    book.show_row("Full size, and half minus full: thin lines are lost, the rest differs by noise only.",
-                  {{"full_size", ao_picture(full)}, {"half_minus_full", difference_picture(change)}});
-    const double mean = buffer_statistics(change).mean;
-    book.check("on average half size is about as dark as full size", std::fabs(mean) < 0.03, text(mean));
+    const SwitchedView view("columns", book.size());
+    const SwitchedAo shown = view.ao({"seed=" + std::to_string(book.seed())});
+    both_tutorials(book, shown.raw, shown.inputs);
+    sample_counts(book, shown.inputs);
+    noise_pattern(book, shown.inputs.size());
+    bands_and_grain(book);
+    texels_and_pixels(book, view);
+    sky_in_a_half(book, view);
+    beyond_the_border(book);
 
     std::vector<Notebook::Named> powers;
-    for (const float exponent : {1.0f, 2.0f, 4.0f, 6.0f}) {
-        const Image<float> ao = xjun_ssao(gbuffer, scene.camera, {.exponent = exponent, .seed = book.seed()});
-        powers.push_back({"exponent_" + std::to_string(static_cast<int>(exponent)), ao_picture(ao)});
+    std::vector<double> means;
+    for (const char* exponent : {"1", "2", "4", "6"}) {
+        const Image<float> ao = view.ao({std::string("exponent=") + exponent}).raw;
+        powers.push_back({std::string("exponent_") + exponent, ao_picture(ao)});
+        means.push_back(1 - buffer_statistics(ao).mean);
     }
-    book.show_row("Exponents 1, 2, 4 (seed 000) and 6 (seed 002): contrast by taste, not physics.", powers);
+    book.show_row("Exponents 1, 2, 4 (seed 000) and 6 (seed 002): contrast by taste, not physics. " +
+                      view.command({"exponent=6"}),
+                  powers);
+    book.check("6 instead of 4 takes a sixth more light away", means[3] > 7 * means[2] / 6,
+               "mean occlusion " + four_digits(means[2]) + " and " + four_digits(means[3]));
     book.try_it({
-        "Put `.as_published = true` before `.ao_scale = 1`: `r` is not unit: wider shade, more noise.",
-        "Set `.radius = 2`: shade reaches four times as far, and so does the noise.",
+        "Pass `{\"as_published=true\"}` to `view.ao`: raw vectors, mixed edge texels: wider shade, more "
+        "noise.",
+        "Pass `{\"radius=2\"}`: shade reaches four times as far, and so does the noise.",
         "Run with `--seed 2`: other grain at the same places.",
     });
     book.errata({
         "*Seed 000:* a snippet divides by `g_SampleCount`; what the listing has is `sampleCount`.",
         "*Seed 000:* half size hardly matters, as AO is of low frequency. Thin contacts are not: the roof.",
+        "*Seed 000:* 1e5 as clear value of a 16-bit float. D3D keeps 65504, others infinity (above).",
         "*Seed 002:* the exponent is 4 in the prose and 6 in the listing.",
         "*Both:* `sign(0)` is 0: then q = r = p and `normalize(0)` is NaN, which HLSL's `max` hides.",
     });

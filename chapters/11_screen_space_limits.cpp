@@ -4,24 +4,21 @@
 // and how thick things are is not in it, so the same point's AO changes with the camera, and the truth does
 // not.
 //
-// Source: seed 000, "Flaws of SSAO" (its last picture) and "Multisampling"; seed 002, the samplers' border.
+// Source: seed 000, "Flaws of SSAO" (its last picture), "Multisampling", "Using the ambient map"; seed 002,
+//         the samplers' border.
 // Look for: the column's top, lighter as soon as the sphere over it leaves the picture; red rims; a plate's
-//           halo.
+//           halo; rows that run down the whole picture.
 // Run: crevice chapter 11
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstdio>
 
 #include "chapters/chapter.h"
+#include "chapters/limit_scenes.h"
+#include "chapters/limit_sections.h"
 #include "chapters/plot_picture.h"
-#include "chapters/seen_points.h"
-#include "rasterizer/approx_math.h"
 #include "scenes/builtin_scenes.h"
-#include "scenes/composing.h"
-#include "scenes/shapes.h"
-#include "ssao/depth_mesh.h"
-#include "ssao/ray_cast_ao.h"
-#include "ssao/shade.h"
+#include "ssao/luna_limit.h"
 #include "ssao/xjun_ssao.h"
 
 namespace crevice {
@@ -36,127 +33,92 @@ std::string text(double value) {
     return characters;
 }
 
-Image<float> difference(Image<float> a, const Image<float>& b) {
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) a.pixels[i] -= b.pixels[i];
-    return a;
-}
-
-Scene on_a_floor(std::initializer_list<std::pair<Mesh, glm::vec3>> meshes) {
-    Scene scene = empty_scene();
-    scene.instances = {placed(add_mesh(scene, grid_mesh(40, 40, 2, 2)), {0, 0, 0})};
-    for (const auto& [mesh, position] : meshes)
-        scene.instances.push_back(placed(add_mesh(scene, mesh), position));
-    scene.camera.near_plane = 0.1;
-    return scene;
-}
-
-// The front of the top of seed 000's column at (6, 0, 0), all under the sphere.
-std::vector<WorldPoint> top_of_column() {
-    std::vector<WorldPoint> points;
-    for (double radius = 0.30; radius < 0.46; radius += 0.02) {
-        for (double angle = -0.6; angle < 0.61; angle += 0.05) {
-            const SineCosine at = sine_cosine(angle);
-            points.push_back({{6 + radius * at.sine, 0, -radius * at.cosine}, {0, 1, 0}});
-        }
-    }
-    return points;
-}
-
-void look_down(Notebook& book) {
-    const Scene scene = columns_scene();
-    Camera camera = scene.camera;
-    camera.eye = {6, 0.75, -2.2}, camera.target = {6, 0.2, 0}, camera.near_plane = 0.1;
-    Camera down = camera;
-    down.target = {6, -1.55, 0};
-    const std::vector<WorldPoint> points = top_of_column();
+void look_down(Notebook& book, const Scene& scene) {
+    const DownwardViews views = downward_views();
     std::vector<Notebook::Named> pictures;
-    for (const auto& [name, view] : {std::pair{"sphere_seen", camera}, {"sphere_not_seen", down}})
-        pictures.push_back({name, ao_picture(xjun_ssao(normal_depth(scene, view, book.size()), view))});
-    book.show_row("A column's top from one eye: the sphere over it in the picture, and above the picture.",
-                  pictures);
-    const double truth = true_ao(scene, points, 256);
-    const SeenAo with = seen_ao(scene, camera, kSize, points), without = seen_ao(scene, down, kSize, points);
+    for (const auto& [name, view] :
+         {std::pair{"sphere_seen", views.with_sphere}, {"sphere_not_seen", views.without_sphere}})
+        pictures.push_back({name, ao_picture(noiseless_ao(normal_depth(scene, view, kSize), view))});
+    const GBuffer gbuffer = normal_depth(scene, views.without_sphere, kSize);
+    pictures.push_back({"sphere_not_seen_rays",
+                        ao_picture(ray_picture(scene, views.without_sphere, gbuffer, {.rays = 64}))});
+    book.show_row(
+        "A column's top from one eye: the sphere on it in the picture; all but its foot above; that by rays.",
+        pictures);
+    const double truth = true_ao(scene, views.top, 256);
+    const SeenAo with = seen_ao(scene, views.with_sphere, kSize, views.top),
+                 without = seen_ao(scene, views.without_sphere, kSize, views.top),
+                 larger = seen_ao(scene, views.larger, {2 * kSize.width, 2 * kSize.height}, views.top);
+    const auto row = [](const char* name, const SeenAo& ao) -> std::vector<std::string> {
+        return {name, text(ao.mean), std::to_string(ao.seen)};
+    };
     book.table({"the top's front", "accessibility", "points seen"},
-               {{"rays of length 0.5", text(truth), std::to_string(points.size())},
-                {"sphere in the picture", text(with.mean), std::to_string(with.seen)},
-                {"sphere out of it", text(without.mean), std::to_string(without.seen)}});
-    book.check("the truth is dark, and without the sphere most of its shade is lost",
-               truth < 0.8 && with.seen > 20 && without.seen > 20 && without.mean > with.mean + 0.1);
+               {row("rays of length 0.5", {truth, static_cast<int>(views.top.size())}),
+                row("sphere in the picture", with), row("sphere above it", without),
+                row("the same, cut from a larger one", larger)});
+    book.check(
+        "the truth is dark, and without the sphere most of its shade is lost",
+        truth < with.mean && with.seen > 20 && without.seen > 20 && 1 - without.mean < 0.5 * (1 - with.mean));
+    book.check("cut from a larger picture, it has its shade back", larger.mean < without.mean - 0.1);
+    book.text("`crevice render columns --eye 6,0.75,-2.2 --target 6,-1.55,0 --near 0.1`");
 }
 
 void border(Notebook& book) {
-    const Scene scene = noise_wall_scene();
-    Camera camera = scene.camera, wider = scene.camera;
-    camera.fov_y_rad = 0.7610127542247298;  // 2 atan(0.4)
-    wider.fov_y_rad = 0.9272952180016122;   // 2 atan(0.5): 5/4 as high, and so is the picture
-    const Size size = {320, 176}, wider_size = {400, 220};
-    const GBuffer gbuffer = normal_depth(scene, camera, size),
-                  around = normal_depth(scene, wider, wider_size);
-    const Image<float> ao = noiseless_ao(gbuffer, camera), whole = noiseless_ao(around, wider);
-    Image<float> gained = ao;
-    double rim = 0, rim_count = 0, inside = 0, inside_count = 0;
-    for (int y = 0; y < size.height; ++y) {
-        for (int x = 0; x < size.width; ++x) {
-            gained.at(x, y) -= whole.at(x + 40, y + 22);
-            const int to_edge = std::min({x, y, size.width - 1 - x, size.height - 1 - y});
-            if (to_edge < 4) rim += double(gained.at(x, y)), ++rim_count;
-            if (to_edge > 40) inside += std::fabs(double(gained.at(x, y))), ++inside_count;
-        }
-    }
+    const BorderGain gain = border_gain();
     book.show_row(
         "A wall of noise, and its AO minus that of a larger picture cut to size: red is too bright.",
-        {{"noise_wall", ao_picture(ao)}, {"rim", difference_picture(gained)}});
+        {{"noise_wall", ao_picture(gain.ao)}, {"rim", difference_picture(gain.gained)}});
     book.check("outside counts as far: the outermost 4 pixels are too bright, the middle hardly differs",
-               rim / rim_count > 0.01 && rim / rim_count > 3 * inside / inside_count,
-               text(rim / rim_count) + " and " + text(inside / inside_count));
+               gain.rim > 0.01 && gain.rim > 3 * gain.inside, text(gain.rim) + " and " + text(gain.inside));
+    book.text(R"(
+        A sampler's address mode says what lies beyond: `far`, nothing (seeds 000 and 002, above); `edge`, the
+        border pixel again, so that a wall goes on; `wrap`, the opposite side, which belongs to other things.
+
+            crevice render noise_wall --param border=edge
+    )");
 }
 
 void thin_plate(Notebook& book) {
-    Scene scene =
-        on_a_floor({{box_mesh({0.8, 2, 0.05}), {0, 1.2f, -1.4f}}, {box_mesh({8, 4, 0.1}), {0, 2, 0.05f}}});
-    scene.camera.eye = {0, 1.2, -5}, scene.camera.target = {0, 1.2, 0};
-    const GBuffer gbuffer = normal_depth(scene, scene.camera, {640, 360});
     std::vector<Notebook::Named> pictures;
-    std::vector<double> means;
-    std::vector<WorldPoint> beside;  // on the wall, next to where the plate hides it
-    for (double y = 0.8; y < 1.6; y += 0.02) beside.push_back({{0.62, y, 0}, {0, 0, -1}});
-    for (const float fade_end : {2.0f, 1.0f}) {
-        const AoInputs inputs = ao_inputs(gbuffer, scene.camera, xjun_fetch(kXjunSettings));
-        const Image<float> ao = luna_occlusion(inputs, {.fade_end = fade_end}, {});
-        pictures.push_back({"fade_end_" + std::to_string(int(fade_end)), ao_picture(ao)});
-        double least = 1;  // of the columns' means over the wall's middle rows
-        for (int x = 0; x < ao.size.width; ++x) {
-            double sum = 0, count = 0;
-            for (int y = ao.size.height * 4 / 10; y < ao.size.height * 6 / 10; ++y, ++count)
-                sum += double(ao.at(x, y));
-            least = std::min(least, sum / count);
-        }
-        means.push_back(least);
+    std::vector<std::vector<std::string>> rows;
+    std::vector<std::array<double, 3>> darkest;  // a distance: fade end 2.0, 1.0, rays
+    for (const float distance : {0.3f, 0.8f, 1.4f}) {
+        const Scene scene = plate_scene(distance);
+        const GBuffer gbuffer = normal_depth(scene, scene.camera, kSize);
+        const AoInputs inputs = ao_inputs(gbuffer, scene.camera, xjun_fetch({.ao_scale = 1}));
+        const auto by_fade_end = [&](float fade_end) {
+            return luna_limit(inputs, {.fade_end = fade_end, .exponent = 1, .ao_scale = 1}, 8).mean;
+        };
+        const Image<float> two = by_fade_end(2), one = by_fade_end(1),
+                           rays = ray_picture(scene, scene.camera, gbuffer, {.rays = 32});
+        darkest.push_back({darkest_column(two), darkest_column(one), darkest_column(rays)});
+        rows.push_back({exact_text(distance)});
+        for (const double d : darkest.back()) rows.back().push_back(text(d));
+        if (distance == 1.4f)
+            pictures = {{"fade_end_2", ao_picture(two)},
+                        {"fade_end_1", ao_picture(one)},
+                        {"plate_rays", ao_picture(rays)}};
     }
-    book.show_row("A thin plate 1.4 in front of a wall: fade end 2.0 (seed 000) and 1.0 (seed 002).",
-                  pictures);
-    const double truth = true_ao(scene, beside, 64);
-    book.check(
-        "fade end 2.0 gives it a halo, 1.0 next to none (where filtering mixes plate and wall); the wall is "
-        "open",
-        means[0] < 0.7 && means[1] > 0.95 && truth > 0.99,
-        text(means[0]) + ", " + text(means[1]) + ", truth " + text(truth));
+    book.show_row(
+        "A plate 0.05 thin, 1.4 before a wall: fade end 2.0 (seed 000), 1.0 (seed 002), by rays of 0.5.",
+        pictures);
+    book.table({"plate before the wall by", "fade end 2.0", "fade end 1.0", "rays"}, rows);
+    book.check("1.4 away it shades nothing; fade end 2.0 gives it a halo, 1.0 does not",
+               darkest[2][0] < darkest[2][2] - 0.05 && darkest[2][1] > darkest[2][2] - 0.02);
+    book.check("0.8 away both do: fade end is all they know of thickness",
+               std::max(darkest[1][0], darkest[1][1]) < darkest[1][2] - 0.02);
+    book.text("`crevice render SCENE --ao xjun --param fade_end=1`");
 }
 
 void turntable(Notebook& book) {
-    // A shelf over the point, open to one side.
-    const Scene scene = on_a_floor(
-        {{box_mesh({0.5, 0.3, 1.2}), {0.4f, 0.15f, 0}}, {box_mesh({0.3, 0.06, 1.2}), {0.25f, 0.3f, 0}}});
+    const Scene scene = shelf_scene();
     const WorldPoint point{{0, 0, 0}, {0, 1, 0}};
-    Camera camera = scene.camera;
-    camera.target = {0, 0.1, 0};
     const double truth = true_ao(scene, {&point, 1}, 4096);
     PlotSeries seen{{}, {}, PlotMark::dots, kPlotBlue},
         line{{0, 360}, {truth, truth}, PlotMark::line, kPlotGreen};
     std::vector<Notebook::Named> pictures;
-    for (int i = 0; i < 16; ++i) {
-        const SineCosine at = sine_cosine(i * kPi / 8);
-        camera.eye = {-1.5 * at.cosine, 4, 1.5 * at.sine};
+    for (int i = 0; i < kDirections; ++i) {
+        const Camera camera = seen_from(scene, i);
         const SeenAo ao = seen_ao(scene, camera, kSize, {&point, 1});
         if (ao.seen == 1) seen.x.push_back(22.5 * i), seen.y.push_back(ao.mean);
         if (i % 8 == 0)
@@ -172,21 +134,16 @@ void turntable(Notebook& book) {
     book.check("the point stays as it is, its AO does not", seen.y.size() > 12 && *most - *least > 0.05,
                text(*least) + " .. " + text(*most) + " from " + std::to_string(seen.y.size()) +
                    " views, truth " + text(truth));
+    book.text("`crevice render columns --only ao_blurred --frames 0-35` turns the whole scene.");
 }
 
-void hidden_layers(Notebook& book) {
-    const Scene scene = columns_scene();
+void hidden_layers(Notebook& book, const Scene& scene) {
     Camera camera = scene.camera;
     camera.eye = {3, 2.4, -4}, camera.target = {6, -1, 0}, camera.near_plane = 0.1;
     const GBuffer gbuffer = normal_depth(scene, camera, kSize);
-    const SurfacePoints points = surface_points(scene, camera, gbuffer);
     const RayAoSettings settings{.rays = 64, .radius = 1.5f};
-    const Image<float> truth =
-        picture_of(points, ray_cast_ao(ray_scene(scene, camera.eye), points.points, settings));
-    const Image<float> layer =
-        picture_of(points, ray_cast_ao(depth_mesh(gbuffer, camera, settings.radius),
-                                       points_on_depth_mesh(points, gbuffer, camera).points, settings));
-    const Image<float> lost = difference(layer, truth);
+    const Image<float> truth = ray_picture(scene, camera, gbuffer, settings);
+    const Image<float> lost = difference(depth_buffer_picture(scene, camera, gbuffer, settings), truth);
     book.show_row(
         "Rays through the scene; rays against the depth buffer alone, minus these: red: shade lost, blue: "
         "invented.",
@@ -196,81 +153,36 @@ void hidden_layers(Notebook& book) {
                "mean " + text(buffer_statistics(lost).mean));
 }
 
-void half_resolution(Notebook& book) {
-    Scene scene = on_a_floor({});
-    scene.camera.eye = {0, 0.6, -8}, scene.camera.target = {0, 0, 2};
-    const GBuffer gbuffer = normal_depth(scene, scene.camera, kSize);
-    const AoInputs inputs = ao_inputs(gbuffer, scene.camera, xjun_fetch(kXjunSettings));
-    AoInputs misplaced = inputs;  // the upper left pixel's depth at the middle of four
-    for (int y = 0; y < inputs.size().height; ++y)
-        for (int x = 0; x < inputs.size().width; ++x)
-            misplaced.view_depth.at(x, y) = gbuffer.view_depth.at(2 * x, 2 * y);
-    const Image<float> ao = luna_occlusion(inputs, kXjunSettings, {}),
-                       moved = luna_occlusion(misplaced, kXjunSettings, {});
-    book.show_row(
-        "A bare floor at half size: depth at the texel's middle; depth half a texel off (black is 0.85).",
-        {{"floor", grey_picture(ao, 0.85f, 1)}, {"floor_misplaced", grey_picture(moved, 0.85f, 1)}});
-    book.check("half a texel is enough for a floor to occlude itself",
-               buffer_statistics(ao).min > 0.99f && buffer_statistics(moved).min < 0.9f,
-               "least " + text(double(buffer_statistics(ao).min)) + " and " +
-                   text(double(buffer_statistics(moved).min)));
-}
-
-void supersampling(Notebook& book) {
-    const Scene scene = columns_scene();
-    Camera camera = scene.camera;
-    camera.eye = {3, 0.4, -3}, camera.target = {6, -0.6, 0}, camera.near_plane = 0.1;
-    constexpr int kSide = 2;
-    const Size fine = {kSide * kSize.width, kSide * kSize.height};
-    const GBuffer gbuffer = normal_depth(scene, camera, fine);
-    const Image<float> coarse = noiseless_ao(normal_depth(scene, camera, kSize), camera);
-    const auto resolved = [&](Image<float> ao) {
-        for (float& a : ao.pixels) a = a * a * a * a;  // seed 000's exponent
-        const Image3 lit = shade(scene, camera, gbuffer.depth, ao);
-        Image3 mean(kSize, glm::vec3(0));
-        for (int i = 0; i < fine.width * fine.height; ++i) {
-            const int x = i % fine.width, y = i / fine.width;
-            mean.set(x / kSide, y / kSide,
-                     mean.at(x / kSide, y / kSide) + lit.at(x, y) * (1.0f / (kSide * kSide)));
-        }
-        return mean;
-    };
-    const Image3 once = resolved(coarse), each = resolved(noiseless_ao(gbuffer, camera));
-    const Image<float> off = difference(once.y, each.y);
-    book.text(
-        "Seed 000 turns MSAA off, as its normals have one sample a pixel. Lit with four, AO from one: "
-        "at an edge all four get the AO of whichever surface that one shows.");
-    book.show_row("Four samples a pixel, AO of one; minus AO of each.",
-                  {{"lit", lit_picture(once)}, {"mismatch", difference_picture(off, 0.1f)}});
-    book.check(
-        "most of the picture does not care, edges do",
-        std::fabs(buffer_statistics(off).mean) < 0.01 &&
-            std::max(buffer_statistics(off).max, -buffer_statistics(off).min) > 0.03f,
-        "up to " + text(std::max(double(buffer_statistics(off).max), -double(buffer_statistics(off).min))));
-}
-
 void screen_space_limits(Notebook& book) {
     book.text(R"(
         # 11 The limits of screen space
 
         What the normals and depths of one view do not tell, one picture each, beside the truth.
     )");
-    look_down(book);
+    const Scene columns = find_builtin_scene("columns")->make();
+    look_down(book, columns);
     border(book);
     thin_plate(book);
     turntable(book);
-    hidden_layers(book);
+    hidden_layers(book, columns);
     half_resolution(book);
-    supersampling(book);
+    multisampling(book, columns);
+    shifted_rows(book, columns);
     book.try_it({
-        "Lower `down.target` further: the column's top leaves the picture as well.",
-        "Move the plate to `-0.8f`: now both fade ends give it a halo.",
-        "Set the eye's height in `turntable` to 2: the shelf hides the point from more sides.",
+        "Lower `without_sphere.target` further: the column's top leaves the picture as well.",
+        "Give `thin_plate` a distance of 2.2: no fade end here reaches that far, and the halo is gone.",
+        "Set the eye's height in `seen_from` to 2: the shelf hides the point from more sides.",
     });
     book.errata({
         "*Seed 000:* half size hardly matters. On grazing planes it does, unless depth and ray are of one "
-        "place.",
-        "*Seed 000:* blames odd places and angles. Rims, halos and hidden layers are in every picture.",
+        "place: `floor_misplaced`.",
+        "*Seed 000:* blames odd places and angles for the flaw. Rims, halos and hidden layers are in every "
+        "picture: `rim`, `fade_end_2`, `one_layer_minus_all`.",
+        "*Seed 000:* turns MSAA off because all targets must have equal samples. They could; one AO for four "
+        "samples is what goes wrong: `mismatch`.",
+        "*Seed 000, vertex shader:* adds (w, w) to the clip position where (w, -w) is meant, so v is too "
+        "small by "
+        "1; a sampler that wraps hides it: `wrap_off_by_one`.",
         "*Seed 002:* its depth border is the far plane: nothing outside occludes, hence the rim.",
     });
 }

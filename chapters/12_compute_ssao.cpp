@@ -140,14 +140,16 @@ void compute_ssao(Notebook& book) {
         timed([&, &raw = ao] { return bilateral_blur_in_groups(raw, inputs); });
     book.show("blurred_by_pixels", ao_picture(pixel), "Blurred four times, pixel by pixel.", blur_ms);
     book.show("blurred_in_groups", ao_picture(segments.ao), "The same in groups.", segments_ms);
-    book.text("On a CPU the cache is that memory already: by the times above, groups gain nothing here.");
+    book.text(R"(
+        So the answer is yes, bit for bit; only the way to the depths differs. On a CPU the cache is that
+        memory already: by the times above, which the terminal shows, groups gain nothing here.
+    )");
     book.try_it({
         "Set `kApron_px = 0`: orange seams appear along the edges of all groups.",
         "Give the table a copy of the settings with `.radius = 0.1f`: few stray; the best apron is narrow.",
         "Move the table's `camera.eye` to `{0, 0, -30}`: all reaches shrink with distance.",
     });
     book.errata({
-        "*Seed 000:* asks whether it can be done. It can, bit for bit; only the way to the depths differs.",
         "*Seed 000:* blurs with a clamping sampler, so a map's edge texel counts up to six times. A segment "
         "ends with nothing, as in seeds 002 and 003.",
     });

@@ -32,8 +32,9 @@ Image3 lit_image(const Scene& scene, const ScreenGeometry& geometry, const Frame
     const MethodSettings& settings = request.settings;
     ShadeSettings as_first;
     as_first.position_order = settings.buffers.position_order;
-    const Image<float> slipped =
-        settings.ao_lookup == AoLookup::exact ? Image<float>() : looked_up(map, settings.ao_lookup);
+    const Image<float> slipped = settings.ao_lookup == AoLookup::exact
+                                     ? Image<float>()
+                                     : looked_up(map, request.size, settings.ao_lookup);
     const Image<float>& ao = slipped.empty() ? map : slipped;
     if (settings.lit == as_first)
         return shade(scene, frame.camera, geometry, frame.gbuffer, ao, request.run, shadow);

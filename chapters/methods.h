@@ -25,10 +25,7 @@ struct MethodSettings {
 };
 
 struct Parameter {
-    const char* name;
-    const char* range;
-    const char* unit;
-    const char* effect;
+    std::string name, range, unit, effect;
     std::function<void(MethodSettings&, const std::string& word)> set;  // throws UsageError
     std::function<std::string(const MethodSettings&)> get;
 };

@@ -51,6 +51,8 @@ class ReferenceMaker {
         for (const float value : {s.radius, s.fade_start, s.fade_end, s.epsilon, s.exponent}) key.add(value);
         for (const int value :
              {s.samples, request_.limit_seeds, static_cast<int>(s.as_published),
+              static_cast<int>(s.random_vectors), static_cast<int>(s.sign_of_zero),
+              static_cast<int>(s.self_occlusion_test), static_cast<int>(inputs.fetch.border),
               static_cast<int>(inputs.fetch.depth), static_cast<int>(inputs.rays.perspective)})
             key.add(value);
         key.add(inputs.rays.ray_scale);

@@ -120,9 +120,10 @@ PreparedRender prepared_render(const RenderOptions& options) {
     FrameRequest request = options.request;
     validate(request.run);
     // Before the scene is loaded, for a quick answer to a wrong word.
-    settings_of(*request.method, options.params);
-    // Loads or makes no texture when no picture shows one.
-    SceneArgument argument = load_scene(options.scene, {.surfaces = request.wanted.contains("lit")});
+    const MethodSettings asked = settings_of(*request.method, options.params);
+    // Loads or makes no texture when nothing shows one.
+    const bool surfaces = request.wanted.contains("lit") || asked.buffers.mapped_normals;
+    SceneArgument argument = load_scene(options.scene, {.surfaces = surfaces, .run = request.run});
     argument.scene.lights = lights_at(argument.scene, options.time_s);
     const Camera camera = chosen_camera(argument, options.camera);
     const float ao_scale = request.settings.ao.ao_scale;

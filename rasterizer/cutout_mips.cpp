@@ -42,19 +42,21 @@ double coverage(const Image<float>& alpha, float threshold) {
     return values.empty() ? 0 : static_cast<double>(passed) / static_cast<double>(values.size());
 }
 
-Texture keep_coverage(Texture texture, float threshold) {
+Texture keep_coverage(const Texture& texture, float threshold) {
     if (!(threshold > 0 && threshold <= 1)) {
         throw UsageError("cut-out: the alpha threshold is out of range (" + std::to_string(threshold) +
                          "); give one above 0, up to 1");
     }
-    if (texture.alpha_mips.empty()) return texture;
-    const double wanted = coverage(texture.alpha_mips.front(), threshold);
-    for (std::size_t level = 1; level < texture.alpha_mips.size(); ++level) {
-        Image<float>& alpha = texture.alpha_mips[level];
-        const float scale = scale_for(values_of(alpha), wanted, threshold);
+    if (!texture.has_alpha()) return texture;
+    const double wanted = coverage(texture.alpha(0), threshold);
+    Texture kept;
+    for (std::size_t level = 0; level < texture.levels().size(); ++level) {
+        Image<float> alpha = texture.alpha(level);
+        const float scale = level == 0 ? 1 : scale_for(values_of(alpha), wanted, threshold);
         for (float& value : alpha.pixels) value = std::min(1.0f, scale * value);
+        kept.add_level(texture.colour(level), alpha);
     }
-    return texture;
+    return kept;
 }
 
 }  // namespace crevice

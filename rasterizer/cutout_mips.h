@@ -15,6 +15,6 @@ double coverage(const Image<float>& alpha, float threshold);
 // equal alpha, which pass together, allow: at the smallest levels it is all or
 // nothing. Between texels alpha is filtered as ever, so an outline still moves by up to half a texel of its
 // level. Does nothing without alpha. Throws UsageError unless 0 < threshold <= 1.
-Texture keep_coverage(Texture texture, float threshold);
+Texture keep_coverage(const Texture& texture, float threshold);
 
 }  // namespace crevice

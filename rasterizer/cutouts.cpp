@@ -5,7 +5,7 @@
 namespace crevice {
 
 bool has_cutouts(const Material& material) {
-    return material.alpha_cutoff > 0 && material.texture != nullptr && !material.texture->alpha_mips.empty();
+    return material.alpha_cutoff > 0 && material.texture != nullptr && material.texture->has_alpha();
 }
 
 bool has_cutouts(const Scene& scene) {

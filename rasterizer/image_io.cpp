@@ -212,7 +212,7 @@ void write_png(const std::filesystem::path& path, Size size, int channels,
 }
 
 Image3 read_png8(const std::filesystem::path& path) {
-    Image3 image = load_texture(path).mips.at(0);
+    Image3 image = load_texture(path).colour(0);
     for (Image<float>* plane : {&image.x, &image.y, &image.z}) {
         for (float& value : plane->pixels) value = std::floor(srgb_from_linear(value) * 255 + 0.5f) / 255;
     }

@@ -8,38 +8,40 @@
 #pragma once
 
 #include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "rasterizer/sampler.h"
-#include "rasterizer/texture.h"
+#include "rasterizer/texture_probes.h"
 
 namespace crevice {
 
-// RGB and alpha at uv. `duv_dx` and `duv_dy` say how far uv moves from this pixel to the next in x and in y.
-// The mip level is that whose texels are as wide as the longer of the two; with the anisotropic filter, see
-// footprint_of. The texture has at least one mip, the sampler is valid. Alpha is 1 where the texture has
-// none.
+// RGB and alpha at the pixels that are wanted, 0 elsewhere. The mip level is that whose texels are as wide as
+// the longer of the two steps; with the anisotropic filter, see footprint_of. The texture has at least one
+// level, the sampler is valid. Alpha is 1 where the texture has none.
+template <class F>
+CREVICE_INLINE TextureColour<F> sample_texture(const Texture& texture, const Sampler& sampler,
+                                               const TextureCoordinates<F>& at) {
+    SeenTexture<F> seen(texture);
+    look_at(&seen, 1, sampler, at);
+    return channels_of(seen.mean);
+}
+
+// The same of two textures. Of one size they share the work of finding texels, which is half of all.
+template <class F>
+struct TextureColours {
+    TextureColour<F> first, second;
+};
+template <class F>
+CREVICE_INLINE TextureColours<F> sample_textures(const Texture& first, const Texture& second,
+                                                 const Sampler& sampler, const TextureCoordinates<F>& at) {
+    SeenTexture<F> seen[2] = {SeenTexture<F>(first), SeenTexture<F>(second)};
+    const bool alike = first.size() == second.size() && first.levels().size() == second.levels().size();
+    const int together = alike ? 2 : 1;
+    for (int i = 0; i < 2; i += together) look_at(seen + i, together, sampler, at);
+    return {channels_of(seen[0].mean), channels_of(seen[1].mean)};
+}
+
+// One pixel.
 glm::vec4 sample_texture(const Texture& texture, const Sampler& sampler, glm::vec2 uv, glm::vec2 duv_dx,
                          glm::vec2 duv_dy);
-
-// The colour that a Sampler without further wishes gives: trilinear, wrap.
-glm::vec3 sample_trilinear(const Texture& texture, glm::vec2 uv, glm::vec2 duv_dx, glm::vec2 duv_dy);
-
-// Bilinear colour of one mip level, wrap.
-glm::vec3 sample_bilinear(const Image3& level, glm::vec2 uv);
-
-// How an anisotropic filter covers a pixel.
-struct Footprint {
-    int probes = 1;                 // trilinear ones, of equal weight
-    glm::vec2 axis = glm::vec2(0);  // texels of the full size, from end to end of the row of probes
-    float squared_width = 0;  // texels^2 of the full size: a probe's own footprint, which gives its level
-};
-
-// A pixel whose neighbours lie `dx` and `dy` texels away is taken for the ellipse that the unit circle
-// becomes. Its longer axis is covered by up to `max_probes` probes, each as wide as the shorter axis, but at
-// least a texel (nothing finer is there to be seen); where the probes do not suffice they widen. A circle
-// needs one.
-Footprint footprint_of(glm::vec2 dx, glm::vec2 dy, int max_probes);
 
 }  // namespace crevice

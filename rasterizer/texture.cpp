@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <new>
 #include <string>
@@ -40,6 +41,8 @@ namespace {
 
 static_assert(kMaxTextureSide == STBI_MAX_DIMENSIONS);
 
+constexpr int kChannels = 4;
+
 // No picture of kMaxTextureSide on each side, 16 bits a channel and hardly compressible, needs more.
 constexpr std::uintmax_t kMaxFileBytes = std::uintmax_t{1} << 31;
 
@@ -63,8 +66,10 @@ Footprint footprint(int i, int from, int to) {
     return result;
 }
 
+Size half_of(Size size) { return {std::max(1, size.width / 2), std::max(1, size.height / 2)}; }
+
 Image<float> half_size(const Image<float>& above) {
-    const Size size = {std::max(1, above.size.width / 2), std::max(1, above.size.height / 2)};
+    const Size size = half_of(above.size);
     std::vector<Footprint> columns;
     for (int x = 0; x < size.width; ++x) columns.push_back(footprint(x, above.size.width, size.width));
     Image<float> below(size, 0.0f);
@@ -160,25 +165,71 @@ Texels decode(const std::string& bytes, const std::string& name, TextureEncoding
 
 }  // namespace
 
-Texture build_texture(Image3 base, Image<float> alpha) {
-    if (!alpha.empty() && alpha.size != base.size()) {
+void Texture::add_level(const Image3& colour, const Image<float>& alpha) {
+    const Size size = colour.size();
+    if (colour.empty()) throw UsageError("texture: a level has no texels; give at least one");
+    if (!alpha.empty() && alpha.size != size) {
         throw UsageError("texture: alpha has another size than the colours (" + size_text(alpha.size) +
-                         ", not " + size_text(base.size()) + "); give one value a texel, or none");
+                         ", not " + size_text(size) + "); give one value a texel, or none");
     }
+    if (!levels_.empty() && size != half_of(levels_.back().size)) {
+        throw UsageError("texture: a level has the wrong size (" + size_text(size) + " after " +
+                         size_text(levels_.back().size) + "); give max(1, half) of the one before");
+    }
+    if (!levels_.empty() && has_alpha_ == alpha.empty()) {
+        throw UsageError("texture: some levels have alpha and some have none; give it to all, or to none");
+    }
+    const std::size_t first = texels_.size(),
+                      stride = std::size_t{kChannels} * static_cast<std::size_t>(size.width),
+                      end = first + stride * static_cast<std::size_t>(size.height);
+    if (end > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
+        throw UsageError("texture: there are too many texels (" + size_text(size) + "); give at most " +
+                         std::to_string(kMaxTextureSide) + " on a side");
+    }
+    texels_.resize(end);
+    float* texel = texels_.data() + first;
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x, texel += kChannels) {
+            texel[0] = colour.x.at(x, y);
+            texel[1] = colour.y.at(x, y);
+            texel[2] = colour.z.at(x, y);
+            texel[3] = alpha.empty() ? 1.0f : alpha.at(x, y);
+        }
+    }
+    levels_.push_back({size, static_cast<std::int32_t>(first), static_cast<std::int32_t>(stride)});
+    has_alpha_ = !alpha.empty();
+}
+
+glm::vec4 Texture::texel(std::size_t level, int x, int y) const {
+    const Level& l = levels_[level];
+    const float* texel = texels() + l.first + std::ptrdiff_t{y} * l.stride + std::ptrdiff_t{x} * kChannels;
+    return {texel[0], texel[1], texel[2], texel[3]};
+}
+
+Image3 Texture::colour(std::size_t level) const {
+    Image3 image(levels_[level].size, glm::vec3(0));
+    for (int y = 0; y < image.size().height; ++y) {
+        for (int x = 0; x < image.size().width; ++x) image.set(x, y, glm::vec3(texel(level, x, y)));
+    }
+    return image;
+}
+
+Image<float> Texture::alpha(std::size_t level) const {
+    if (!has_alpha_) return {};
+    Image<float> image(levels_[level].size, 0.0f);
+    for (int y = 0; y < image.size.height; ++y) {
+        for (int x = 0; x < image.size.width; ++x) image.at(x, y) = texel(level, x, y).w;
+    }
+    return image;
+}
+
+Texture build_texture(Image3 base, Image<float> alpha) {
     Texture texture;
-    texture.mips.push_back(std::move(base));
-    while (texture.mips.back().size() != Size{1, 1} && !texture.mips.back().empty()) {
-        const Image3& above = texture.mips.back();
-        Image3 below;
-        below.x = half_size(above.x);
-        below.y = half_size(above.y);
-        below.z = half_size(above.z);
-        texture.mips.push_back(std::move(below));
-    }
-    if (alpha.empty()) return texture;
-    texture.alpha_mips.push_back(std::move(alpha));
-    while (texture.alpha_mips.size() < texture.mips.size()) {
-        texture.alpha_mips.push_back(half_size(texture.alpha_mips.back()));
+    texture.add_level(base, alpha);
+    while (base.size() != Size{1, 1}) {
+        for (Image<float>* plane : {&base.x, &base.y, &base.z}) *plane = half_size(*plane);
+        if (texture.has_alpha()) alpha = half_size(alpha);
+        texture.add_level(base, alpha);
     }
     return texture;
 }

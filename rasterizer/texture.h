@@ -2,27 +2,55 @@
 // any.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <vector>
 
-#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include "rasterizer/image.h"
 
 namespace crevice {
 
-struct Texture {
-    // [0] is the full size; each next is max(1, half), down to 1x1. RGB in [0,1], linear light.
-    std::vector<Image3> mips;
-    // One plane for each of the above, in [0,1], linear: 0 is not there, 1 is. Empty: 1 everywhere.
-    std::vector<Image<float>> alpha_mips;
+// All levels lie in one block, texel by texel as four floats RGBA, so that a filter fetches a texel with
+// one load. RGB in [0,1], linear light; alpha in [0,1], linear: 0 is not there, 1 is (everywhere if there
+// is none).
+class Texture {
+ public:
+    // Where a level lies in texels(), counted in floats.
+    struct Level {
+        Size size;
+        std::int32_t first = 0;   // its texel (0, 0)
+        std::int32_t stride = 0;  // from a texel to the one below
+    };
+
+    // Adds the next level: [0] is the full size, each next max(1, half) of the one before. Throws
+    // UsageError when it is empty or has another size, when `alpha` is neither empty nor of its size, when
+    // it has alpha and the levels before have none (or the other way round), or when the texels become
+    // more than an index counts.
+    void add_level(const Image3& colour, const Image<float>& alpha = {});
+
+    const std::vector<Level>& levels() const { return levels_; }
+    Size size() const { return levels_.front().size; }  // of the full size; at least one level
+    const float* texels() const { return texels_.data(); }
+    bool has_alpha() const { return has_alpha_; }
+
+    glm::vec4 texel(std::size_t level, int x, int y) const;
+    // A level as pictures of their own. Alpha is empty where the texture has none.
+    Image3 colour(std::size_t level) const;
+    Image<float> alpha(std::size_t level) const;
+
+ private:
+    std::vector<Level> levels_;
+    std::vector<float, UninitializedAllocator<float>> texels_;
+    bool has_alpha_ = false;
 };
 
-// The mip chain of a linear-light image: each level is the box-filtered mean of the one above (odd sizes
-// weigh by area). Alpha likewise, if given; colours are not weighted by it, since it may mean anything (in a
-// normal map it is the shininess), so a cut-out's colours must go on beyond its outline. Under an alpha test
-// the mean of alpha keeps its sum, not its coverage: see keep_coverage. Throws UsageError when `alpha` is
-// neither empty nor of the size of `base`.
+// The mip chain of a linear-light image: each level is max(1, half) of the one above and its box-filtered
+// mean (odd sizes weigh by area), down to 1x1. Alpha likewise, if given; colours are not weighted by it,
+// since it may mean anything (in a normal map it is the shininess), so a cut-out's colours must go on
+// beyond its outline. Under an alpha test the mean of alpha keeps its sum, not its coverage: see
+// keep_coverage. Throws UsageError as Texture::add_level does.
 Texture build_texture(Image3 base, Image<float> alpha = {});
 
 // What the codes of a file mean. Alpha is linear in both.

@@ -201,8 +201,8 @@ TransformedVertices transform_vertices(const Scene& scene, const Camera& camera,
         const int count = static_cast<int>(mesh.positions.size());
         const PositionTransform positions =
             position_transform(instance.world_from_object, camera, matrices, settings.position_order);
-        const glm::mat3 normals = scaled_to_one(
-            normal_matrix_by(settings.normal_matrix, instance.world_from_object, matrices));
+        const glm::mat3 normals =
+            scaled_to_one(normal_matrix_by(settings.normal_matrix, instance.world_from_object, matrices));
         result.first_vertex.push_back(static_cast<std::uint32_t>(total));
         for (int first = 0; first < count; first += kBlockVertices) {
             const int block_count = count - first < kBlockVertices ? count - first : kBlockVertices;

@@ -27,11 +27,13 @@ enum class PositionOrder {
 // What turns object-space normals into view space. Only the first keeps every normal perpendicular to its
 // surface; the others exist to show what happens without (chapter 03).
 enum class NormalMatrix {
-    inverse_transpose,  // normal_matrix(): what every pass uses
-    // The upper 3x3 of view_from_world * transpose(inverse(world_from_object)), all of them 4x4: the bottom row
-    // of the transpose holds the instance's translation, and view_from_world's own multiplies it.
+    // normal_matrix(): what every pass uses.
+    inverse_transpose,
+    // The upper 3x3 of view_from_world * transpose(inverse(world_from_object)), all of them 4x4: the bottom
+    // row of the transpose holds the instance's translation, and view_from_world's own multiplies it.
     with_translation,
-    world,  // The upper 3x3 of view_from_world * world_from_object: right under rotation and uniform scale.
+    // The upper 3x3 of view_from_world * world_from_object: right under rotation and uniform scale.
+    world,
 };
 
 // What is wrong with a vertex for the clipper; see clip.h. Bits of ProjectedVertex::outside.

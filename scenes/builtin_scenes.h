@@ -57,16 +57,17 @@ Scene trench_scene();
 // The Cornell box as measured: room open to the front, short and tall block.
 Scene cornell_scene();
 
-// A fence of woven wire around a corner, before a floor, a brick wall and solid things: its holes let eye, light
-// and ambient light through. kFencePanels panels, two triangles each.
+// A fence of woven wire around a corner, before a floor, a brick wall and solid things: its holes let eye,
+// light and ambient light through. kFencePanels panels, two triangles each.
 inline constexpr int kFencePanels = 5;
 Scene fence_scene(SceneDetail detail = SceneDetail::shapes, const Run& run = {});
 
 // A small tree whose leaves are cut-outs of two triangles each, all instances of one square a tint.
 Scene leaves_scene(SceneDetail detail = SceneDetail::shapes, const Run& run = {});
 
-// A field of kFieldStones stones, each an instance of one mesh, every one turned and stretched in its own way. They
-// stand on the spiral of a sunflower's seeds, kFieldSpacing * sqrt(n + 1/2) from the middle, none touching another.
+// A field of kFieldStones stones, each an instance of one mesh, every one turned and stretched in its own
+// way. They lie like a sunflower's seeds, number n kFieldSpacing * sqrt(n + 1/2) from the middle, none
+// touching another.
 inline constexpr int kFieldStones = 10000;
 inline constexpr double kFieldSpacing = 0.25;
 Scene field_scene(SceneDetail detail = SceneDetail::shapes, const Run& run = {});

@@ -1,8 +1,8 @@
 // The scene of seed 002 (F. Luna, 3D Game Programming with DirectX 12, chapter 21), window 800x600.
 // Positions, lights and materials are the book's. Of the shapes alone nothing has a texture and there is no
-// cube map to reflect, so the mirror spheres, whose albedo is 0, show highlights only; of the surfaces, our own
-// textures and sky stand in the place of the book's. Its skull and spheres have a white texture and a level
-// normal map: none, here.
+// cube map to reflect, so the mirror spheres, whose albedo is 0, show highlights only; of the surfaces, our
+// own textures and sky stand in the place of the book's. Its skull and spheres have a white texture and a
+// level normal map: none, here.
 #include <array>
 #include <memory>
 #include <utility>
@@ -12,7 +12,6 @@
 #include "scenes/builtin_scenes.h"
 #include "scenes/carved_head.h"
 #include "scenes/composing.h"
-#include "scenes/procedural_sky.h"
 #include "scenes/shapes.h"
 #include "scenes/surfaces.h"
 
@@ -30,10 +29,9 @@ struct Dress {
 Dress dress(SceneDetail detail, const Run& run) {
     Dress made;
     if (detail == SceneDetail::shapes) return made;
-    at_once(run,
-            {[&] { made.sky = std::make_shared<const CubeMap>(procedural_sky(sunset_look(), 512, run)); },
-             [&] { made.bricks = shared_surface(brick_textures()); },
-             [&] { made.tiles = shared_surface(floor_tile_textures()); }});
+    at_once(run, {[&] { made.sky = shared_sky(sunset_look(), run); },
+                  [&] { made.bricks = shared_surface(brick_textures()); },
+                  [&] { made.tiles = shared_surface(floor_tile_textures()); }});
     return made;
 }
 

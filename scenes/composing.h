@@ -23,8 +23,8 @@ inline Instance placed(int mesh, glm::vec3 position, glm::vec3 scale = glm::vec3
     return {mesh, glm::scale(glm::translate(glm::mat4(1.0f), position), scale)};
 }
 
-// An instance whose object axes become the columns of `axes` (world space, their lengths the scales), then moved to
-// `position`.
+// An instance whose object axes become the columns of `axes` (world space, their lengths the scales), then
+// moved to `position`.
 inline Instance placed(int mesh, glm::dvec3 position, const glm::dmat3& axes) {
     return {mesh, glm::mat4(glm::dmat4(glm::dvec4(axes[0], 0), glm::dvec4(axes[1], 0), glm::dvec4(axes[2], 0),
                                        glm::dvec4(position, 1)))};

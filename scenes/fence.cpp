@@ -7,7 +7,6 @@
 #include "scenes/builtin_scenes.h"
 #include "scenes/composing.h"
 #include "scenes/flat_mesh.h"
-#include "scenes/procedural_sky.h"
 #include "scenes/shapes.h"
 #include "scenes/surfaces.h"
 
@@ -19,7 +18,8 @@ enum FenceMaterial { kGround, kWire, kSteel, kWall, kWood, kDrum, kBall };
 constexpr double kHeight = 2, kPanelWidth = 2;
 constexpr double kFrontZ = -0.5, kCornerX = 2;  // where the fence turns from along x to along z
 constexpr float kRepeatsAUnit = 1 / 1.5f;       // diamonds of 0.375 units
-constexpr float kCutoff = 0.5f;                 // where a texel is half covered
+// Not a power of two, or all wires would fall alike on the texels of a mip level and pass or fail together.
+constexpr int kWireSide = 250;
 
 struct Dress {
     Surface floor, bricks;
@@ -29,19 +29,18 @@ struct Dress {
 Dress dress(SceneDetail detail, const Run& run) {
     Dress made;
     if (detail == SceneDetail::shapes) return made;
-    at_once(run,
-            {[&] { made.sky = std::make_shared<const CubeMap>(procedural_sky(desert_look(), 512, run)); },
-             [&] { made.floor = shared_surface(floor_tile_textures(kTextureSide / 2)); },
-             [&] { made.bricks = shared_surface(brick_textures(kTextureSide / 2)); }});
+    at_once(run, {[&] { made.sky = shared_sky(desert_look(), run); },
+                  [&] { made.floor = shared_surface(floor_tile_textures(kTextureSide / 2)); },
+                  [&] { made.bricks = shared_surface(brick_textures(kTextureSide / 2)); }});
     return made;
 }
 
 Material wire() {
-    Material material = book_material("wire", glm::vec3(1), glm::vec3(0.2f), 0.5);
+    Material material = book_material("wire", glm::vec3(0.8f), glm::vec3(0.12f), 0.5);
     material.texture =
-        std::make_shared<const Texture>(keep_coverage(fence_texture(kTextureSide / 2), kCutoff));
+        std::make_shared<const Texture>(keep_coverage(fence_texture(kWireSide), kTutorialCutoff));
     material.sampler = kLunaSampler;
-    material.alpha_cutoff = kCutoff;
+    material.alpha_cutoff = kTutorialCutoff;
     return material;
 }
 
@@ -51,7 +50,7 @@ std::vector<Material> materials(const Dress& worn) {
         covered(book_material("ground", glm::vec3(0.9f), matt, 0.6), worn.floor, {0.44f, 0.37f, 0.29f},
                 kLunaSampler),
         wire(),
-        book_material("steel", {0.42f, 0.44f, 0.46f}, glm::vec3(0.4f), 0.5),
+        book_material("steel", {0.30f, 0.31f, 0.33f}, glm::vec3(0.12f), 0.5),
         covered(book_material("wall", glm::vec3(1), matt, 0.8), worn.bricks, {0.50f, 0.30f, 0.22f},
                 kLunaSampler),
         book_material("wood", {0.47f, 0.31f, 0.17f}, matt, 0.8),
@@ -62,8 +61,8 @@ std::vector<Material> materials(const Dress& worn) {
 
 // Upright at z = 0 from x = 0 to 1 panel width, facing -z.
 Mesh panel_mesh() {
-    const FlatPolygon panel{
-        {{0, 0, 0}, {0, kHeight, 0}, {kPanelWidth, kHeight, 0}, {kPanelWidth, 0, 0}}, kWire};
+    const FlatPolygon panel{{{0, 0, 0}, {0, kHeight, 0}, {kPanelWidth, kHeight, 0}, {kPanelWidth, 0, 0}},
+                            kWire};
     return with_repeats(flat_mesh({&panel, 1}), glm::vec2(kRepeatsAUnit));
 }
 
@@ -93,8 +92,7 @@ void add_yard(Scene& scene, bool dressed) {
         return dressed ? with_tangents(with_repeats(std::move(mesh), repeats)) : mesh;
     };
     const int ground = add_mesh(scene, with_material(dress_up(grid_mesh(16, 14, 2, 2), {8, 7}), kGround));
-    const int wall =
-        add_mesh(scene, with_material(dress_up(box_mesh({9, 2.4, 0.4}), {4.5f, 1.2f}), kWall));
+    const int wall = add_mesh(scene, with_material(dress_up(box_mesh({9, 2.4, 0.4}), {4.5f, 1.2f}), kWall));
     const int crate = add_mesh(scene, with_material(box_mesh(glm::dvec3(0.9)), kWood));
     const int drum = add_mesh(scene, with_material(cylinder_mesh(0.4, 0.4, 1.1, 20, 1), kDrum));
     const int ball = add_mesh(scene, with_material(sphere_mesh(0.45, 12, 9), kBall));

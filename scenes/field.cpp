@@ -8,7 +8,6 @@
 #include "scenes/composing.h"
 #include "scenes/flat_mesh.h"
 #include "scenes/periodic_noise.h"
-#include "scenes/procedural_sky.h"
 #include "scenes/shapes.h"
 #include "scenes/surfaces.h"
 
@@ -61,7 +60,8 @@ Instance stone_instance(int mesh, int number) {
     const SineCosine around = sine_cosine(number * kGoldenAngle_rad);
     const double from_middle = kFieldSpacing * square_root(number + 0.5);
     const glm::dvec2 at = from_middle * glm::dvec2(around.cosine, around.sine);
-    const double patch = saturate(0.5 + 0.9 * fractal_noise(0.16 * at.x + 32, 0.16 * at.y + 32, 64, 3, kPatch));
+    const double patch =
+        saturate(0.5 + 0.9 * fractal_noise(0.16 * at.x + 32, 0.16 * at.y + 32, 64, 3, kPatch));
     const double size = kSmallest + (kLargest - kSmallest) * patch * (0.4 + 0.6 * one(kLength));
     const glm::dvec3 scale = size * glm::dvec3(1, 0.45 + 0.35 * one(kHeight), 0.65 + 0.3 * one(kBreadth));
     const glm::dmat3 towards = turned({0, 1, 0}, 2 * kPi * one(kLeanTowards));
@@ -76,12 +76,9 @@ Scene field_scene(SceneDetail detail, const Run& run) {
     const bool dressed = detail == SceneDetail::surfaces;
     Surface stone;
     Scene scene;
+    // No shadow: a map of all of it would need a bias larger than the stones.
     if (dressed) {
-        scene.shadow = LightShadow::bounds;
-        at_once(run, {[&] {
-                          scene.sky_cube =
-                              std::make_shared<const CubeMap>(procedural_sky(desert_look(), 512, run));
-                      },
+        at_once(run, {[&] { scene.sky_cube = shared_sky(desert_look(), run); },
                       [&] { stone = shared_surface(rough_stone_textures(kTextureSide / 2)); }});
     }
     scene.name = "field";

@@ -8,7 +8,6 @@
 #include "scenes/composing.h"
 #include "scenes/flat_mesh.h"
 #include "scenes/periodic_noise.h"
-#include "scenes/procedural_sky.h"
 #include "scenes/shapes.h"
 #include "scenes/surfaces.h"
 
@@ -21,10 +20,9 @@ constexpr int kTintCount = static_cast<int>(std::size(kTints));
 
 constexpr int kBranches = 7, kTwigs = 6, kLeaves = 36;  // of the trunk; of a branch; of a twig
 constexpr int kFallen = 30;
-constexpr float kCutoff = 0.5f;                        // where a texel is half covered
 constexpr double kGoldenAngle_rad = 2.39996322972865;  // from one to the next around what they grow on
 
-enum HashSeed : std::uint32_t { kTilt = 71, kTurn, kRoll, kSize, kTint, kPlaceX, kPlaceZ };
+enum HashSeed : std::uint32_t { kTilt = 71, kTurn, kLeanX, kLeanZ, kSize, kTint, kPlaceX, kPlaceZ };
 
 // In [low, high], for one leaf.
 double between(double low, double high, int leaf, HashSeed seed) {
@@ -38,7 +36,8 @@ struct Limb {
     glm::dvec3 direction() const { return glm::normalize(to - from); }
 };
 
-// Right-angled unit axes of which y points along a unit direction, and z away from `facing` as nearly as can be.
+// Right-angled unit axes of which y points along a unit direction, and z away from `facing` as nearly as can
+// be.
 glm::dmat3 axes_along(glm::dvec3 direction, glm::dvec3 facing) {
     const glm::dvec3 x = glm::normalize(glm::cross(facing, direction));
     return {x, direction, glm::cross(x, direction)};
@@ -94,7 +93,7 @@ Mesh leaf_mesh(int material) {
 
 // Leaves look up to the light, each in its own way.
 Instance leaf_instance(int first_mesh, int number, glm::dvec3 stalk, glm::dvec3 direction, double size) {
-    const glm::dvec3 looking(between(-0.7, 0.7, number, kTilt), 1, between(-0.7, 0.7, number, kRoll));
+    const glm::dvec3 looking(between(-0.7, 0.7, number, kLeanX), 1, between(-0.7, 0.7, number, kLeanZ));
     const int tint = static_cast<int>(between(0, kTintCount - 0.001, number, kTint));
     return placed(first_mesh + tint, stalk, size * axes_along(direction, looking));
 }
@@ -134,7 +133,7 @@ struct Dress {
 Dress dress(SceneDetail detail, const Run& run) {
     Dress made;
     if (detail == SceneDetail::shapes) return made;
-    at_once(run, {[&] { made.sky = std::make_shared<const CubeMap>(procedural_sky(desert_look(), 512, run)); },
+    at_once(run, {[&] { made.sky = shared_sky(desert_look(), run); },
                   [&] { made.stone = shared_surface(rough_stone_textures(kTextureSide / 2)); }});
     return made;
 }
@@ -147,13 +146,13 @@ std::vector<Material> materials(const Dress& worn) {
         book_material("bark", {0.26f, 0.18f, 0.12f}, matt, 0.9),
     };
     const auto texture =
-        std::make_shared<const Texture>(keep_coverage(leaf_texture(kTextureSide / 4), kCutoff));
+        std::make_shared<const Texture>(keep_coverage(leaf_texture(kTextureSide / 4), kTutorialCutoff));
     for (const glm::vec3& tint : kTints) {
         Material leaf = book_material("leaf", tint, matt, 0.6);
         leaf.texture = texture;
         leaf.sampler = kLunaSampler;
         leaf.sampler.address_u = leaf.sampler.address_v = AddressMode::clamp;
-        leaf.alpha_cutoff = kCutoff;
+        leaf.alpha_cutoff = kTutorialCutoff;
         all.push_back(std::move(leaf));
     }
     return all;

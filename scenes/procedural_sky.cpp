@@ -42,7 +42,7 @@ float cloud_noise(std::uint32_t seed, float x, float y, float least) {
     for (int octave = 0; octave < kOctaves; ++octave) {
         sum += weight * value_noise(seed + static_cast<std::uint32_t>(octave), x, y);
         weight *= 0.5f;
-        // All the octaves to come weigh less than 2 * weight. Most of a clear sky needs but three.
+        // All the octaves to come weigh less than 2 * weight: a clear sky is soon known.
         if (sum + 2 * weight < least * total) return 0;
         const float turned_x = 1.2f * x - 1.6f * y + 17.3f, turned_y = 1.6f * x + 1.2f * y - 5.7f;
         x = turned_x;

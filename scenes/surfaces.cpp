@@ -23,6 +23,10 @@ Material covered(Material material, const Surface& surface, glm::vec3 mean_colou
     return material;
 }
 
+std::shared_ptr<const CubeMap> shared_sky(const SkyLook& look, const Run& run) {
+    return std::make_shared<const CubeMap>(procedural_sky(look, kSkySide, run));
+}
+
 Mesh with_repeats(Mesh mesh, glm::vec2 repeats) {
     for (glm::vec2& texcoord : mesh.texcoords) texcoord *= repeats;
     return mesh;

@@ -9,6 +9,7 @@
 
 #include "rasterizer/run.h"
 #include "rasterizer/scene.h"
+#include "scenes/procedural_sky.h"
 #include "scenes/procedural_textures.h"
 
 namespace crevice {
@@ -20,9 +21,13 @@ struct Surface {
 };
 Surface shared_surface(SurfaceTextures textures);
 
-// The material of a surface. A texture brings its colour along, so that the reflectances alone are left to the
-// material; where there is none, `mean_colour` (linear light) multiplies diffuse and ambient in its place.
+// The material of a surface. A texture brings its colour along, so that the reflectances alone are left to
+// the material; where there is none, `mean_colour` (linear light) multiplies diffuse and ambient instead.
 Material covered(Material material, const Surface& surface, glm::vec3 mean_colour, const Sampler& sampler);
+
+// The sky of a look, kSkySide texels a face.
+inline constexpr int kSkySide = 512;
+std::shared_ptr<const CubeMap> shared_sky(const SkyLook& look, const Run& run);
 
 // The mesh with its texture repeated `repeats` times as often along u and v.
 Mesh with_repeats(Mesh mesh, glm::vec2 repeats);
@@ -34,6 +39,10 @@ Mesh with_tangents(Mesh mesh);
 // wrap. On a floor seen at a slant the first blurs sooner.
 inline constexpr Sampler kXjunSampler{.filter = TextureFilter::trilinear};
 inline constexpr Sampler kLunaSampler{.filter = TextureFilter::anisotropic, .max_anisotropy = 8};
+
+// Both tutorials drop fragments whose alpha is below this. The mip levels of what is cut out must allow for
+// it (cutout_mips.h).
+inline constexpr float kTutorialCutoff = 0.1f;
 
 // Does each of some independent pieces of work once, on all threads.
 void at_once(const Run& run, std::initializer_list<std::function<void()>> pieces);

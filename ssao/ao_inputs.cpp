@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "rasterizer/error.h"
@@ -15,47 +16,76 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// Seed 000's clear depth as its 16-bit buffer keeps it: D3D truncates to the largest half. Rounding to
-// nearest makes it infinite, and every filter that touches it NaN; only the tutorial as published gets that.
-float stored_background(BufferFormat format, const Camera& camera, bool as_published) {
+// Seed 000's clear depth as its 16-bit buffer keeps it.
+float stored_background(BufferFormat format, const Camera& camera, SkyDepth sky) {
     const float value = static_cast<float>(kBackgroundOverFar * camera.far_plane),
                 stored = stored_as(value, format);
-    return stored < kInfinity || as_published ? stored : stored_as(value, BufferFormat::float16_toward_zero);
+    return stored < kInfinity || sky == SkyDepth::as_stored
+               ? stored
+               : stored_as(value, BufferFormat::float16_toward_zero);
 }
+
+// The row or column, of `count`, that is seen in place of one outside; none: the background.
+std::optional<int> seen_beyond(int position, int count, MapBorder border) {
+    if (border == MapBorder::far) return std::nullopt;
+    if (border == MapBorder::edge) return std::clamp(position, 0, count - 1);
+    return (position % count + count) % count;
+}
+
+// One row of the picture as the depth map holds it, without a border.
+struct DepthRow {
+    const GBuffer& gbuffer;
+    bool from_view;
+    float background;
+
+    template <class F>
+    CREVICE_INLINE void copy(int y, float* out) const {
+        const int width = gbuffer.depth.size().width;
+        const auto copy_at = [&](auto lanes, int x) __attribute__((always_inline)) {
+            using G = typename decltype(lanes)::type;
+            const G z = load<G>(gbuffer.view_depth.row(y) + x);
+            const G seen =
+                from_view ? z
+                          : depth_from_code<G>(gbuffer.depth.format, load<G>(gbuffer.depth.codes.row(y) + x));
+            store(out + x, select(z < G(kInfinity), seen, G(background)));
+        };
+        // One by one at the end: whole groups would write into the border.
+        const int whole = width / kLanes<F> * kLanes<F>;
+        for (int x = 0; x < whole; x += kLanes<F>) copy_at(LaneTag<F>{}, x);
+        for (int x = whole; x < width; ++x) copy_at(LaneTag<float>{}, x);
+    }
+};
 
 Image<float> bordered_depth(const GBuffer& gbuffer, const AoInputs& inputs, const Camera& camera,
                             const Run& run) {
     const Size size = gbuffer.depth.size();
-    const bool from_view = inputs.fetch.depth == DepthSource::view_depth;
-    const float far_value = from_view ? stored_background(gbuffer.format, camera, inputs.fetch.as_published)
-                                      : (camera.reversed_z ? 0.0f : 1.0f);
+    const AoFetch& fetch = inputs.fetch;
+    const bool from_view = fetch.depth == DepthSource::view_depth;
+    const float background = from_view ? stored_background(gbuffer.format, camera, fetch.sky_depth)
+                                       : (camera.reversed_z ? 0.0f : 1.0f);
+    const DepthRow picture_row{gbuffer, from_view, background};
     Image<float> map({size.width + 3, size.height + 3});
-    const DepthFormat format = gbuffer.depth.format;
     parallel_rows(map.size.height, run, [&](int first_row, int end_row) {
         run_kernel(
             run, [&](auto tag) __attribute__((always_inline)) {
                 using F = typename decltype(tag)::type;
                 for (int row = first_row; row < end_row; ++row) {
-                    const int y = row - 1;
-                    float *out = map.row(row), *end = out + map.stride;
+                    float* const out = map.row(row);
+                    int y = row - 1;
                     if (y < 0 || y >= size.height) {
-                        std::fill(out, end, far_value);
-                        continue;
+                        const std::optional<int> seen = seen_beyond(y, size.height, fetch.border);
+                        if (!seen) {
+                            std::fill_n(out, map.stride, background);
+                            continue;
+                        }
+                        y = *seen;
                     }
-                    const auto copy = [&](auto lanes, int x) __attribute__((always_inline)) {
-                        using G = typename decltype(lanes)::type;
-                        const G z = load<G>(gbuffer.view_depth.row(y) + x);
-                        const G seen =
-                            from_view ? z
-                                      : depth_from_code<G>(format, load<G>(gbuffer.depth.codes.row(y) + x));
-                        store(out + 1 + x, select(z < G(kInfinity), seen, G(far_value)));
-                    };
-                    // One by one at the end: whole groups would write into the next row's border.
-                    const int whole = size.width / kLanes<F> * kLanes<F>;
-                    for (int x = 0; x < whole; x += kLanes<F>) copy(LaneTag<F>{}, x);
-                    for (int x = whole; x < size.width; ++x) copy(LaneTag<float>{}, x);
-                    out[0] = far_value;
-                    std::fill(out + 1 + size.width, end, far_value);
+                    picture_row.copy<F>(y, out + 1);
+                    std::fill(out + 1 + size.width, out + map.stride, background);
+                    for (const int x : {-1, size.width, size.width + 1}) {
+                        const std::optional<int> seen = seen_beyond(x, size.width, fetch.border);
+                        out[x + 1] = seen ? out[*seen + 1] : background;
+                    }
                 }
             });
     });
@@ -97,24 +127,31 @@ class TexelRow {
         texel.read_depths(gbuffer_, columns, row1_, 2);
         Vec3<F> normal = {F(0), F(0), F(0)};
         F z = F(kInfinity);
-        const bool as_published = inputs.fetch.as_published;
-        if (as_published || !skip_background || texel.any_surface()) {
+        const bool mixes = inputs.fetch.edge_texels == EdgeTexels::mixed;
+        if (mixes || !skip_background || texel.any_surface()) {
             const auto rays_x = columns.from(columns_.pixel_rays.data());
             texel.read_surfaces(gbuffer_, columns, row0_, rays_x, row_ray(row0_), 0);
             texel.read_surfaces(gbuffer_, columns, row1_, rays_x, row_ray(row1_), 2);
             const F fx = load<F>(columns_.taps.weight_of_second.data() + x);
             texel.weigh(fx, F(fy_));
-            const F stored = texel.mean_stored();
+            const bool one_pixel = inputs.fetch.texel_centre == TexelCentre::off;
+            Tap<F> pixel;
+            if (one_pixel || inputs.fetch.point_normals) pixel = texel.pixel_under_centre(fx, fy_);
+            const F stored = one_pixel ? pixel.stored : texel.mean_stored();
             z = inputs.fetch.depth == DepthSource::ndc_depth ? inputs.view_from_ndc(stored) : stored;
-            normal = inputs.fetch.point_normals ? texel.point_normal(fx, fy_) : texel.mean_normal();
+            if (inputs.fetch.point_normals)
+                normal = texel.unit_normal(pixel);
+            else
+                normal = one_pixel ? pixel.n : texel.mean_normal();
             auto surface = z < F(kInfinity);
-            if (!as_published) {
+            if (!mixes && one_pixel) surface = pixel.surface;
+            if (!mixes && !one_pixel) {
                 const Tap<F> nearest = texel.nearest();
-                const auto mixed = !texel.one_surface(nearest);
+                const auto other = !texel.one_surface(nearest);
                 surface = nearest.surface;
-                if (any(mixed & surface)) {
-                    z = select(mixed & surface, texel.carried_depth(nearest), z);
-                    normal = select<F>(mixed & surface, nearest.n, normal);
+                if (any(other & surface)) {
+                    z = select(other & surface, texel.carried_depth(nearest), z);
+                    normal = select<F>(other & surface, nearest.n, normal);
                 }
             }
             normal = select<F>(surface, normal, {F(0), F(0), F(0)});

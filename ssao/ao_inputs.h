@@ -7,7 +7,7 @@
 // Differs from the tutorials: a texel whose four pixels show more than one surface takes the nearest one,
 //         carried along its plane to the texel's centre; the tutorials mix normals and depths (the sky's too)
 //         into a surface that is not there, which the blur then leaves as dark dots along every crease.
-//         `as_published` does as they do.
+//         EdgeTexels::mixed does as they do.
 #pragma once
 
 #include "rasterizer/camera.h"
@@ -21,11 +21,40 @@ enum class DepthSource {
     ndc_depth,   // seed 002
 };
 
+// What a texel shows whose four pixels show more than one surface.
+enum class EdgeTexels {
+    nearest,  // the surface nearest to the eye, carried along its plane to the texel's centre
+    mixed,    // the mean of all four, the sky's clear values included: the tutorials'
+};
+
+// The sky's depth where the buffer's format overflows.
+enum class SkyDepth {
+    finite,     // the largest number there is, as D3D's rounding toward zero makes it
+    as_stored,  // rounded to nearest: infinite, and every filter that touches it NaN
+};
+
+// What the depth map shows beyond the picture.
+enum class MapBorder {
+    far,   // nothing: the far plane or beyond, the tutorials'
+    edge,  // the outermost pixel, on and on
+    wrap,  // the picture again, its opposite side first
+};
+
+// Which point of the surface belongs to a texel.
+enum class TexelCentre {
+    exact,  // the one at its centre, by linear filtering
+    off,    // that of the pixel under its centre, taken to lie at the centre. At half size this is half a
+            // pixel off both ways: planes seen at a slant occlude themselves. At full size nothing is off
+};
+
 struct AoFetch {
     DepthSource depth = DepthSource::view_depth;
     bool point_normals = false;  // the pixel's own normal, renormalised, instead of the unnormalised mean
     float scale = 0.5f;          // AO map size over picture size: 0.5 or 1
-    bool as_published = false;
+    EdgeTexels edge_texels = EdgeTexels::nearest;
+    SkyDepth sky_depth = SkyDepth::finite;
+    MapBorder border = MapBorder::far;
+    TexelCentre texel_centre = TexelCentre::exact;
 };
 
 struct AoInputs {
@@ -34,9 +63,9 @@ struct AoInputs {
     Image3 normal;            // view space, AO map size
     Image<float> view_depth;  // scene units, AO map size
 
-    // Seed 000: view depth, background and border kBackgroundOverFar * far; seed 002: ndc depth, background
-    // and border the far plane. Pixel (x, y) of the picture is at (x + 1, y + 1); one column and row of
-    // border before, two after.
+    // View depth with the background at kBackgroundOverFar * far (seed 000), or ndc depth with the background
+    // on the far plane (seed 002). Pixel (x, y) of the picture is at (x + 1, y + 1); one column and row of
+    // border before, two after: background, or as AoFetch::border says.
     Image<float> depth_map;
     float depth_a = 0, depth_b = 0;         // CameraMatrices, to turn ndc depth into view depth
     ViewRays rays{glm::vec2(1), {}, true};  // of the picture

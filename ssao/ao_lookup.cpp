@@ -1,13 +1,33 @@
 #include "ssao/ao_lookup.h"
 
-#include <algorithm>
+#include <utility>
+
+#include "rasterizer/sample_texture.h"
 
 namespace crevice {
 
-Image<float> looked_up(Image<float> ao, AoLookup lookup) {
-    if (lookup != AoLookup::slip_clamp) return ao;
-    for (int y = 1; y < ao.size.height; ++y) std::copy_n(ao.row(0), ao.size.width, ao.row(y));
-    return ao;
+Image<float> map_at_pixels(const Image<float>& ao, Size picture, AddressMode mode, float shift) {
+    if (ao.empty()) return Image<float>(picture, 1.0f);
+    Image3 grey;
+    grey.x = grey.y = grey.z = ao;
+    const Texture texture = build_texture(std::move(grey));
+    const Sampler sampler{.filter = TextureFilter::bilinear, .address_u = mode, .address_v = mode};
+    const glm::vec2 pixel = 1.0f / glm::vec2(picture.width, picture.height);
+    Image<float> result(picture, 0.0f);
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+            const glm::vec2 uv((static_cast<float>(x) + 0.5f) * pixel.x,
+                               (static_cast<float>(y) + 0.5f) * pixel.y + shift);
+            result.at(x, y) = sample_texture(texture, sampler, uv, {pixel.x, 0}, {0, pixel.y}).x;
+        }
+    }
+    return result;
+}
+
+Image<float> looked_up(const Image<float>& ao, Size picture, AoLookup lookup) {
+    if (lookup == AoLookup::exact) return ao;
+    return map_at_pixels(ao, picture, lookup == AoLookup::slip_wrap ? AddressMode::wrap : AddressMode::clamp,
+                         -1);
 }
 
 }  // namespace crevice

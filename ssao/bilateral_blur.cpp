@@ -85,10 +85,12 @@ Image<float> bilateral_blur(const Image<float>& ao, const AoInputs& inputs, cons
     TileMap open_tiles;
     if (run.leaves_out(Skip::open_tiles)) open_tiles = open_blur_tiles(ao, settings, run);
     if (open_tiles.count(TileWork::open) == 0) open_tiles = {};  // spares the test of each tile
+    const BlurRays rays(inputs, settings.edges);
     Image<float> result;
     for (int done = 0; done < settings.iterations; done += kIterationsPerSweep) {
         const BlurSweep sweep{.ao = done == 0 ? ao : result,
                               .inputs = inputs,
+                              .rays = rays,
                               .settings = settings,
                               .iterations = std::min(kIterationsPerSweep, settings.iterations - done),
                               .open_tiles = open_tiles,

@@ -2,7 +2,8 @@
 // times.
 // Source: seed 000 (SSAO_Blur_PS), seed 002 (SsaoBlur.hlsl).
 // In:     an AO map; the AoInputs it was computed from (normals, view depth, same size)
-// Out:    the blurred AO map; background 1. Where all taps are 1 the result is exactly 1
+// Out:    the blurred AO map; background 1, but for BlurEdges::none. Where all taps are 1 the result is
+//         exactly 1
 // Reach:  5 texels in x and in y for each iteration
 // Differs from the tutorials: a tap outside the map is rejected (as seeds 002 and 003; seed 000 repeats the
 //         edge texel).
@@ -28,12 +29,22 @@ inline constexpr BlurWeights kLunaBlurWeights = {.022190548f, .045589000f, .0798
                                                  .151360810f, .163967208f, .151360810f, .119064630f,
                                                  .079811408f, .045589000f, .022190548f};
 
+// Which neighbours count.
+enum class BlurEdges {
+    fixed,  // those of like normal and like view depth: the tutorials'. On a floor seen at a grazing angle
+            // the rows are further apart in depth than any fixed limit, and none counts
+    slope,  // those of like normal that lie on the centre's plane, as the centre does on theirs
+    none,   // all in the map, the sky too: a plain blur
+};
+
 struct BlurSettings {
     BlurWeights weights = kXjunBlurWeights;  // each > 0, their sum finite, whatever it is
     int iterations = 4;                      // [0, 64] times horizontal + vertical; 0 leaves the map as it is
     float normal_threshold = 0.8f;           // [-1, 1]; taps count when n_c . n_i is at least this
-    float depth_threshold = 0.2f;            // [0, inf) scene units; ... and |z_c - z_i| at most this
+    float depth_threshold = 0.2f;            // [0, inf) scene units; ... and |z_c - z_i| at most this, or
+                                             // with BlurEdges::slope |n . (p_c - p_i)| for both normals
     BufferFormat format = BufferFormat::float32;  // of the maps between the passes
+    BlurEdges edges = BlurEdges::fixed;
 };
 inline constexpr BlurSettings kXjunBlur{};
 inline constexpr BlurSettings kLunaBlur{.weights = kLunaBlurWeights, .iterations = 3};

@@ -42,6 +42,7 @@ struct Rows {
 struct BlurSweep {
     const Image<float>& ao;
     const AoInputs& inputs;
+    const BlurRays& rays;
     const BlurSettings& settings;
     int iterations;             // of this sweep
     const TileMap& open_tiles;  // without tiles: none is open
@@ -112,8 +113,8 @@ class BlurBand {
         const SurfaceRow row = {inputs.normal.x.row(y), inputs.normal.y.row(y), inputs.normal.z.row(y),
                                 inputs.view_depth.row(y)};
         const SurfaceRow padded = padded_copy(row);
-        const Thresholds least = {sweep_.settings.normal_threshold, sweep_.settings.depth_threshold};
         const int rows_below = std::min(kBlurRadius, sweep_.size().height - 1 - y);
+        const bool needs_surface = sweep_.settings.edges != BlurEdges::none;
         std::int32_t* pairs = pairs_.row(y);
         for (int tile = 0; tile < sweep_.width(); tile += kBlurTile) {
             // A tile's pairs are also read to its right and below.
@@ -121,12 +122,50 @@ class BlurBand {
                                 sweep_.is_open(tile, y + kBlurRadius);
             for (int x = tile; x < std::min(tile + kBlurTile, sweep_.width()); x += kLanes<F>) {
                 const bool surface = any(load<F>(padded.view_depth + x) < F(kNoSurface));
-                const bool none = unread || (!surface && sweep_.skips_background);
-                store(pairs + x,
-                      none ? Int<F>(0)
-                           : pairs_at<F>(padded, row, inputs.view_depth.stride, rows_below, least, x));
+                const bool none = unread || (!surface && sweep_.skips_background && needs_surface);
+                store(pairs + x, none ? Int<F>(0) : pairs_at<F>(padded, row, y, rows_below, x));
             }
         }
+    }
+
+    // The pair bits of the texels of row y from x on, as the settings' edges have it. `padded` is the row
+    // with kBlurRadius texels more at its right end that have no surface; `row` is where it lies in the map.
+    template <class F>
+    CREVICE_INLINE Int<F> pairs_at(const SurfaceRow& padded, const SurfaceRow& row, int y, int rows_below,
+                                   int x) {
+        const Thresholds least = {sweep_.settings.normal_threshold, sweep_.settings.depth_threshold};
+        const std::ptrdiff_t stride = sweep_.inputs.view_depth.stride;
+        if (sweep_.settings.edges == BlurEdges::none) {
+            const Int<F> column = lane_index<F>() + Int<F>(x), width(sweep_.size().width);
+            return pairs_where<F>(
+                [&](auto j) __attribute__((always_inline)) { return column + Int<F>(j) < width; },
+                [&](auto) __attribute__((always_inline)) { return column < width; }, rows_below);
+        }
+        const BlurSurface<F> centre = surface_at<F>(padded, x);
+        if (sweep_.settings.edges == BlurEdges::slope) {
+            const Vec3<F> p_view = sweep_.rays.p_view<F>(x, y, centre.view_depth);
+            const auto on_plane = [&](const BlurSurface<F>& other, int column, int other_row)
+                __attribute__((always_inline)) {
+                const Vec3<F> other_view = sweep_.rays.p_view<F>(column, other_row, other.view_depth);
+                return counts_on_slope<F>(centre, p_view, other, other_view, least);
+            };
+            return pairs_where<F>(
+                [&](auto j) __attribute__((always_inline)) {
+                    return on_plane(surface_at<F>(padded, x + j), x + j, y);
+                },
+                [&](auto j) __attribute__((always_inline)) {
+                    return on_plane(surface_at<F>(row, x + j * stride), x, y + j);
+                },
+                rows_below);
+        }
+        return pairs_where<F>(
+            [&](auto j) __attribute__((always_inline)) {
+                return counts<F>(centre, surface_at<F>(padded, x + j), least);
+            },
+            [&](auto j) __attribute__((always_inline)) {
+                return counts<F>(centre, surface_at<F>(row, x + j * stride), least);
+            },
+            rows_below);
     }
 
     // The row with texels beyond its right end that have no surface.

@@ -3,10 +3,9 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <utility>
 
-#include "ssao/bilateral_blur.h"
+#include "ssao/blur_edges.h"
 
 namespace crevice {
 
@@ -53,61 +52,23 @@ CREVICE_INLINE F where_bit(Int<F> bits, int bit, F value) {
 
 // ---- which taps count
 
-// The view depth of a texel that shows nothing.
-inline constexpr float kNoSurface = std::numeric_limits<float>::infinity();
-
-// What decides whether two texels count for each other: one row of it.
-struct SurfaceRow {
-    const float *normal_x, *normal_y, *normal_z, *view_depth;
-};
-
-template <class F>
-struct BlurSurface {
-    Vec3<F> normal;
-    F view_depth;
-};
-
-template <class F>
-CREVICE_INLINE BlurSurface<F> surface_at(const SurfaceRow& row, std::ptrdiff_t x) {
-    return {{load<F>(row.normal_x + x), load<F>(row.normal_y + x), load<F>(row.normal_z + x)},
-            load<F>(row.view_depth + x)};
-}
-
-struct Thresholds {
-    float normal, depth;
-};
-
-// False where either has no surface: the difference of their depths is infinite, or not a number.
-template <class F>
-CREVICE_INLINE Mask<F> counts(const BlurSurface<F>& a, const BlurSurface<F>& b, Thresholds least) {
-    const F distance = a.view_depth - b.view_depth;
-    return (dot(a.normal, b.normal) >= F(least.normal)) & (distance <= F(least.depth)) &
-           (distance >= F(-least.depth));
-}
-
 // Counting is mutual, to the last bit, so each pair of texels is decided once: by the left or the upper one,
 // for both the tap of one, 5 + j, and that of the other, 5 - j.
 constexpr std::int32_t pair_bits(int shift, int j) {
     return tap_bit(shift, kBlurRadius - j) | tap_bit(shift, kBlurRadius + j);
 }
 
-// The pair bits of the texels at x: each with its five neighbours to the right and below. `padded` is the row
-// with kBlurRadius texels more at its right end that have no surface; `row` is where it lies in the map, with
-// rows `stride` apart, of which `rows_below` follow.
-template <class F>
-CREVICE_INLINE Int<F> pairs_at(const SurfaceRow& padded, const SurfaceRow& row, std::ptrdiff_t stride,
-                               int rows_below, Thresholds least, int x) {
-    const BlurSurface<F> centre = surface_at<F>(padded, x);
+// The pair bits of some texels, each with its five neighbours to the right and below, of which the map has
+// `rows_below`: across(j) and down(j) are whether they and their j-th neighbours count for each other. j is a
+// compile-time constant.
+template <class F, class Across, class Down>
+CREVICE_INLINE Int<F> pairs_where(const Across& across, const Down& down, int rows_below) {
     Int<F> bits(0);
     each_tap([&](auto k) __attribute__((always_inline)) {
-        constexpr int j = k - kBlurRadius;
-        if constexpr (j > 0) {
-            const auto across = counts<F>(centre, surface_at<F>(padded, x + j), least);
-            bits = bits | select(across, Int<F>(pair_bits(kAcrossShift, j)), Int<F>(0));
-            if (j <= rows_below) {
-                const auto down = counts<F>(centre, surface_at<F>(row, x + j * stride), least);
-                bits = bits | select(down, Int<F>(pair_bits(kDownShift, j)), Int<F>(0));
-            }
+        if constexpr (k > kBlurRadius) {
+            constexpr std::integral_constant<int, k - kBlurRadius> j;
+            bits = bits | select(across(j), Int<F>(pair_bits(kAcrossShift, j)), Int<F>(0));
+            if (j <= rows_below) bits = bits | select(down(j), Int<F>(pair_bits(kDownShift, j)), Int<F>(0));
         }
     });
     return bits;

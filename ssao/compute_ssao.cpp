@@ -2,23 +2,19 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "rasterizer/error.h"
 #include "rasterizer/isa.h"
 #include "rasterizer/parallel.h"
-#include "ssao/blur_rows.h"
 
 namespace crevice {
 
 namespace {
 
-MapReads sum_of(const std::vector<MapReads>& groups) {
-    MapReads sum;
-    for (const MapReads& reads : groups) sum.grouped += reads.grouped, sum.direct += reads.direct;
-    return sum;
-}
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 constexpr int kGroupMemorySide = 2 * kAoGroup + 2 + 2 * kWidestApron;
 constexpr std::size_t kGroupMemory = std::size_t{kGroupMemorySide} * kGroupMemorySide;
@@ -93,7 +89,7 @@ struct AoDispatch {
                 for (int texel_y = y; texel_y < end_y; ++texel_y) {
                     for (int texel_x = x; texel_x < end_x; texel_x += kLanes<F>) {
                         const F z = load<F>(in.view_depth.row(texel_y) + texel_x);
-                        const auto surface = z < F(kNoSurface);
+                        const auto surface = z < F(kInfinity);
                         if (!any(surface)) continue;
                         GroupDepths<F> depths{in.depth_map, memory.data(), columns, rows};
                         store(out.ao.row(texel_y) + texel_x,
@@ -105,7 +101,7 @@ struct AoDispatch {
         MapReads reads{std::int64_t{columns.count()} * rows.count(), 0};
         for (int texel_y = y; texel_y < end_y; ++texel_y) {
             for (int texel_x = x; texel_x < end_x; ++texel_x) {
-                if (!(in.view_depth.at(texel_x, texel_y) < kNoSurface)) continue;
+                if (!(in.view_depth.at(texel_x, texel_y) < kInfinity)) continue;
                 reads.grouped += 4 * static_cast<std::int64_t>(out.strays.at(texel_x, texel_y));
                 reads.direct += 4 * kernel.settings.samples;
             }
@@ -113,101 +109,6 @@ struct AoDispatch {
         return reads;
     }
 };
-
-// One pass: texels along one axis count for each other.
-struct BlurPass {
-    const Image<float>& ao;
-    const AoInputs& inputs;
-    const BlurSettings& settings;
-    bool down;
-
-    int length() const { return down ? ao.size.height : ao.size.width; }  // along the axis
-    int lines() const { return down ? ao.size.width : ao.size.height; }
-    int segments() const { return (length() + kBlurSegment - 1) / kBlurSegment; }
-    std::ptrdiff_t offset(int line, int along) const {
-        const std::ptrdiff_t y = down ? along : line, x = down ? line : along;
-        return y * ao.stride + x;
-    }
-};
-
-// What a group of the blur keeps: its segment, with five texels more at either end. Texels outside the map
-// have no surface.
-struct SegmentMemory {
-    static constexpr int kTexels = kBlurSegment + 2 * kBlurRadius;
-    std::array<float, kTexels> ao{}, normal_x{}, normal_y{}, normal_z{}, view_depth;
-    std::array<float, kBlurSegment> result;
-
-    SegmentMemory(const BlurPass& pass, int line, int first) {
-        view_depth.fill(kNoSurface);
-        const int from = std::max(first - kBlurRadius, 0),
-                  end = std::min(first + kBlurSegment + kBlurRadius, pass.length());
-        for (int along = from; along < end; ++along) {
-            const auto slot = static_cast<std::size_t>(along - first + kBlurRadius);
-            const auto texel = static_cast<std::size_t>(pass.offset(line, along));
-            ao[slot] = pass.ao.pixels[texel];
-            normal_x[slot] = pass.inputs.normal.x.pixels[texel];
-            normal_y[slot] = pass.inputs.normal.y.pixels[texel];
-            normal_z[slot] = pass.inputs.normal.z.pixels[texel];
-            view_depth[slot] = pass.inputs.view_depth.pixels[texel];
-        }
-    }
-};
-
-// The mean of the texels from `at` on over the taps that count, summed up in the order of blur_row().
-template <class F>
-CREVICE_INLINE F blurred(const SegmentMemory& memory, int at, const BlurSettings& settings) {
-    const SurfaceRow row = {memory.normal_x.data(), memory.normal_y.data(), memory.normal_z.data(),
-                            memory.view_depth.data()};
-    const Thresholds least = {settings.normal_threshold, settings.depth_threshold};
-    const BlurSurface<F> centre = surface_at<F>(row, at + kBlurRadius);
-    const F own = load<F>(memory.ao.data() + at + kBlurRadius);
-    F total = F(settings.weights[kBlurRadius]), sum = total * own;
-    auto has_company = F(0) > F(0);
-    each_tap([&](auto k) __attribute__((always_inline)) {
-        const auto counting = counts<F>(centre, surface_at<F>(row, at + k), least);
-        const F weight = F(settings.weights[k]);
-        has_company = has_company | counting;
-        total = total + select(counting, weight, F(0));
-        sum = sum + select(counting, weight * load<F>(memory.ao.data() + at + k), F(0));
-    });
-    return select(has_company, stored_as(sum / total, settings.format), own);
-}
-
-MapReads run_segment(const BlurPass& pass, Image<float>& out, int line, int first, const Run& run) {
-    constexpr std::int64_t kPlanes = 5;  // AO, depth, normal
-    SegmentMemory memory(pass, line, first);
-    const int count = std::min(kBlurSegment, pass.length() - first);
-    run_kernel(
-        run, [&](auto tag) __attribute__((always_inline)) {
-            using F = typename decltype(tag)::type;
-            for (int i = 0; i < count; i += kLanes<F>)
-                store(memory.result.data() + i, blurred<F>(memory, i, pass.settings));
-        });
-    MapReads reads;
-    const auto reach = [&](int first_texel,
-                           int end_texel) {  // texels of the map that these and their taps are
-        return std::min(end_texel + kBlurRadius, pass.length()) - std::max(first_texel - kBlurRadius, 0);
-    };
-    reads.grouped = kPlanes * reach(first, first + count);
-    for (int i = 0; i < count; ++i) {
-        out.pixels[static_cast<std::size_t>(pass.offset(line, first + i))] =
-            memory.result[static_cast<std::size_t>(i)];
-        reads.direct += kPlanes * reach(first + i, first + i + 1);
-    }
-    return reads;
-}
-
-GroupedBlur dispatch(const BlurPass& pass, const Run& run) {
-    GroupedBlur out{Image<float>(pass.ao.size, 1.0f), {}};
-    const int groups = pass.lines() * pass.segments();
-    std::vector<MapReads> reads(static_cast<std::size_t>(groups));
-    parallel_for(groups, run, [&](int i) {
-        const int line = i % pass.lines(), first = i / pass.lines() * kBlurSegment;
-        reads[static_cast<std::size_t>(i)] = run_segment(pass, out.ao, line, first, run);
-    });
-    out.reads = sum_of(reads);
-    return out;
-}
 
 }  // namespace
 
@@ -228,19 +129,7 @@ GroupedAo luna_occlusion_in_groups(const AoInputs& inputs, const LunaSettings& s
         if (tiles.tiles.at(column, row) != TileWork::done) return;
         reads[static_cast<std::size_t>(i)] = dispatch.run_group(out, column * kAoGroup, row * kAoGroup, run);
     });
-    out.reads = sum_of(reads);
-    return out;
-}
-
-GroupedBlur bilateral_blur_in_groups(const Image<float>& ao, const AoInputs& inputs,
-                                     const BlurSettings& settings, const Run& run) {
-    validate(settings);
-    GroupedBlur out{ao, {}};
-    for (int pass = 0; pass < 2 * settings.iterations; ++pass) {
-        const MapReads before = out.reads;
-        out = dispatch({out.ao, inputs, settings, pass % 2 == 1}, run);
-        out.reads.grouped += before.grouped, out.reads.direct += before.direct;
-    }
+    for (const MapReads& group : reads) out.reads += group;
     return out;
 }
 

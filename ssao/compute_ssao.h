@@ -33,6 +33,12 @@ inline constexpr int kBlurSegment = 128;
 struct MapReads {
     std::int64_t grouped = 0;  // to fill the groups' memories, and by samples that stray
     std::int64_t direct = 0;   // what the same threads would read without that memory
+
+    MapReads& operator+=(const MapReads& other) {
+        grouped += other.grouped;
+        direct += other.direct;
+        return *this;
+    }
 };
 
 struct GroupedAo {

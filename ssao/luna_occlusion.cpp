@@ -28,6 +28,27 @@ void validate(const LunaSettings& s) {
     require(s.exponent >= 0 && s.exponent <= 64, "exponent", s.exponent, "[0, 64]");
 }
 
+LunaSettings spelt_out(LunaSettings settings) {
+    if (!settings.as_published) return settings;
+    if (settings.random_vectors == RandomVectors::unit) settings.random_vectors = RandomVectors::raw;
+    settings.sign_of_zero = SignOfZero::zero;
+    settings.edge_texels = EdgeTexels::mixed;
+    settings.sky_depth = SkyDepth::as_stored;
+    return settings;
+}
+
+bool shows_artifacts(const LunaSettings& settings) {
+    return settings.as_published || settings.random_vectors != RandomVectors::unit ||
+           settings.sign_of_zero != SignOfZero::plus || !settings.self_occlusion_test ||
+           settings.border != MapBorder::far || settings.texel_centre != TexelCentre::exact ||
+           settings.edge_texels != EdgeTexels::nearest || settings.sky_depth != SkyDepth::finite;
+}
+
+AoFetch ao_fetch(const LunaSettings& settings, bool point_normals) {
+    const LunaSettings s = spelt_out(settings);
+    return {s.depth_source, point_normals, s.ao_scale, s.edge_texels, s.sky_depth, s.border, s.texel_centre};
+}
+
 Image<float> luna_occlusion(const AoInputs& inputs, const LunaSettings& settings, const Run& run) {
     validate(settings);
     const TileMap tiles = ao_tiles(inputs, settings, run);

@@ -3,43 +3,24 @@
 // Source: Luna 2016, ch. 21 (seed 002); Shen's X_Jun port (seed 000); formulas and traps in the order of the
 //         seeds' listings.
 // Out:    accessibility in [0,1]: 1 - (1/N) sum of dp * occlusion(p_z - r_z), to the power `exponent`
-// Reach:  radius (as_published: up to 5 radius, the random vector is not unit) in view space around p
+// Reach:  radius (RandomVectors::raw: up to 5 radius) in view space around p
 // Differs from the tutorials: the random vector is normalised; a point q in front of the near plane is
-//         rejected; sign(0) is +1; r = p counts nothing; fade_end = fade_start is a step. `as_published`
-//         restores the first and third. It is a weighted vote, not cosine-weighted visibility: it does not
-//         converge to ray-cast AO.
+//         rejected; sign(0) is +1; r = p counts nothing; fade_end = fade_start is a step. Settings restore
+//         the first and third. It is a weighted vote, not cosine-weighted visibility: it does not converge
+//         to ray-cast AO.
 // Cost:   about 100 operations and four depth reads a sample; half of that where nothing is in front. The
 //         tiles of open_tiles.h cost nothing.
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <limits>
 
 #include "rasterizer/approx_math.h"
-#include "rasterizer/half.h"
 #include "rasterizer/wide_pairs.h"
-#include "ssao/ao_inputs.h"
+#include "ssao/luna_settings.h"
 #include "ssao/random_vectors.h"
 
 namespace crevice {
-
-struct LunaSettings {
-    int samples = 14;         // [1, 14]; fewer is faster and noisier
-    float radius = 0.5f;      // [0, inf) scene units; how far from p the samples lie
-    float fade_start = 0.2f;  // [0, inf) scene units; occluders up to this far in front of p count fully
-    float fade_end =
-        2.0f;  // [fade_start, inf) scene units; occluders further in front of p than this do not count
-    float epsilon = 0.05f;      // [0, inf) scene units; occluders less than this in front of p do not count
-    float exponent = 4;         // [0, 64]; contrast: accessibility is raised to it
-    std::uint32_t seed = 1;     // of the offset lengths and the random map
-    bool as_published = false;  // the tutorial's text, traps included
-    float ao_scale = 0.5f;      // 0.5 or 1; AO map size over picture size
-    BufferFormat format = BufferFormat::float32;  // of the AO map
-};
-
-// Throws UsageError naming the first member out of its range.
-void validate(const LunaSettings& settings);
 
 // One AO map of what `inputs` see. 1 where there is no surface.
 Image<float> luna_occlusion(const AoInputs& inputs, const LunaSettings& settings, const Run& run);
@@ -76,13 +57,13 @@ struct WholeDepthMap {
 
 struct LunaKernel {
     const AoInputs& inputs;
-    const LunaSettings& settings;
+    LunaSettings settings;  // spelt out
     std::array<glm::vec3, kCubeVectors> offsets;
     float inverse_fade;      // 1 / (fade_end - fade_start), very large for a step
     float nearest_occluder;  // epsilon; infinite for radius 0: then q = p, which nothing occludes
 
     LunaKernel(const AoInputs& ao_inputs, const LunaSettings& luna)
-        : inputs(ao_inputs), settings(luna), offsets(cube_offsets(luna.seed)) {
+        : inputs(ao_inputs), settings(spelt_out(luna)), offsets(cube_offsets(luna.seed)) {
         const float range = luna.fade_end - luna.fade_start;
         inverse_fade = range > 0 ? 1 / range : 3e38f;
         nearest_occluder = luna.radius > 0 ? luna.epsilon : std::numeric_limits<float>::infinity();
@@ -93,10 +74,20 @@ struct LunaKernel {
     CREVICE_INLINE MapCell<F> cell_at(Screen2<F> p_screen, Depths& depths) const {
         const F width = F(static_cast<float>(inputs.picture.width)),
                 height = F(static_cast<float>(inputs.picture.height));
-        const F x = min_of(max_of(p_screen.x - F(0.5f), F(-1)), width),
-                y = min_of(max_of(p_screen.y - F(0.5f), F(-1)), height);
+        F x = p_screen.x - F(0.5f), y = p_screen.y - F(0.5f);
+        if (inputs.fetch.border == MapBorder::wrap) x = wrapped(x, width), y = wrapped(y, height);
+        x = min_of(max_of(x, F(-1)), width), y = min_of(max_of(y, F(-1)), height);
         const Int<F> x0 = floor_to_int(x), y0 = floor_to_int(y);
         return {depths.template index_of<F>(x0, y0), x - F(to_float(x0)), y - F(to_float(y0))};
+    }
+
+    // The same position in the picture that repeats every `count` pixels. From 2^20 pictures away on it stays
+    // outside, where it is no position any more but a rounding error.
+    template <class F>
+    CREVICE_INLINE F wrapped(F position, F count) const {
+        const F pictures = (position + F(0.5f)) / count, limit = F(1048576);
+        const Int<F> whole = floor_to_int(min_of(max_of(pictures, F(0) - limit), limit));
+        return position - F(to_float(whole)) * count;
     }
 
     // View depth that the depth map shows there, filtered linearly.
@@ -128,7 +119,7 @@ struct LunaKernel {
         const Vec3<F> d = o - F(2) * dot(o, random) * random;
         const F facing = dot(d, n), radius = F(settings.radius);
         F length = select(facing < F(0), -radius, radius);
-        if (settings.as_published) length = select(facing == F(0), F(0), length);
+        if (settings.sign_of_zero == SignOfZero::zero) length = select(facing == F(0), F(0), length);
         return p + length * d;
     }
 
@@ -146,6 +137,7 @@ struct LunaKernel {
     // normal.
     template <class F>
     CREVICE_INLINE F contribution(Vec3<F> p, Vec3<F> n, Vec3<F> q, F inverse_z, F r_z) const {
+        if (!settings.self_occlusion_test) return select(visible(q.z), occlusion(p.z - r_z), F(0));
         const Vec3<F> from_p = inputs.rays.at_depth(q, inverse_z, r_z) - p;
         const F squared = dot(from_p, from_p);
         const auto apart = squared > F(settings.radius) * F(settings.radius) * F(1e-12f);
@@ -205,11 +197,12 @@ struct LunaKernel {
         return F(1) - sum / F(static_cast<float>(settings.samples));
     }
 
-    // The random vector of a texel at uv, unit unless as published.
+    // What the offsets of a texel at uv are mirrored at; 0 leaves them as they are.
     template <class F>
     CREVICE_INLINE Vec3<F> random_vector(const RandomMap& map, F u, F v) const {
+        if (settings.random_vectors == RandomVectors::none) return {F(0), F(0), F(0)};
         const Vec3<F> r = map.sample(F(kRandomMapRepeats) * u, F(kRandomMapRepeats) * v);
-        return settings.as_published ? r : normalize_or<F>(r, {F(0), F(0), F(1)});
+        return settings.random_vectors == RandomVectors::raw ? r : normalize_or<F>(r, {F(0), F(0), F(1)});
     }
 
     // AO as it is stored, of the texels from (x, y) on; 1 where there is no surface.

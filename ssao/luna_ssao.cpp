@@ -2,9 +2,7 @@
 
 namespace crevice {
 
-AoFetch luna_fetch(const LunaSettings& settings) {
-    return {DepthSource::ndc_depth, true, settings.ao_scale, settings.as_published};
-}
+AoFetch luna_fetch(const LunaSettings& settings) { return ao_fetch(settings, true); }
 
 Image<float> luna_ssao(const GBuffer& gbuffer, const Camera& camera, const LunaSettings& settings,
                        const Run& run) {

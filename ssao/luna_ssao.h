@@ -12,7 +12,8 @@
 namespace crevice {
 
 // Seed 002's parameters: the listing's exponent 6 (its prose says 4).
-inline constexpr LunaSettings kLunaSettings{.fade_end = 1.0f, .exponent = 6};
+inline constexpr LunaSettings kLunaSettings{
+    .fade_end = 1.0f, .exponent = 6, .depth_source = DepthSource::ndc_depth};
 
 AoFetch luna_fetch(const LunaSettings& settings);
 

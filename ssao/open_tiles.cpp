@@ -93,7 +93,8 @@ Range range_over(const Image<Range>& cells, int side, const Window& window) {
 
 // The pixels of the depth map that the samples of one axis may be compared with, for texels [first, last] of
 // `texels` whose samples move up to reach_px; [0, pixels + 2] in the map's own columns or rows.
-std::pair<int, int> map_pixels(int first, int last, int texels, int pixels, double reach_px) {
+std::pair<int, int> map_pixels(int first, int last, int texels, int pixels, double reach_px,
+                               MapBorder border) {
     // The filter takes in one pixel more to the right; another on each side is for the roundings of
     // positions, which stay below 2^-4 of a pixel for pictures of up to 2^15.
     const double pixels_per_texel = static_cast<double>(pixels) / texels;
@@ -102,7 +103,10 @@ std::pair<int, int> map_pixels(int first, int last, int texels, int pixels, doub
     const auto column = [&](double position) {
         return static_cast<int>(std::floor(std::clamp(position, -1.0, static_cast<double>(pixels)))) + 1;
     };
-    return {column(low), column(high) + 1};
+    const int before_first = 0, after_last = pixels + 2;
+    const std::pair<int, int> seen = {column(low), column(high) + 1};
+    const bool leaves = seen.first == before_first || seen.second == after_last;
+    return leaves && border == MapBorder::wrap ? std::pair{before_first, after_last} : seen;
 }
 
 // How far from its point a sample may be seen. With e = q - p, |e| <= reach, and t = p.x / p.z, the image of
@@ -113,6 +117,7 @@ struct Reach {
 
     Window window(const Window& texels, float nearest_z) const {
         const Size map = inputs.size(), picture = inputs.picture;
+        const MapBorder border = inputs.fetch.border;
         const auto in_px = [&](int pixels, double ray_scale) {
             const double px_per_slope = 0.5 * pixels / ray_scale;
             if (!inputs.rays.perspective) return px_per_slope * length;
@@ -120,9 +125,9 @@ struct Reach {
             return px_per_slope * length * std::sqrt(1 + ray_scale * ray_scale) / q_z;
         };
         const auto [left, right] = map_pixels(texels.left, texels.right, map.width, picture.width,
-                                              in_px(picture.width, inputs.rays.ray_scale.x));
+                                              in_px(picture.width, inputs.rays.ray_scale.x), border);
         const auto [top, bottom] = map_pixels(texels.top, texels.bottom, map.height, picture.height,
-                                              in_px(picture.height, inputs.rays.ray_scale.y));
+                                              in_px(picture.height, inputs.rays.ray_scale.y), border);
         return {left, top, right, bottom};
     }
 };
@@ -177,7 +182,8 @@ TileMap ao_tiles(const AoInputs& inputs, const LunaSettings& settings, const Run
     const Size tiles = map.tiles.size;
     const auto all_rows = std::vector<char>(static_cast<std::size_t>(tiles.height), 1);
     const Image<Range> surfaces = cell_ranges(inputs.view_depth, kAoTile, all_rows, run);
-    const double gain = settings.as_published ? kPublishedReach : kUnitReach;
+    const bool raw = spelt_out(settings).random_vectors == RandomVectors::raw;
+    const double gain = raw ? kRawReach : kUnitReach;
     const Reach reach{gain * settings.radius * (1 + 1e-5), inputs};
 
     const int block_rows = (inputs.depth_map.size.height + kBlock - 1) / kBlock;

@@ -15,9 +15,9 @@ namespace crevice {
 // Side of a tile, texels of the AO map.
 inline constexpr int kAoTile = 16;
 
-// How many radii a sample can lie away from its point. As published the random vector r is not unit: along it
-// the reflection multiplies by |1 - 2 r^2|, and r^2 is up to 3.
-inline constexpr float kUnitReach = 1, kPublishedReach = 5;
+// How many radii a sample can lie away from its point. Along a random vector r that is not unit the
+// reflection multiplies by |1 - 2 r^2|, and r^2 is up to 3.
+inline constexpr float kUnitReach = 1, kRawReach = 5;
 
 // done, background or open, a tile; tiles that `run` keeps are done.
 TileMap ao_tiles(const AoInputs& inputs, const LunaSettings& settings, const Run& run = {});

@@ -92,20 +92,30 @@ struct LitShader {
  private:
     template <class F>
     CREVICE_INLINE void note_textured(const ScreenTriangle& t, const Fragment<F>& f) const {
+        const ScreenGeometry& geometry = lighting.geometry;
         const Scene& scene = lighting.scene;
         const Material& material = scene.materials[static_cast<std::size_t>(t.material)];
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(scene.instances[t.instance].mesh)];
         const bool textured = material.texture != nullptr && !mesh.texcoords.empty();
         const bool mapped = is_normal_mapped(material, mesh);
-        Vec3<F> n = interpolated_normal(lighting.geometry, t, f), colour{F(1), F(1), F(1)};
+        Vec3<F> n = interpolated_normal(geometry, t, f), colour{F(1), F(1), F(1)};
         F gloss(1);
         if (textured || mapped) {
             const TextureCoordinates<F> at =
-                texture_coordinates(mesh, lighting.geometry.vertices.first_vertex[t.instance], t, f);
-            if (textured) colour = texture_colour<F>(*material.texture, material.sampler, at).colour;
+                texture_coordinates(mesh, geometry.vertices.first_vertex[t.instance], t, f);
+            MappedNormal<F> map{};
+            if (textured && mapped) {
+                const ColourAndNormal<F> both =
+                    colour_and_normal<F>(*material.texture, *material.normal_map, material.sampler, at);
+                colour = both.colour.colour;
+                map = both.normal;
+            } else if (textured) {
+                colour = texture_colour<F>(*material.texture, material.sampler, at).colour;
+            } else {
+                map = mapped_normal<F>(*material.normal_map, material.sampler, at);
+            }
             if (mapped) {
-                const MappedNormal<F> map = mapped_normal<F>(*material.normal_map, material.sampler, at);
-                n = bent_normal(lighting.geometry, mesh, t, f, map.n_tangent);
+                n = bent_normal(geometry, mesh, t, f, map.n_tangent);
                 gloss = map.shininess_factor;
             }
         }

@@ -149,10 +149,8 @@ struct TexelFetch {
         return select(carried > F(0), carried, reference.z);
     }
 
-    // Seed 000 clears its normals to (0, 0, -1), seed 002 to (0, 0, 1).
-    CREVICE_INLINE F cleared_normal_z() const {
-        return F(inputs.fetch.depth == DepthSource::view_depth ? -1.0f : 1.0f);
-    }
+    // Seed 000, which filters its normals, clears them to (0, 0, -1), seed 002 to (0, 0, 1).
+    CREVICE_INLINE F cleared_normal_z() const { return F(inputs.fetch.point_normals ? 1.0f : -1.0f); }
 
     // The sampler's plain mean, the sky's clear values included.
     CREVICE_INLINE Vec3<F> mean_normal() const {
@@ -167,11 +165,22 @@ struct TexelFetch {
         return stored;
     }
 
-    // The normal of the pixel whose cell holds the texel's centre: the second one from 1/2 on.
-    CREVICE_INLINE Vec3<F> point_normal(F fx, float fy) const {
+    // The pixel whose cell holds the texel's centre, the second one from 1/2 on; its normal is the clear
+    // value where it shows nothing.
+    CREVICE_INLINE Tap<F> pixel_under_centre(F fx, float fy) const {
         const int row = fy >= 0.5f ? 2 : 0;
-        const Vec3<F> cleared = {F(0), F(0), cleared_normal_z()};
-        return normalize_or<F>(select<F>(fx >= F(0.5f), taps[row + 1].n, taps[row].n), cleared);
+        const Tap<F>&left = taps[row], &right = taps[row + 1];
+        const auto second = fx >= F(0.5f);
+        Tap<F> result = left;
+        result.n = select<F>(second, right.n, left.n);
+        result.stored = select(second, right.stored, left.stored);
+        result.surface = (second & right.surface) | ((!second) & left.surface);
+        result.n.z = select(result.surface, result.n.z, cleared_normal_z());
+        return result;
+    }
+
+    CREVICE_INLINE Vec3<F> unit_normal(const Tap<F>& pixel) const {
+        return normalize_or<F>(pixel.n, {F(0), F(0), cleared_normal_z()});
     }
 };
 

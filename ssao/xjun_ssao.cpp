@@ -3,7 +3,7 @@
 namespace crevice {
 
 AoFetch xjun_fetch(const LunaSettings& settings) {
-    return {DepthSource::view_depth, false, settings.ao_scale, settings.as_published};
+    return ao_fetch(settings, false);
 }
 
 Image<float> xjun_ssao(const GBuffer& gbuffer, const Camera& camera, const LunaSettings& settings,

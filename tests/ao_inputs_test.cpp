@@ -13,11 +13,12 @@ using namespace crevice;
 
 namespace {
 
-const AoFetch kXjunFetch = {DepthSource::view_depth, false, 0.5f, false};
-const AoFetch kLunaFetch = {DepthSource::ndc_depth, true, 0.5f, false};
+const AoFetch kXjunFetch = {DepthSource::view_depth, false, 0.5f};
+const AoFetch kLunaFetch = {DepthSource::ndc_depth, true, 0.5f};
 
 AoFetch published(AoFetch fetch) {
-    fetch.as_published = true;
+    fetch.edge_texels = EdgeTexels::mixed;
+    fetch.sky_depth = SkyDepth::as_stored;
     return fetch;
 }
 
@@ -165,7 +166,7 @@ TEST_CASE("every way to load the pixels gives the same bits: lanes, widths, and 
                     CAPTURE(size.width);
                     CAPTURE(scale);
                     CAPTURE(sky);
-                    CAPTURE(fetch.as_published);
+                    CAPTURE(static_cast<int>(fetch.edge_texels));
                     CAPTURE(static_cast<int>(fetch.depth));
                     const GBuffer g = made_up_gbuffer(size, sky);
                     Run one_lane;

@@ -13,11 +13,12 @@ using namespace crevice;
 
 namespace {
 
-const AoFetch kXjunFetch = {DepthSource::view_depth, false, 0.5f, false};
-const AoFetch kLunaFetch = {DepthSource::ndc_depth, true, 0.5f, false};
+const AoFetch kXjunFetch = {DepthSource::view_depth, false, 0.5f};
+const AoFetch kLunaFetch = {DepthSource::ndc_depth, true, 0.5f};
 
 AoFetch published(AoFetch fetch) {
-    fetch.as_published = true;
+    fetch.edge_texels = EdgeTexels::mixed;
+    fetch.sky_depth = SkyDepth::as_stored;
     return fetch;
 }
 
@@ -102,7 +103,8 @@ std::string against_reference(const GBuffer& g, const AoFetch& fetch) {
     const AoInputs inputs = ao_inputs(g, made_up_camera(), fetch);
     return pixels_against(inputs.size(), [&](int x, int y) {
         const TexelReference reference(g, fetch, inputs.size(), x, y);
-        const Texel t = fetch.as_published ? reference.mean() : reference.nearest_or_mean();
+        const Texel t =
+            fetch.edge_texels == EdgeTexels::mixed ? reference.mean() : reference.nearest_or_mean();
         const double z = inputs.view_depth.at(x, y);
         if (std::isinf(t.z)) return z == t.z && inputs.normal.at(x, y) == glm::vec3(0);
         // Six roundings of an ndc depth near 1, magnified by dz/d(ndc) = z^2 (f - n) / (n f).

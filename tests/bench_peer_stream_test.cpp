@@ -101,4 +101,6 @@ TEST_CASE("what the peer cannot draw is refused by name") {
     refused({"buffer_format=float16"});
     refused({"ao_format=float16"});
     refused({"as_published=true"});
+    refused({"self_occlusion_test=false"});
+    refused({"blur_edges=slope"});
 }

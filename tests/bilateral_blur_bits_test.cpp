@@ -46,11 +46,29 @@ Image<float> mostly_open_map(Size size) {
     return ao;
 }
 
+float dot(glm::vec3 a, glm::vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+// View space, as the map's rays have it.
+glm::vec3 position(const AoInputs& inputs, glm::ivec2 texel) {
+    const auto centre = [](int i, int count) {
+        return (static_cast<float>(i) + 0.5f) / static_cast<float>(count);
+    };
+    const Size size = inputs.size();
+    const Vec3<float> ray =
+        inputs.rays.p_view(centre(texel.x, size.width), centre(texel.y, size.height), 1.0f);
+    const float z = inputs.view_depth.at(texel.x, texel.y), scale = inputs.rays.perspective ? z : 1.0f;
+    return {ray.x * scale, ray.y * scale, z};
+}
+
 bool counts(const AoInputs& inputs, glm::ivec2 a, glm::ivec2 b, const BlurSettings& settings) {
+    if (settings.edges == BlurEdges::none) return true;
     const glm::vec3 m = inputs.normal.at(a.x, a.y), n = inputs.normal.at(b.x, b.y);
-    const float distance = std::fabs(inputs.view_depth.at(a.x, a.y) - inputs.view_depth.at(b.x, b.y));
-    return m.x * n.x + m.y * n.y + m.z * n.z >= settings.normal_threshold &&
-           distance <= settings.depth_threshold;
+    if (!(dot(m, n) >= settings.normal_threshold)) return false;
+    const float limit = settings.depth_threshold;
+    if (settings.edges == BlurEdges::fixed)
+        return std::fabs(inputs.view_depth.at(a.x, a.y) - inputs.view_depth.at(b.x, b.y)) <= limit;
+    const glm::vec3 way = position(inputs, b) - position(inputs, a);
+    return std::fabs(dot(m, way)) <= limit && std::fabs(dot(n, way)) <= limit;
 }
 
 // One pass of the tutorials' loop; a texel that has only itself keeps its value.
@@ -178,6 +196,23 @@ TEST_CASE("blur: the bits of the loop with buffers of 16 bits and with unlike th
         CAPTURE(i);
         CHECK(unlike_the_loop(noise_image(size, 36), patchy_inputs(size), settings[i]) == "");
         CHECK(unlike_the_loop(mostly_open_map(size), patchy_inputs(size), settings[i]) == "");
+    }
+}
+
+TEST_CASE("blur: the bits of the loop with either other test of edges, in both projections") {
+    for (const Size size : {Size{1, 1}, {9, 33}, {37, 70}, {61, 40}, {131, 20}}) {
+        for (const BlurEdges edges : {BlurEdges::slope, BlurEdges::none}) {
+            for (const bool perspective : {false, true}) {
+                CAPTURE(size.width);
+                CAPTURE(static_cast<int>(edges));
+                CAPTURE(perspective);
+                AoInputs inputs = patchy_inputs(size);
+                if (perspective) inputs.rays = {{0.9f, 0.6f}, size, true};
+                BlurSettings settings{.iterations = 2, .normal_threshold = 0.7f, .edges = edges};
+                CHECK(unlike_the_loop(noise_image(size, 36), inputs, settings) == "");
+                CHECK(unlike_the_loop(mostly_open_map(size), inputs, settings) == "");
+            }
+        }
     }
 }
 

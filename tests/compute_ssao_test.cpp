@@ -7,6 +7,7 @@
 #include "rasterizer/error.h"
 #include "rasterizer/image_summary.h"
 #include "ssao/compute_ssao.h"
+#include "tests/switches.h"
 #include "tests/test_scenes.h"
 
 using namespace crevice;
@@ -55,6 +56,7 @@ LunaSettings some_settings(Draw& draw) {
     s.as_published = draw.between(0, 1) == 1;
     s.ao_scale = draw.one_of({0.5f, 1.0f});
     s.format = draw.one_of(kFormats);
+    if (draw.between(0, 1) == 1) draw.one_of(kAoSwitches).turn_on(s);
     return s;
 }
 
@@ -169,6 +171,7 @@ TEST_CASE("compute blur: the pixel version's bits, for random settings, maps, si
         settings.normal_threshold = draw.between(-1.0f, 1.0f);
         settings.depth_threshold = draw.between(0.0f, 3.0f);
         settings.format = draw.one_of(kFormats);
+        settings.edges = draw.one_of({BlurEdges::fixed, BlurEdges::slope, BlurEdges::none});
         const Run run = some_run(draw);
         const Image<float> ao = noise_image(inputs.size(), 36);
         CAPTURE(seed);

@@ -1,4 +1,5 @@
-// Every buffer that has a golden image: those of the frames of all built-in scenes, and their references.
+// Every buffer that has a golden image: those of the frames of all built-in scenes (the presets'
+// among them), those of each artifact on purpose, and the scenes' references.
 #pragma once
 
 #include <filesystem>

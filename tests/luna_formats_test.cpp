@@ -44,8 +44,7 @@ TEST_CASE("traps 3 and 4: no NaN from 1e5 in half floats, and the sky is exactly
                     // As published, seed 000's sky beside a silhouette sees its own depth mixed with the
                     // surface's.
                     if (as_published && method.name == "xjun") continue;
-                    const AoInputs seen =
-                        ao_inputs(g, scene.camera, {inputs.fetch.depth, false, 0.5f, false});
+                    const AoInputs seen = ao_inputs(g, scene.camera, {inputs.fetch.depth, false, 0.5f});
                     int sky = 0;
                     CHECK(pixels_against(raw.size, [&](int x, int y) {
                               if (seen.view_depth.at(x, y) < kInfinity) return true;
@@ -59,22 +58,21 @@ TEST_CASE("traps 3 and 4: no NaN from 1e5 in half floats, and the sky is exactly
     }
 }
 
-TEST_CASE("trap 3: 1e5 as a half is 65504, or infinity where the published text rounds to nearest") {
+TEST_CASE("trap 3: 1e5 as a half is 65504, or infinity where it is stored rounded to nearest") {
     Scene scene = still_life();
     scene.camera.far_plane = 1000;
-    const auto background = [&](BufferFormat format, bool as_published) {
+    const auto background = [&](BufferFormat format, SkyDepth sky) {
         NormalDepthSettings settings;
         settings.buffer_format = format;
         const GBuffer g = normal_depth(scene, scene.camera, {8, 8}, settings);
-        return ao_inputs(g, scene.camera, {DepthSource::view_depth, false, 0.5f, as_published})
-            .depth_map.at(0, 0);
+        return ao_inputs(g, scene.camera, {.sky_depth = sky}).depth_map.at(0, 0);
     };
-    for (const bool as_published : {false, true}) {
-        CHECK(background(BufferFormat::float32, as_published) == 1e5f);
-        CHECK(background(BufferFormat::float16_toward_zero, as_published) == 65504);
+    for (const SkyDepth sky : {SkyDepth::finite, SkyDepth::as_stored}) {
+        CHECK(background(BufferFormat::float32, sky) == 1e5f);
+        CHECK(background(BufferFormat::float16_toward_zero, sky) == 65504);
     }
-    CHECK(background(BufferFormat::float16_nearest_even, false) == 65504);
-    CHECK(background(BufferFormat::float16_nearest_even, true) == kInfinity);
+    CHECK(background(BufferFormat::float16_nearest_even, SkyDepth::finite) == 65504);
+    CHECK(background(BufferFormat::float16_nearest_even, SkyDepth::as_stored) == kInfinity);
 }
 
 TEST_CASE(

@@ -105,6 +105,44 @@ TEST_CASE("parameters: a value arrives where it belongs, the last one wins") {
     CHECK(settings_of(xjun(), {"fade_start=5", "fade_end=6"}).ao.fade_start == 5);
 }
 
+TEST_CASE("parameters: each artifact has a switch, at its cure by default") {
+    const auto ao = [](const std::string& assignment) { return xjun_with(assignment).ao; };
+    CHECK(ao("random_vectors=raw").random_vectors == RandomVectors::raw);
+    CHECK(ao("random_vectors=none").random_vectors == RandomVectors::none);
+    CHECK(ao("sign_of_zero=zero").sign_of_zero == SignOfZero::zero);
+    CHECK(!ao("self_occlusion_test=false").self_occlusion_test);
+    CHECK(ao("depth_source=ndc_depth").depth_source == DepthSource::ndc_depth);
+    CHECK(ao("border=edge").border == MapBorder::edge);
+    CHECK(ao("border=wrap").border == MapBorder::wrap);
+    CHECK(ao("texel_centre=off").texel_centre == TexelCentre::off);
+    CHECK(ao("edge_texels=mixed").edge_texels == EdgeTexels::mixed);
+    CHECK(ao("sky_depth=as_stored").sky_depth == SkyDepth::as_stored);
+    CHECK(xjun_with("blur_edges=slope").blur.edges == BlurEdges::slope);
+    CHECK(xjun_with("blur_edges=none").blur.edges == BlurEdges::none);
+    for (const Method* method : {&xjun(), &find_method("luna")}) {
+        CAPTURE(std::string(method->name));
+        const MethodSettings s = settings_of(*method, {});
+        CHECK(s.ao.random_vectors == RandomVectors::unit);
+        CHECK(s.ao.sign_of_zero == SignOfZero::plus);
+        CHECK(s.ao.self_occlusion_test);
+        CHECK(s.ao.border == MapBorder::far);
+        CHECK(s.ao.texel_centre == TexelCentre::exact);
+        CHECK(s.ao.edge_texels == EdgeTexels::nearest);
+        CHECK(s.ao.sky_depth == SkyDepth::finite);
+        CHECK(s.blur.edges == BlurEdges::fixed);
+        const DepthSource own = method == &xjun() ? DepthSource::view_depth : DepthSource::ndc_depth;
+        CHECK(method->fetch(s.ao).depth == own);
+    }
+    for (const char* name : {"random_vectors", "sign_of_zero", "self_occlusion_test", "depth_source",
+                             "border", "texel_centre", "edge_texels", "sky_depth", "blur_edges"}) {
+        for (const char* word : {"", "2", "Raw", "yes", "unit "}) {
+            const std::string assignment = std::string(name) + "=" + word;
+            CAPTURE(assignment);
+            CHECK_THROWS_WITH_AS(xjun_with(assignment), doctest::Contains(name), UsageError);
+        }
+    }
+}
+
 TEST_CASE("parameters: a wrong name or value is refused, and the message names it") {
     const auto refused = [](const std::string& assignment, const std::string& named) {
         CAPTURE(assignment);

@@ -1,5 +1,5 @@
-// The three ways to turn a normal into view space: where the two wrong ones are right, and by how much they are
-// off where they are not.
+// The three ways to turn a normal into view space: where the two wrong ones are right, and by how much they
+// are off where they are not.
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -93,7 +93,7 @@ TEST_CASE("normal matrix: flat and vanishing instances leave unit normals or non
             const glm::dmat4 world = glm::scale(glm::translate(glm::dmat4(1), glm::dvec3(1, 2, 3)), scale);
             const double length = glm::length(turned(world, {0.3, 0.5, -0.8}, kind));
             CHECK((length == 0 || std::abs(length - 1) < 1e-6));
-            if (scale.x == -1) CHECK(length > 0);
+            if (scale.x * scale.y * scale.z != 0) CHECK(length > 0);
         }
     }
 }

@@ -52,7 +52,7 @@ TEST_CASE("load_obj: material values as they stand; names with blanks and with W
     CHECK(red.specular == glm::vec3(0.04f, 0.04f, 0.05f));
     CHECK(red.shininess == 90);
     REQUIRE(red.texture);
-    CHECK(red.texture->mips[0].at(0, 0) == glm::vec3(1));
+    CHECK(red.texture->colour(0).at(0, 0) == glm::vec3(1));
 }
 
 TEST_CASE("load_obj: no texture is read that nobody wants") {

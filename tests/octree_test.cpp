@@ -96,7 +96,8 @@ TEST_CASE("octree: every ray meets something exactly where testing every triangl
 TEST_CASE("octree: the built-in scenes have the hits of the BVH") {
     for (const BuiltinScene& builtin : builtin_scenes()) {
         CAPTURE(builtin.name);
-        const Scene made = builtin.make();
+        Scene made = builtin.make();
+        for (Material& material : made.materials) material.alpha_cutoff = 0;  // the octree knows no holes
         const RayScene scene = ray_scene(made, made.camera.eye);
         const Octree octree = build_octree(scene.triangles);
         std::vector<Ray> rays;

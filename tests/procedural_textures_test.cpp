@@ -73,19 +73,19 @@ TEST_CASE("procedural textures: opposite edges continue each other") {
         const SurfaceTextures textures = surface.make(160);
         const int repeats_down = name == "bricks" ? 5 : 4;  // every second course
         check_that_it_continues(textures.height, repeats_down);
-        check_that_it_continues(textures.colour.mips[0].x, repeats_down);
-        check_that_it_continues(textures.normal.mips[0].x, repeats_down);
-        check_that_it_continues(textures.normal.alpha_mips[0], repeats_down);
+        check_that_it_continues(textures.colour.colour(0).x, repeats_down);
+        check_that_it_continues(textures.normal.colour(0).x, repeats_down);
+        check_that_it_continues(textures.normal.alpha(0), repeats_down);
     }
     const Texture fence = fence_texture(160);
-    check_that_it_continues(fence.mips[0].x, 4);
-    check_that_it_continues(fence.alpha_mips[0], 4);
+    check_that_it_continues(fence.colour(0).x, 4);
+    check_that_it_continues(fence.alpha(0), 4);
 }
 
 TEST_CASE("procedural textures: normals are those of the height field, across the edges too") {
     for (const NamedSurface& surface : kSurfaces) {
         const SurfaceTextures textures = surface.make(48);
-        const Image3& normals = textures.normal.mips[0];
+        const Image3& normals = textures.normal.colour(0);
         for (int y = 0; y < 48; ++y) {
             for (int x = 0; x < 48; ++x) {
                 CAPTURE(surface.name);
@@ -105,11 +105,11 @@ TEST_CASE("procedural textures: colours and factors in [0,1], neither black nor 
     for (const NamedSurface& surface : kSurfaces) {
         CAPTURE(surface.name);
         const SurfaceTextures textures = surface.make(64);
-        CHECK(textures.colour.mips.size() == 7);
-        CHECK(textures.normal.alpha_mips.size() == 7);
-        CHECK(textures.colour.alpha_mips.empty());
-        const BufferStatistics colour = buffer_statistics(textures.colour.mips[0]),
-                               factor = buffer_statistics(textures.normal.alpha_mips[0]),
+        CHECK(textures.colour.levels().size() == 7);
+        CHECK(textures.normal.has_alpha());
+        CHECK(!textures.colour.has_alpha());
+        const BufferStatistics colour = buffer_statistics(textures.colour.colour(0)),
+                               factor = buffer_statistics(textures.normal.alpha(0)),
                                height = buffer_statistics(textures.height);
         CHECK(colour.min > 0);
         CHECK(colour.max < 0.9f);
@@ -119,7 +119,7 @@ TEST_CASE("procedural textures: colours and factors in [0,1], neither black nor 
         CHECK(factor.max > factor.min + 0.1f);
         CHECK(height.max - height.min > 0.005f);
         CHECK(height.max - height.min < 0.1f);
-        CHECK(buffer_statistics(textures.normal.mips[0].z).min > 0.6f);  // nothing steeper than 78 degrees
+        CHECK(buffer_statistics(textures.normal.colour(0).z).min > 0.6f);  // nothing steeper than 78 degrees
     }
 }
 
@@ -132,8 +132,8 @@ TEST_CASE("procedural textures: another side is the same surface sampled otherwi
                 CAPTURE(x);
                 CAPTURE(y);
                 CHECK(std::abs(coarse.height.at(x, y) - fine.height.at(3 * x + 1, 3 * y + 1)) < 1e-6f);
-                CHECK(glm::length(coarse.colour.mips[0].at(x, y) -
-                                  fine.colour.mips[0].at(3 * x + 1, 3 * y + 1)) < 1e-5f);
+                CHECK(glm::length(glm::vec3(coarse.colour.texel(0, x, y)) -
+                                  glm::vec3(fine.colour.texel(0, 3 * x + 1, 3 * y + 1))) < 1e-5f);
             }
         }
     }
@@ -141,7 +141,7 @@ TEST_CASE("procedural textures: another side is the same surface sampled otherwi
 
 TEST_CASE("procedural textures: the leaf has a free rim, a midrib and no foreign colour outside") {
     const Texture leaf = leaf_texture(96);
-    const Image<float>& alpha = leaf.alpha_mips[0];
+    const Image<float>& alpha = leaf.alpha(0);
     const BufferStatistics statistics = buffer_statistics(alpha);
     CHECK(statistics.min == 0);
     CHECK(statistics.max == 1);
@@ -158,7 +158,7 @@ TEST_CASE("procedural textures: the leaf has a free rim, a midrib and no foreign
         CAPTURE(y);
         CHECK(alpha.at(48, y) == 1);  // from below the tip down the middle
         for (int x = 0; x < 96; ++x) {
-            const glm::vec3 c = leaf.mips[0].at(x, y);
+            const glm::vec3 c = glm::vec3(leaf.texel(0, x, y));
             CHECK((c.y > c.x && c.x > c.z));  // green, also where alpha is 0
         }
     }
@@ -167,7 +167,7 @@ TEST_CASE("procedural textures: the leaf has a free rim, a midrib and no foreign
 
 TEST_CASE("procedural textures: the fence is wire with holes in every diamond") {
     const Texture fence = fence_texture(128);
-    const Image<float>& alpha = fence.alpha_mips[0];
+    const Image<float>& alpha = fence.alpha(0);
     // Two families of wires, 0.15 of a spacing wide, that cross: 1 - 0.85^2.
     CHECK(std::abs(buffer_statistics(alpha).mean - 0.2775) < 0.005);
     // Wires lie where u + v is (k + 1/2) / 4 and where u - v is k / 4: crossings and holes alternate.
@@ -178,15 +178,15 @@ TEST_CASE("procedural textures: the fence is wire with holes in every diamond") 
             CHECK(alpha.at(16 * column + 8, 16 * row + 8) == ((row + column) % 2 == 0 ? 1 : 0));
         }
     }
-    const BufferStatistics colour = buffer_statistics(fence.mips[0]);
+    const BufferStatistics colour = buffer_statistics(fence.colour(0));
     CHECK(colour.min > 0);
     CHECK(colour.max <= 1);
 }
 
 TEST_CASE("procedural textures: the same bits everywhere") {
     const auto hashes = [](const SurfaceTextures& textures) {
-        return content_hash(textures.colour.mips[0]) + " " + content_hash(textures.normal.mips[1]) + " " +
-               content_hash(textures.normal.alpha_mips[0]) + " " + content_hash(textures.height);
+        return content_hash(textures.colour.colour(0)) + " " + content_hash(textures.normal.colour(1)) + " " +
+               content_hash(textures.normal.alpha(0)) + " " + content_hash(textures.height);
     };
     CHECK(hashes(floor_tile_textures(64)) ==
           "0e094be5f7f8513b 96867ca34f31a35d 4b9078eda1bf4bae 4e337e3a71f7560f");
@@ -195,9 +195,9 @@ TEST_CASE("procedural textures: the same bits everywhere") {
     CHECK(hashes(rough_stone_textures(64)) ==
           "dc48d28336654222 87615050d65eff33 f0b49de78eb089fe 1654f0074373f90a");
     const Texture leaf = leaf_texture(64), fence = fence_texture(64);
-    CHECK(content_hash(leaf.mips[0]) + " " + content_hash(leaf.alpha_mips[2]) ==
+    CHECK(content_hash(leaf.colour(0)) + " " + content_hash(leaf.alpha(2)) ==
           "78f2ee60d3bdc136 3d5b69593213906c");
-    CHECK(content_hash(fence.mips[0]) + " " + content_hash(fence.alpha_mips[2]) ==
+    CHECK(content_hash(fence.colour(0)) + " " + content_hash(fence.alpha(2)) ==
           "e815bbf553be34ff 2fcb890b1317f524");
 }
 
@@ -207,6 +207,6 @@ TEST_CASE("procedural textures: a side out of range is named") {
         CHECK_THROWS_WITH_AS(brick_textures(side), doctest::Contains("8 to 4096"), UsageError);
         CHECK_THROWS_WITH_AS(leaf_texture(side), doctest::Contains("8 to 4096"), UsageError);
     }
-    CHECK(fence_texture(8).mips[0].size() == Size{8, 8});
+    CHECK(fence_texture(8).colour(0).size() == Size{8, 8});
     CHECK(rough_stone_textures(9).height.size == Size{9, 9});
 }

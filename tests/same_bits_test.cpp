@@ -112,6 +112,10 @@ TEST_CASE("same bits: every format, projection, texture and the published text")
         {"depth_format=d32f_reversed"},
         {"samples=1", "exponent=0.3", "fade_end=0.2"},
         {"blur_iterations=1", "blur_weights=luna", "blur_normal=0.2", "blur_depth=1"},
+        {"random_vectors=raw", "sign_of_zero=zero", "border=wrap", "blur_edges=slope"},
+        {"random_vectors=none", "self_occlusion_test=false", "border=edge", "blur_edges=none"},
+        {"depth_source=view_depth", "edge_texels=mixed", "sky_depth=as_stored"},
+        {"depth_source=ndc_depth", "texel_centre=off", "buffer_format=float16_nearest"},
     };
     Scene scene = odds_and_ends();
     for (const Projection projection : {Projection::perspective, Projection::orthographic}) {

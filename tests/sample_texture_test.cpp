@@ -22,10 +22,10 @@ Texture labelled_texture(Size size) {
     for (int y = 0; y < size.height; ++y) {
         for (int x = 0; x < size.width; ++x) base.set(x, y, glm::vec3(x, y, 0));
     }
-    texture.mips.push_back(base);
+    texture.add_level(base);
     for (Size s = size; s.width > 1 || s.height > 1;) {
         s = {std::max(1, s.width / 2), std::max(1, s.height / 2)};
-        texture.mips.emplace_back(s, glm::vec3(0, 0, static_cast<float>(texture.mips.size())));
+        texture.add_level(Image3(s, glm::vec3(0, 0, static_cast<float>(texture.levels().size()))));
     }
     return texture;
 }
@@ -34,9 +34,19 @@ Texture labelled_texture(Size size) {
 Texture constant_texture(Size size, glm::vec3 colour) {
     Texture texture;
     for (Size s = size;; s = {std::max(1, s.width / 2), std::max(1, s.height / 2)}) {
-        texture.mips.emplace_back(s, colour);
+        texture.add_level(Image3(s, colour));
         if (s.width == 1 && s.height == 1) return texture;
     }
+}
+
+// The filter that a Sampler without further wishes gives, wrap.
+glm::vec3 sample_trilinear(const Texture& texture, glm::vec2 uv, glm::vec2 duv_dx, glm::vec2 duv_dy) {
+    return glm::vec3(sample_texture(texture, Sampler{}, uv, duv_dx, duv_dy));
+}
+
+// At full size.
+glm::vec3 sample_bilinear(const Texture& texture, glm::vec2 uv) {
+    return sample_trilinear(texture, uv, glm::vec2(0), glm::vec2(0));
 }
 
 float level_at(const Texture& texture, glm::vec2 duv_dx, glm::vec2 duv_dy) {
@@ -46,39 +56,39 @@ float level_at(const Texture& texture, glm::vec2 duv_dx, glm::vec2 duv_dy) {
 }  // namespace
 
 TEST_CASE("texel centres give their texel, and the point between two their mean") {
-    const Image3 level = labelled_texture({4, 8}).mips[0];
+    const Texture texture = labelled_texture({4, 8});
     for (int y = 0; y < 8; ++y) {
         for (int x = 0; x < 4; ++x) {
             CAPTURE(x);
             CAPTURE(y);
             const glm::vec3 c = sample_bilinear(
-                level, {(static_cast<float>(x) + 0.5f) / 4, (static_cast<float>(y) + 0.5f) / 8});
+                texture, {(static_cast<float>(x) + 0.5f) / 4, (static_cast<float>(y) + 0.5f) / 8});
             CHECK(c == glm::vec3(x, y, 0));
         }
     }
-    CHECK(sample_bilinear(level, {0.25f, 0.0625f}) == glm::vec3(0.5f, 0, 0));
-    CHECK(sample_bilinear(level, {0.125f, 0.125f}) == glm::vec3(0, 0.5f, 0));
-    CHECK(sample_bilinear(level, {0.5f, 0.5f}) == glm::vec3(1.5f, 3.5f, 0));
+    CHECK(sample_bilinear(texture, {0.25f, 0.0625f}) == glm::vec3(0.5f, 0, 0));
+    CHECK(sample_bilinear(texture, {0.125f, 0.125f}) == glm::vec3(0, 0.5f, 0));
+    CHECK(sample_bilinear(texture, {0.5f, 0.5f}) == glm::vec3(1.5f, 3.5f, 0));
     // The picture's edge lies half-way between its last and its first texel.
     for (const float edge : {0.0f, 1.0f, -0.0f, -1.0f, 7.0f, -3.0f}) {
         CAPTURE(edge);
-        CHECK(sample_bilinear(level, {edge, 0.0625f}) == glm::vec3(1.5f, 0, 0));
+        CHECK(sample_bilinear(texture, {edge, 0.0625f}) == glm::vec3(1.5f, 0, 0));
     }
 }
 
 TEST_CASE("whole repeats change nothing, to the left as to the right") {
     for (const Size size : {Size{1, 1}, {2, 2}, {3, 5}, {5, 3}, {16, 8}}) {
-        const Image3 level = labelled_texture(size).mips[0];
+        const Texture texture = labelled_texture(size);
         for (int i = 0; i < 64; ++i) {
             const float u = static_cast<float>(i) / 64;
             for (const int shift : {-1000, -3, -1, 1, 2, 500}) {
                 CAPTURE(size.width);
                 CAPTURE(u);
                 CAPTURE(shift);
-                CHECK(sample_bilinear(level, {u + static_cast<float>(shift), 0.25f}) ==
-                      sample_bilinear(level, {u, 0.25f}));
-                CHECK(sample_bilinear(level, {0.25f, u + static_cast<float>(shift)}) ==
-                      sample_bilinear(level, {0.25f, u}));
+                CHECK(sample_bilinear(texture, {u + static_cast<float>(shift), 0.25f}) ==
+                      sample_bilinear(texture, {u, 0.25f}));
+                CHECK(sample_bilinear(texture, {0.25f, u + static_cast<float>(shift)}) ==
+                      sample_bilinear(texture, {0.25f, u}));
             }
         }
     }
@@ -89,21 +99,21 @@ TEST_CASE("any uv stays within the texture's colours, and what is no position gi
         -1e-9f, 0,         1 - 0x1p-24f, 1,      1 + 0x1p-23f, -0.0f,        kNan,       1e30f,
         -1e30f, kInfinity, -kInfinity,   1e-45f, 16777215.0f,  -0.99999994f, 0.33333334f};
     for (const int side : {1, 2, 3, 5, 100}) {
-        const Image3 level = labelled_texture({side, side}).mips[0];
-        const glm::vec3 at_zero = sample_bilinear(level, {0, 0});
+        const Texture texture = labelled_texture({side, side});
+        const glm::vec3 at_zero = sample_bilinear(texture, {0, 0});
         for (const float u : odd) {
             for (const float v : odd) {
                 CAPTURE(side);
                 CAPTURE(u);
                 CAPTURE(v);
-                const glm::vec3 c = sample_bilinear(level, {u, v});
+                const glm::vec3 c = sample_bilinear(texture, {u, v});
                 const float last = static_cast<float>(side - 1);
                 CHECK(c.x >= 0);
                 CHECK(c.x <= last);
                 CHECK(c.y >= 0);
                 CHECK(c.y <= last);
             }
-            if (!(absolute(u) < 1e30f)) CHECK(sample_bilinear(level, {u, u}) == at_zero);
+            if (!(absolute(u) < 1e30f)) CHECK(sample_bilinear(texture, {u, u}) == at_zero);
         }
     }
 }
@@ -124,7 +134,7 @@ TEST_CASE("a constant texture is that constant everywhere, at every level") {
 
 TEST_CASE("the mip level is that whose texels are as wide as the longer step") {
     const Texture texture = labelled_texture({256, 256});
-    REQUIRE(texture.mips.size() == 9);
+    REQUIRE(texture.levels().size() == 9);
     for (int level = 0; level < 9; ++level) {
         CAPTURE(level);
         const float step = static_cast<float>(1 << level) / 256;  // uv from one pixel to the next

@@ -118,7 +118,7 @@ inline Scene scaled(Scene scene, int k) {
 // depth `z` everywhere in both, normals to the eye, far plane beyond everything outside.
 inline AoInputs plain_inputs(Size size, float z) {
     AoInputs inputs;
-    inputs.fetch = {DepthSource::view_depth, false, 1.0f, false};
+    inputs.fetch = {DepthSource::view_depth, false, 1.0f};
     inputs.picture = size;
     inputs.normal = Image3(size, {0, 0, -1});
     inputs.view_depth = Image<float>(size, z);

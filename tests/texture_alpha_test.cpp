@@ -46,29 +46,29 @@ std::string tga(int alpha_bits, unsigned char first_alpha, unsigned char second_
 
 TEST_CASE("load_texture: PNG with alpha, which is linear while colours are sRGB") {
     const Texture texture = loaded({kPngWithAlpha.begin(), kPngWithAlpha.end()});
-    REQUIRE(texture.alpha_mips.size() == 2);
-    CHECK(texture.alpha_mips[0].at(0, 0) == 1);
-    CHECK(texture.alpha_mips[0].at(1, 0) == 64.0f / 255);
-    CHECK(texture.alpha_mips[1].at(0, 0) == 0.5f * (1 + 64.0f / 255));
-    CHECK(texture.mips[0].at(1, 0).x == linear_from_srgb(10.0f / 255));
-    CHECK(texture.mips[0].at(0, 0).x == 1);
+    REQUIRE(texture.levels().size() == 2);
+    CHECK(texture.alpha(0).at(0, 0) == 1);
+    CHECK(texture.alpha(0).at(1, 0) == 64.0f / 255);
+    CHECK(texture.alpha(1).at(0, 0) == 0.5f * (1 + 64.0f / 255));
+    CHECK(texture.colour(0).at(1, 0).x == linear_from_srgb(10.0f / 255));
+    CHECK(texture.colour(0).at(0, 0).x == 1);
 }
 
 TEST_CASE("load_texture: data is code / 255") {
     const Texture texture = loaded({kPngWithAlpha.begin(), kPngWithAlpha.end()}, TextureEncoding::linear);
-    CHECK(texture.mips[0].at(0, 0) == glm::vec3(1, 0, 128.0f / 255));
-    CHECK(texture.mips[0].at(1, 0) == glm::vec3(10, 20, 30) / 255.0f);
-    CHECK(texture.alpha_mips[0].at(1, 0) == 64.0f / 255);
+    CHECK(texture.colour(0).at(0, 0) == glm::vec3(1, 0, 128.0f / 255));
+    CHECK(texture.colour(0).at(1, 0) == glm::vec3(10, 20, 30) / 255.0f);
+    CHECK(texture.alpha(0).at(1, 0) == 64.0f / 255);
 }
 
 TEST_CASE("load_texture: TGA has alpha where its header says so, and not where all of it is 1") {
     const Texture with_alpha = loaded(tga(8, 255, 51));
-    REQUIRE(with_alpha.alpha_mips.size() == 2);
-    CHECK(with_alpha.alpha_mips[0].at(1, 0) == 0.2f);
-    CHECK(with_alpha.mips[0].at(1, 0).x == 1);
-    CHECK(loaded(tga(0, 0, 0)).alpha_mips.empty());
-    CHECK(loaded(tga(8, 255, 255)).alpha_mips.empty());
-    CHECK(loaded(tga(8, 0, 0)).alpha_mips.size() == 2);
+    REQUIRE(with_alpha.has_alpha());
+    CHECK(with_alpha.alpha(0).at(1, 0) == 0.2f);
+    CHECK(with_alpha.colour(0).at(1, 0).x == 1);
+    CHECK(!loaded(tga(0, 0, 0)).has_alpha());
+    CHECK(!loaded(tga(8, 255, 255)).has_alpha());
+    CHECK(loaded(tga(8, 0, 0)).has_alpha());
 }
 
 TEST_CASE("build_texture: alpha has a level for each of the colours, with the same mean") {
@@ -85,14 +85,14 @@ TEST_CASE("build_texture: alpha has a level for each of the colours, with the sa
             }
         }
         const Texture texture = build_texture(base, alpha);
-        REQUIRE(texture.alpha_mips.size() == texture.mips.size());
-        for (std::size_t level = 0; level < texture.mips.size(); ++level) {
+        REQUIRE(texture.has_alpha());
+        for (std::size_t level = 0; level < texture.levels().size(); ++level) {
             CAPTURE(level);
-            CHECK(texture.alpha_mips[level].size == texture.mips[level].size());
-            for (int x = 0; x < texture.alpha_mips[level].size.width; ++x)
-                CHECK(texture.alpha_mips[level].at(x, 0) == texture.mips[level].x.at(x, 0));
+            CHECK(texture.alpha(level).size == texture.colour(level).size());
+            for (int x = 0; x < texture.alpha(level).size.width; ++x)
+                CHECK(texture.alpha(level).at(x, 0) == texture.colour(level).x.at(x, 0));
         }
-        CHECK(build_texture(base).alpha_mips.empty());
+        CHECK(!build_texture(base).has_alpha());
     }
     CHECK_THROWS_WITH_AS(build_texture(Image3({4, 4}, glm::vec3(0)), Image<float>({4, 3}, 1.0f)),
                          doctest::Contains("4 x 3, not 4 x 4"), UsageError);

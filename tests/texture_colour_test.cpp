@@ -23,18 +23,16 @@ Texture varied_texture() {
     return build_texture(base, alpha);
 }
 
-// Pixel i of a group, every third of which is not the fragment's.
+// The pixels of a group from `first` on, every third of which is not the fragment's.
 template <class F>
 TextureCoordinates<F> coordinates(int first) {
-    TextureCoordinates<F> at;
-    for (int lane = 0; lane < kLanes<F>; ++lane) {
-        const auto i = static_cast<float>(first + lane);
-        at.uv[lane] = glm::vec2(0.37f, 0.11f) * i;
-        at.duv_dx[lane] = glm::vec2(0.013f * i, 0.02f);
-        at.duv_dy[lane] = glm::vec2(-0.1f, 0.3f * i);
-        at.wanted[lane] = (first + lane) % 3 == 0 ? 0 : 1;
-    }
-    return at;
+    const F i = to_float(lane_index<F>() + Int<F>(first));
+    std::int32_t wanted[kLanes<F>];
+    for (int lane = 0; lane < kLanes<F>; ++lane) wanted[lane] = (first + lane) % 3 == 0 ? 0 : 1;
+    return {{F(0.37f) * i, F(0.11f) * i},
+            {F(0.013f) * i, F(0.02f)},
+            {F(-0.1f), F(0.3f) * i},
+            load<F>(wanted) == Int<F>(1)};
 }
 
 // A normal map that is everywhere the same.
@@ -59,10 +57,30 @@ TEST_CASE("texture_colour: eight lanes are eight times one, and only the fragmen
             const TextureColour<float> one = texture_colour<float>(texture, sampler, at);
             const glm::vec4 sampled =
                 i % 3 == 0 ? glm::vec4(0)
-                           : sample_texture(texture, sampler, at.uv[0], at.duv_dx[0], at.duv_dy[0]);
+                           : sample_texture(texture, sampler, {at.uv.x, at.uv.y}, {at.duv_dx.x, at.duv_dx.y},
+                                            {at.duv_dy.x, at.duv_dy.y});
             CHECK(glm::vec4(one.colour.x, one.colour.y, one.colour.z, one.alpha) == sampled);
             CHECK(glm::vec4(wide.colour.x[i], wide.colour.y[i], wide.colour.z[i], wide.alpha[i]) == sampled);
         }
+    }
+}
+
+TEST_CASE("colour_and_normal: what colour and normal are alone, of one size and of two") {
+    const Texture texture = varied_texture();
+    const TextureCoordinates<float> at = coordinates<float>(4);
+    for (const int side : {16, 8}) {
+        CAPTURE(side);
+        Image3 base({side, side}, glm::vec3(0.5f, 0.5f, 1));
+        base.set(3, 2, {0.9f, 0.5f, 0.8f});
+        const Texture map = build_texture(base, Image<float>({side, side}, 0.25f));
+        const ColourAndNormal<float> both = colour_and_normal<float>(texture, map, Sampler{}, at);
+        const TextureColour<float> colour = texture_colour<float>(texture, Sampler{}, at);
+        const MappedNormal<float> normal = mapped_normal<float>(map, Sampler{}, at);
+        CHECK(both.colour.colour.x == colour.colour.x);
+        CHECK(both.colour.alpha == colour.alpha);
+        CHECK(both.normal.n_tangent.x == normal.n_tangent.x);
+        CHECK(both.normal.n_tangent.z == normal.n_tangent.z);
+        CHECK(both.normal.shininess_factor == 0.25f);
     }
 }
 

@@ -90,16 +90,16 @@ TEST_CASE("build_texture: every level keeps the mean and has the size it should"
         }
         const Texture texture = build_texture(base);
         Size expected = size;
-        for (std::size_t level = 0; level < texture.mips.size(); ++level) {
+        for (std::size_t level = 0; level < texture.levels().size(); ++level) {
             CAPTURE(level);
-            const Image3& mip = texture.mips[level];
+            const Image3 mip = texture.colour(level);
             CHECK(mip.size() == expected);
             CHECK(std::abs(mean_of(mip.x) - mean_of(base.x)) < 1e-6);
             CHECK(std::abs(mean_of(mip.y) - mean_of(base.y)) < 1e-6);
             CHECK(std::abs(mean_of(mip.z) - mean_of(base.z)) < 1e-6);
             expected = {std::max(1, expected.width / 2), std::max(1, expected.height / 2)};
         }
-        CHECK(texture.mips.back().size() == Size{1, 1});
+        CHECK(texture.levels().back().size == Size{1, 1});
     }
 }
 
@@ -108,12 +108,51 @@ TEST_CASE("build_texture: halving is the exact mean of four, an odd side weighs 
     four.x.at(0, 0) = 0.25f;
     four.x.at(1, 0) = 0.5f;
     four.x.at(0, 1) = 1.0f;
-    CHECK(build_texture(four).mips[1].x.at(0, 0) == 0.4375f);
+    CHECK(build_texture(four).colour(1).x.at(0, 0) == 0.4375f);
     Image3 five({5, 1}, glm::vec3(0));
     five.x.at(2, 0) = 1.0f;  // the middle pixel falls half to each side
     const Texture texture = build_texture(five);
-    CHECK(texture.mips[1].x.at(0, 0) == 0.2f);
-    CHECK(texture.mips[1].x.at(1, 0) == 0.2f);
+    CHECK(texture.colour(1).x.at(0, 0) == 0.2f);
+    CHECK(texture.colour(1).x.at(1, 0) == 0.2f);
+}
+
+TEST_CASE("texture: a level is given back as it was added") {
+    Image3 base({5, 3}, glm::vec3(0));
+    Image<float> alpha({5, 3}, 0.0f);
+    for (int y = 0; y < 3; ++y) {
+        for (int x = 0; x < 5; ++x) {
+            base.set(x, y, glm::vec3(x, y, x * y) / 16.0f);
+            alpha.at(x, y) = static_cast<float>(x + y) / 8;
+        }
+    }
+    Texture texture;
+    texture.add_level(base, alpha);
+    texture.add_level(Image3({2, 1}, glm::vec3(0.75f)), Image<float>({2, 1}, 0.25f));
+    CHECK(texture.size() == Size{5, 3});
+    CHECK(texture.has_alpha());
+    CHECK(texture.texel(0, 4, 1) == glm::vec4(4 / 16.0f, 1 / 16.0f, 4 / 16.0f, 5 / 8.0f));
+    CHECK(texture.texel(1, 1, 0) == glm::vec4(0.75f, 0.75f, 0.75f, 0.25f));
+    CHECK(texture.colour(0).x.pixels == base.x.pixels);
+    CHECK(texture.colour(0).y.pixels == base.y.pixels);
+    CHECK(texture.colour(0).z.pixels == base.z.pixels);
+    CHECK(texture.alpha(0).pixels == alpha.pixels);
+    CHECK(build_texture(base).alpha(0).empty());
+    CHECK(build_texture(base).texel(0, 0, 0).w == 1);
+}
+
+TEST_CASE("texture: what is no level is named") {
+    const Image3 base({4, 4}, glm::vec3(0)), half({2, 2}, glm::vec3(0));
+    Texture texture;
+    CHECK_THROWS_WITH_AS(texture.add_level(Image3()), doctest::Contains("no texels"), UsageError);
+    CHECK_THROWS_WITH_AS(texture.add_level(base, Image<float>({2, 2}, 1.0f)),
+                         doctest::Contains("2 x 2, not 4 x 4"), UsageError);
+    texture.add_level(base);
+    CHECK_THROWS_WITH_AS(texture.add_level(base), doctest::Contains("4 x 4 after 4 x 4"), UsageError);
+    CHECK_THROWS_WITH_AS(texture.add_level(half, Image<float>({2, 2}, 1.0f)),
+                         doctest::Contains("some levels"), UsageError);
+    CHECK_NOTHROW(texture.add_level(half));
+    CHECK(texture.levels().size() == 2);
+    CHECK_THROWS_WITH_AS(build_texture(Image3()), doctest::Contains("no texels"), UsageError);
 }
 
 TEST_CASE("load_texture: PNG codes become linear light, row 0 on top") {
@@ -121,13 +160,13 @@ TEST_CASE("load_texture: PNG codes become linear light, row 0 on top") {
     const std::vector<std::uint8_t> pixels = varied_pixels({5, 3});
     write_bytes(scratch / "a.png", small_png());
     const Texture texture = load_texture(scratch / "a.png");
-    REQUIRE(texture.mips[0].size() == Size{5, 3});
+    REQUIRE(texture.colour(0).size() == Size{5, 3});
     for (int y = 0; y < 3; ++y) {
         for (int x = 0; x < 5; ++x) {
             CAPTURE(x);
             CAPTURE(y);
             const std::uint8_t red = pixels[static_cast<std::size_t>((y * 5 + x) * 3)];
-            CHECK(texture.mips[0].x.at(x, y) == linear_from_srgb(static_cast<float>(red) / 255));
+            CHECK(texture.colour(0).x.at(x, y) == linear_from_srgb(static_cast<float>(red) / 255));
         }
     }
 }
@@ -137,9 +176,9 @@ TEST_CASE("load_texture: black is 0 and white is 1, exactly") {
     const std::vector<std::uint8_t> pixels = {0, 255};
     write_bytes(scratch / "a.png", png_bytes({2, 1}, 1, pixels));
     const Texture texture = load_texture(scratch / "a.png");
-    CHECK(texture.mips[0].at(0, 0) == glm::vec3(0));
-    CHECK(texture.mips[0].at(1, 0) == glm::vec3(1));
-    CHECK(texture.mips[1].at(0, 0) == glm::vec3(0.5f));
+    CHECK(texture.colour(0).at(0, 0) == glm::vec3(0));
+    CHECK(texture.colour(0).at(1, 0) == glm::vec3(1));
+    CHECK(texture.colour(1).at(0, 0) == glm::vec3(0.5f));
 }
 
 TEST_CASE("load_texture: TGA, plain and run-length coded, and JPEG") {
@@ -151,12 +190,12 @@ TEST_CASE("load_texture: TGA, plain and run-length coded, and JPEG") {
     write_bytes(scratch / "coded.tga", coded);
     write_bytes(scratch / "grey.jpg", grey_jpeg());
     const glm::vec3 colour(1, linear_from_srgb(128.0f / 255), linear_from_srgb(64.0f / 255));
-    CHECK(load_texture(scratch / "plain.tga").mips[0].at(0, 0) == colour);
-    CHECK(load_texture(scratch / "plain.tga").mips[0].at(1, 0) == glm::vec3(0));
-    CHECK(load_texture(scratch / "coded.tga").mips[0].at(3, 0) == colour);
+    CHECK(load_texture(scratch / "plain.tga").colour(0).at(0, 0) == colour);
+    CHECK(load_texture(scratch / "plain.tga").colour(0).at(1, 0) == glm::vec3(0));
+    CHECK(load_texture(scratch / "coded.tga").colour(0).at(3, 0) == colour);
     const Texture grey = load_texture(scratch / "grey.jpg");
-    CHECK(grey.mips[0].size() == Size{8, 8});
-    CHECK(grey.mips[0].at(7, 7) == glm::vec3(linear_from_srgb(128.0f / 255)));
+    CHECK(grey.colour(0).size() == Size{8, 8});
+    CHECK(grey.colour(0).at(7, 7) == glm::vec3(linear_from_srgb(128.0f / 255)));
 }
 
 TEST_CASE("load_texture: a picture cut short anywhere is an InputError") {

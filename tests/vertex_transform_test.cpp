@@ -87,9 +87,7 @@ TEST_CASE("every lane count and instruction set transforms to the same bits, acr
     Scene scene = scene_of(mesh, glm::mat4(glm::dmat4(random_rotation(random))));
     scene.instances.push_back({0, glm::translate(glm::mat4(2.0f), glm::vec3(1, 2, 3))});
     const Size size = {801, 601};
-    const auto transform = [&](const Run& run) {
-        return transform_vertices(scene, {}, size, {}, run);
-    };
+    const auto transform = [&](const Run& run) { return transform_vertices(scene, {}, size, {}, run); };
     const TransformedVertices expected = transform({.threads = 1, .lanes = 1, .isa = Isa::baseline});
     REQUIRE(expected.projected.size() == 10006);
     CHECK(expected.first_vertex == std::vector<std::uint32_t>{0, 5003});

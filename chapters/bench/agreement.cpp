@@ -82,7 +82,7 @@ std::vector<Agreement> agreement(const Scene& scene, const FrameRequest& request
     const PixelCounts counts = count_pixels(ours, ndc_depth(ours.gbuffer.depth), theirs);
     const double to_percent = 100 / std::max(1.0, counts.covered);
     AoFetch plain = request.method->fetch(request.settings.ao);
-    plain.as_published = true;
+    plain.edge_texels = EdgeTexels::mixed;
     const AoInputs inputs = ao_inputs(ours.gbuffer, ours.camera, plain, request.run);
     const Image<float> ao_raw = luna_occlusion(inputs, request.settings.ao, request.run);
     const Image<float> ao_blurred = bilateral_blur(ao_raw, inputs, request.settings.blur, request.run);

@@ -28,7 +28,7 @@ void require_drawable(const Scene& scene, const Camera& camera, const MethodSett
     require(settings.buffers.buffer_format == BufferFormat::float32 &&
                 settings.ao.format == BufferFormat::float32,
             "choice of buffer formats");
-    require(!settings.ao.as_published, "form as published");
+    require(!shows_artifacts(settings.ao) && settings.blur.edges == BlurEdges::fixed, "artifact switches");
 }
 
 std::vector<std::uint8_t> random_texels(std::uint32_t seed) {
