@@ -31,16 +31,15 @@ void leave_out_surfaces(const Scene& scene, Needs& needs, bool keep_all) {
         leave_out("materials", needs.lit ? "the scene has only one: no pixel looks it up"
                                          : "only the lit image shows materials");
     }
-    // Where there is nothing to draw, keep_all cannot bring it back.
+    // What the scene has none of, keep_all cannot bring back.
     needs.shadow = needs.lit && throws_shadow(scene);
     needs.sky = needs.lit && scene.sky_cube != nullptr;
     if (!needs.shadow)
-        needs.left_out.push_back({"shadow", throws_shadow(scene) ? "only the lit image shows shadows"
-                                                                 : "no light of the scene throws one"});
+        leave_out("shadow", throws_shadow(scene) ? "only the lit image shows shadows"
+                                                 : "no light of the scene throws one");
     if (!needs.sky)
-        needs.left_out.push_back({"sky", scene.sky_cube != nullptr
-                                             ? "only the lit image shows the sky"
-                                             : "the scene has none: its background is one colour"});
+        leave_out("sky", scene.sky_cube != nullptr ? "only the lit image shows the sky"
+                                                   : "the scene has none: its background is one colour");
 }
 
 }  // namespace

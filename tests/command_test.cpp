@@ -126,7 +126,7 @@ TEST_CASE("render writes the six buffers and a passes.json that describes them")
     CHECK(report["method"] == "luna");
     CHECK(report["threads"] == 2);
     CHECK(report["lanes"] == 8);
-    const char* const passes[] = {"normal_depth", "ao", "blur", "lit", "frame"};
+    const char* const passes[] = {"normal_depth", "ao", "blur", "shadow", "lit", "sky", "frame"};
     REQUIRE(report["passes"].size() == std::size(passes));
     for (std::size_t i = 0; i < std::size(passes); ++i) {
         CHECK(report["passes"][i]["name"] == passes[i]);

@@ -16,7 +16,7 @@ using namespace crevice;
 namespace {
 
 Frame frame_of_columns() {
-    const Scene scene = columns_scene();
+    const Scene scene = columns_scene(SceneDetail::surfaces);
     FrameRequest request;
     request.size = {160, 90};
     request.method = &find_method("xjun");

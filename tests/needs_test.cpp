@@ -68,6 +68,28 @@ TEST_CASE("needs: only what the asked buffers depend on") {
     }
 }
 
+TEST_CASE(
+    "needs: shadow, sky, textures, normal maps and cut-outs only of scenes that have them, and only when "
+    "lit") {
+    const char* const parts[] = {"shadow", "sky", "texture coordinates", "tangents", "cut-outs"};
+    const auto left_out = [&](const char* name, SceneDetail detail, const WantedBuffers& wanted) {
+        std::string which;
+        const Needs needs = needs_of(find_builtin_scene(name)->make(detail), wanted, true, 4, false);
+        for (const char* part : parts) which += reason(needs, part).empty() ? "" : std::string(part) + "; ";
+        CHECK(needs.shadow == reason(needs, "shadow").empty());
+        CHECK(needs.sky == reason(needs, "sky").empty());
+        return which;
+    };
+    CHECK(left_out("fence", SceneDetail::surfaces, all_buffers()) == "");
+    CHECK(left_out("columns_luna", SceneDetail::surfaces, all_buffers()) == "cut-outs; ");
+    CHECK(left_out("columns_luna", SceneDetail::shapes, all_buffers()) ==
+          "shadow; sky; texture coordinates; tangents; cut-outs; ");
+    CHECK(left_out("columns_luna", SceneDetail::surfaces, {"ao_raw"}) ==
+          "shadow; sky; texture coordinates; tangents; cut-outs; ");
+    CHECK(left_out("noise_wall", SceneDetail::surfaces, all_buffers()) ==
+          "shadow; sky; tangents; cut-outs; ");
+}
+
 TEST_CASE("needs: no AO method, no blur, no triangles") {
     const Needs none = needs_of(still_life(), all_buffers(), false, 4, false);
     CHECK(!none.ao);
