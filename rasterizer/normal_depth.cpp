@@ -24,7 +24,6 @@ struct NormalDepthShader {
     const ScreenGeometry& geometry;
     GBuffer& g;
     std::int32_t clear_code;
-    const Scene* normal_maps;  // null: normals are the vertices'
 
     PixelRect wanted_part(int, PixelRect tile) const { return tile; }
     void empty_tile(PixelRect tile) const { begin_tile(tile); }
@@ -40,8 +39,10 @@ struct NormalDepthShader {
         store_where_passed(g.view_depth.row(f.y), f, stored_as(f.view_depth, g.format));
         if (!g.material.empty()) store_where_passed(g.material.row(f.y), f, Int<F>(t.material));
         if (!geometry.vertices.with_normals) return;
-        const Vec3<F> n = normal_maps == nullptr ? interpolated_normal(geometry, t, f)
-                                                 : shown_normal(*normal_maps, geometry, t, f);
+        store_normal(f, interpolated_normal(geometry, t, f));
+    }
+    template <class F>
+    CREVICE_INLINE void store_normal(const Fragment<F>& f, const Vec3<F>& n) const {
         store_where_passed(g.normal.x.row(f.y), f, n.x);
         store_where_passed(g.normal.y.row(f.y), f, n.y);
         store_where_passed(g.normal.z.row(f.y), f, n.z);
@@ -66,16 +67,28 @@ struct NormalDepthShader {
     }
 };
 
-// The same with the holes of cut-outs left open.
-struct CutNormalDepthShader : NormalDepthShader {
+// The same with normals bent by the materials' maps.
+struct MappedNormalDepthShader : NormalDepthShader {
+    const Scene& scene;
+
+    template <class F>
+    CREVICE_INLINE void fragment(const ScreenTriangle& t, const Fragment<F>& f) const {
+        NormalDepthShader::fragment(t, f);
+        store_normal(f, shown_normal(scene, geometry, t, f));
+    }
+};
+
+// Either with the holes of cut-outs left open.
+template <class Whole>
+struct CutShader : Whole {
     MaterialCutouts cutouts;
 
     template <class F>
     CREVICE_INLINE Mask<F> kept(const ScreenTriangle& t, const Fragment<F>& f) const {
-        return cutouts.kept(geometry, t, f);
+        return cutouts.kept(this->geometry, t, f);
     }
 };
-static_assert(DropsFragments<CutNormalDepthShader>);
+static_assert(DropsFragments<CutShader<NormalDepthShader>>);
 
 GBuffer cleared_later(const ScreenGeometry& geometry, const NormalDepthSettings& settings) {
     return {Image3(geometry.vertices.with_normals ? geometry.size : Size{}),
@@ -96,7 +109,7 @@ std::int32_t clear_code(const NormalDepthSettings& settings, bool reversed_z) {
 GBuffer normal_depth(const ScreenGeometry& geometry, bool reversed_z, const NormalDepthSettings& settings,
                      const Run& run) {
     GBuffer g = cleared_later(geometry, settings);
-    const NormalDepthShader shader{geometry, g, clear_code(settings, reversed_z), nullptr};
+    const NormalDepthShader shader{geometry, g, clear_code(settings, reversed_z)};
     g.tiles = rasterize(geometry, nearest_wins(reversed_z), g.depth, shader, run);
     return g;
 }
@@ -104,12 +117,18 @@ GBuffer normal_depth(const ScreenGeometry& geometry, bool reversed_z, const Norm
 GBuffer normal_depth(const Scene& scene, const ScreenGeometry& geometry, bool reversed_z,
                      const NormalDepthSettings& settings, const Run& run) {
     GBuffer g = cleared_later(geometry, settings);
-    const bool mapped = settings.mapped_normals && !geometry.tangent_turns.empty();
-    const NormalDepthShader shader{geometry, g, clear_code(settings, reversed_z), mapped ? &scene : nullptr};
-    const DepthFunction test = nearest_wins(reversed_z);
-    g.tiles = has_cutouts(scene)
-                  ? rasterize(geometry, test, g.depth, CutNormalDepthShader{shader, {scene}}, run)
-                  : rasterize(geometry, test, g.depth, shader, run);
+    const NormalDepthShader plain{geometry, g, clear_code(settings, reversed_z)};
+    const auto drawn_by = [&](const auto& shader) {
+        return rasterize(geometry, nearest_wins(reversed_z), g.depth, shader, run);
+    };
+    if (settings.mapped_normals && !geometry.tangent_turns.empty()) {
+        const MappedNormalDepthShader mapped{plain, scene};
+        g.tiles = has_cutouts(scene) ? drawn_by(CutShader<MappedNormalDepthShader>{mapped, {scene}})
+                                     : drawn_by(mapped);
+    } else {
+        g.tiles =
+            has_cutouts(scene) ? drawn_by(CutShader<NormalDepthShader>{plain, {scene}}) : drawn_by(plain);
+    }
     return g;
 }
 

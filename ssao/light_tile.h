@@ -34,16 +34,10 @@ struct TileLighting {
     // surface_at(x, y) gives the ShownSurface of the pixels from (x, y) on.
     template <class F, class SurfaceAt>
     CREVICE_INLINE void light_tile(PixelRect tile, const SurfaceAt& surface_at) const {
-        WidenedAo<F> accessibility(ao, tile.x0, tile.x1);
-        for (int y = tile.y0; y < tile.y1; ++y) {
-            accessibility.go_to_row(y);
-            for (int x = tile.x0; x < tile.x1; x += kLanes<F>) {
-                const ShownSurface<F> surface = surface_at(x, y);
-                const Vec3<F> colour = colour_of(surface, accessibility.at(x), x, y);
-                store(lit.x.row(y) + x, colour.x);
-                store(lit.y.row(y) + x, colour.y);
-                store(lit.z.row(y) + x, colour.z);
-            }
+        if (shadow == nullptr && around == nullptr) {
+            light_tile_with<F, Effects::none>(tile, surface_at);
+        } else {
+            light_tile_with<F, Effects::any>(tile, surface_at);
         }
     }
 
@@ -54,8 +48,26 @@ struct TileLighting {
     }
 
  private:
+    // Shadow and reflections; without them the kernel is smaller, and faster.
+    enum class Effects { none, any };
+
+    template <class F, Effects kEffects, class SurfaceAt>
+    CREVICE_INLINE void light_tile_with(PixelRect tile, const SurfaceAt& surface_at) const {
+        WidenedAo<F> accessibility(ao, tile.x0, tile.x1);
+        for (int y = tile.y0; y < tile.y1; ++y) {
+            accessibility.go_to_row(y);
+            for (int x = tile.x0; x < tile.x1; x += kLanes<F>) {
+                const ShownSurface<F> surface = surface_at(x, y);
+                const Vec3<F> colour = colour_of<F, kEffects>(surface, accessibility.at(x), x, y);
+                store(lit.x.row(y) + x, colour.x);
+                store(lit.y.row(y) + x, colour.y);
+                store(lit.z.row(y) + x, colour.z);
+            }
+        }
+    }
+
     // One material after the other, until every lane has had its own.
-    template <class F>
+    template <class F, Effects kEffects>
     CREVICE_INLINE Vec3<F> colour_of(const ShownSurface<F>& surface, F accessibility, int x, int y) const {
         Vec3<F> colour = spread<F>(scene.sky);
         auto left = surface.material != Int<F>(kSkyMaterial);
@@ -63,34 +75,34 @@ struct TileLighting {
         const Vec3<F> ray = view_ray_at<F>(geometry, x, y);
         const Vec3<F> to_eye = normalize_or<F>({F(0) - ray.x, F(0) - ray.y, F(0) - ray.z}, ray);
         const LitPoint<F> point{surface.n_view, to_eye,        surface.texture,
-                                surface.gloss,  accessibility, shadow_on(surface, left, x, y)};
+                                surface.gloss,  accessibility, shadow_on<F, kEffects>(surface, left, x, y)};
         do {
             const std::int32_t index = scene.materials.size() == 1
                                            ? 0
                                            : largest_of(select(left, surface.material, Int<F>(kSkyMaterial)));
             const auto lanes = surface.material == Int<F>(index);
-            colour = select<F>(lanes, lit_by(point, static_cast<std::size_t>(index)), colour);
+            colour = select<F>(lanes, lit_by<F, kEffects>(point, static_cast<std::size_t>(index)), colour);
             left = left & !lanes;
         } while (any(left));
         return colour;
     }
 
-    template <class F>
+    template <class F, Effects kEffects>
     CREVICE_INLINE Vec3<F> lit_by(const LitPoint<F>& point, std::size_t index) const {
         const Material& material = scene.materials[index];
         if (scene.lighting == LightingModel::phong) return phong(point, material, lights);
         const Vec3<F> colour =
             blinn_schlick(point, material, lights, scene.ambient_light, no_highlight_below[index]);
-        if (around == nullptr) return colour;
+        if (kEffects == Effects::none || around == nullptr) return colour;
         const F smoothness = point.gloss * F(material.shininess / kFullShininess);
         return colour + reflected_colour(*around, point.n, point.to_eye, spread<F>(material.specular),
                                          smoothness, F(0));
     }
 
     // How much arrives of the light that casts a shadow; not looked up where it could light nothing.
-    template <class F>
+    template <class F, Effects kEffects>
     CREVICE_INLINE F shadow_on(const ShownSurface<F>& surface, Mask<F> shown, int x, int y) const {
-        if (shadow == nullptr || lights.empty()) return F(1);
+        if (kEffects == Effects::none || shadow == nullptr || lights.empty()) return F(1);
         const auto facing = shown & (dot(surface.n_view, spread<F>(-lights.front().direction)) > F(0));
         if (!any(facing)) return F(1);
         return shadow_factor(*shadow, p_view_at(geometry, x, y, select(shown, surface.view_depth, F(1))));
