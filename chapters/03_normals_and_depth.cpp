@@ -93,7 +93,7 @@ void wrong_matrices(Notebook& book, const Scene& columns) {
         Seed 002 uses W itself, and its box, stretched by (2, 1, 2), looks right: its faces lie along the axes
         of the stretch. What is turned before it is stretched, or round, does not:
 
-            crevice render SCENE --param normal_matrix=world
+            crevice render field --param normal_matrix=world
     )");
     Scene boxes = stretched_scene();
     const ComparedNormals shown =

@@ -5,7 +5,8 @@
 //
 // Source: seed 000, "Finishing the computation" and the full listing; seed 002, Ssao.hlsl.
 // Look for: the bands where no random vector breaks them up; the step from 1 to 2 samples, which gains next
-//           to nothing; how the exponent alone makes shade out of hints; the picture's rim under three borders.
+//           to nothing; how the exponent alone makes shade out of hints; the picture's rim under three
+//           borders.
 // Run: crevice chapter 07
 #include <algorithm>
 #include <cmath>
@@ -143,7 +144,9 @@ void sky_in_a_half(Notebook& book, const SwitchedView& view) {
     words.push_back("sky_depth=as_stored");
     const SwitchedAo infinite = view.ao(words);
     book.show_row("1e5 in a half-float kept at 65504; rounded to nearest, which is infinite, " +
-                      view.command(words) + "; infinite minus finite: white specks along silhouettes.",
+                      view.command(words) +
+                      "; infinite minus finite: a few texels at "
+                      "silhouettes meet infinity, and lose their shade (red).",
                   {{"sky_finite", ao_picture(finite.raw)},
                    {"sky_infinite", ao_picture(infinite.raw)},
                    {"infinite_minus_finite", difference_picture(difference_of(infinite.raw, finite.raw))}});
@@ -210,7 +213,7 @@ void raw_ao(Notebook& book) {
     book.show_row("Exponents 1, 2, 4 (seed 000) and 6 (seed 002): contrast by taste, not physics. " +
                       view.command({"exponent=6"}),
                   powers);
-    book.check("6 instead of 4 takes a sixth more light away", means[3] > 7 * means[2] / 6,
+    book.check("6 instead of 4 takes at least a sixth more light away", means[3] > 7 * means[2] / 6,
                "mean occlusion " + four_digits(means[2]) + " and " + four_digits(means[3]));
     book.try_it({
         "Pass `{\"as_published=true\"}` to `view.ao`: raw vectors, mixed edge texels: wider shade, more "

@@ -63,8 +63,9 @@ void gaussian_or_bilateral(Notebook& book, const SwitchedView& view, const Switc
     book.check("exercise 1: the bilateral blur is better, at edges and in creases and on flats",
                better(Region::edge) && better(Region::crease) && better(Region::flat));
     book.text(
-        "Against the mean of 64 seeds. On flats, where one neighbour is as good as another, the plain "
-        "blur is least wrong; at edges it paints one surface's shade on the other. Either blur moves "
+        "Against the mean of 64 seeds. On flats, where one neighbour is nearly as good as another, the "
+        "two are nearly equal; at edges the plain one paints one surface's shade on the other. Either blur "
+        "moves "
         "further from the mean than the grain was: but grain hurts the eye more.");
 }
 

@@ -101,9 +101,11 @@ void pipeline(Notebook& book, const Tutorial& tutorial) {
                    {name + "_shadow", lit_picture(d.lit(bumpy, true, false))}});
     std::vector<Notebook::Named> last = {{name + "_with_ao", lit_picture(with_ao)},
                                          {name, lit_picture(finished)}};
-    if (d.scene.lighting == LightingModel::blinn_schlick)  // seed 000 mirrors nothing
-        last.insert(last.begin(), {name + "_mirrored", lit_picture(shadowed)});
-    book.show_row("What mirrors do, if there are any; the ambient term times AO; the sky.", last);
+    const bool mirrors = d.scene.lighting == LightingModel::blinn_schlick;  // seed 000 has none
+    if (mirrors) last.insert(last.begin(), {name + "_mirrored", lit_picture(shadowed)});
+    book.show_row(mirrors ? "What is mirrored; the ambient term times AO; the sky."
+                          : "The ambient term times AO; the sky.",
+                  last);
     book.show_row("The blurred AO map; what the light sees, white the farthest.",
                   {{name + "_ao", ao_picture(ao_at_picture_size(d.ao, book.size()))},
                    {name + "_shadow_map", ndc_depth_picture(every_fourth(ndc_depth(d.shadow.depth)))}});
@@ -145,8 +147,8 @@ void final_image(Notebook& book) {
     book.text(R"(
         # 09 The final image
 
-        For each tutorial, what its last pass puts together. The AO map is half as wide and high as the picture
-        and read with a linear filter at each pixel's centre.
+        For each tutorial, what its last pass puts together. The AO map is half as wide and high as the
+        picture and read with a linear filter at each pixel's centre.
 
             colour = texture * (access * ambient + shadow * diffuse) + shadow * specular
     )");

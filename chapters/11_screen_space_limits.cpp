@@ -107,7 +107,7 @@ void thin_plate(Notebook& book) {
                darkest[2][0] < darkest[2][2] - 0.05 && darkest[2][1] > darkest[2][2] - 0.02);
     book.check("0.8 away both do: fade end is all they know of thickness",
                std::max(darkest[1][0], darkest[1][1]) < darkest[1][2] - 0.02);
-    book.text("`crevice render SCENE --ao xjun --param fade_end=1`");
+    book.text("`crevice render columns --param fade_end=1`");
 }
 
 void turntable(Notebook& book) {

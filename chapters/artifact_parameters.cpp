@@ -1,4 +1,6 @@
 // The artifacts of the AO pass, each a switch of its own; the first word of each is the cure.
+#include <utility>
+
 #include "chapters/parameter_kinds.h"
 
 namespace crevice {

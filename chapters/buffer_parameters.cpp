@@ -54,6 +54,8 @@ std::vector<Parameter> buffer_parameters() {
                              {{"inverse_transpose", NormalMatrix::inverse_transpose},
                               {"with_translation", NormalMatrix::with_translation},
                               {"world", NormalMatrix::world}}),
+        yes_no("depth_cutouts", "false: the first pass draws holes too, and background shows in them",
+               [](S& s) -> bool& { return s.buffers.cutouts; }),
         choice<bool>(
             "ao_normals", "vertex|mapped", "mapped: bent by the materials' normal maps, before AO sees them",
             [](S& s) -> bool& { return s.buffers.mapped_normals; }, {{"vertex", false}, {"mapped", true}})};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "scenes/builtin_scenes.h"
 #include "scenes/composing.h"
@@ -84,7 +85,7 @@ Scene lattice_scene() {
     scene.materials.push_back(lattice);
     const int last = static_cast<int>(scene.materials.size()) - 1;
     const int mesh = add_mesh(scene, with_material(grid_mesh(9, 3, 2, 2, {12, 4}), last));
-    const glm::mat4 upright = glm::rotate(glm::mat4(1.0f), -glm::half_pi<float>(), glm::vec3(1, 0, 0));
+    const glm::mat4 upright(glm::mat3({1, 0, 0}, {0, 0, -1}, {0, 1, 0}));  // a quarter turn about x
     scene.instances.push_back({mesh, glm::translate(glm::mat4(1.0f), {0, -1.5f, -5}) * upright});
     return scene;
 }

@@ -1,5 +1,7 @@
 #include "chapters/frame.h"
 
+#include <utility>
+
 #include "ssao/ao_lookup.h"
 #include "ssao/open_tiles.h"
 #include "ssao/scene_shadow.h"
@@ -9,6 +11,36 @@
 namespace crevice {
 
 namespace {
+
+// How the second drawing meets the first, in the terms of its depth direction: nearer is nearer.
+ShadeSettings lit_settings(const MethodSettings& settings) {
+    ShadeSettings lit = settings.lit;
+    lit.normal_matrix = settings.buffers.normal_matrix;
+    if (!settings.reversed_z) return lit;
+    if (lit.depth_function == DepthFunction::less_equal) lit.depth_function = DepthFunction::greater_equal;
+    lit.depth_bias.constant = -lit.depth_bias.constant;
+    return lit;
+}
+
+// With EQUAL and the first pass's positions its geometry serves again; else the scene is drawn anew.
+bool shares_geometry(const MethodSettings& settings) {
+    ShadeSettings as_first;
+    as_first.position_order = settings.buffers.position_order;
+    as_first.normal_matrix = settings.buffers.normal_matrix;
+    return lit_settings(settings) == as_first;
+}
+
+Image3 lit_image(const Scene& scene, const ScreenGeometry& geometry, const Frame& frame,
+                 const Image<float>& map, const ShadowMap* shadow, const FrameRequest& request) {
+    const MethodSettings& settings = request.settings;
+    const Image<float> slipped = settings.ao_lookup == AoLookup::exact
+                                     ? Image<float>()
+                                     : looked_up(map, request.size, settings.ao_lookup);
+    const Image<float>& ao = slipped.empty() ? map : slipped;
+    if (shares_geometry(settings))
+        return shade(scene, frame.camera, geometry, frame.gbuffer, ao, request.run, shadow);
+    return shade(scene, frame.camera, frame.gbuffer.depth, ao, lit_settings(settings), request.run, shadow);
+}
 
 // What the passes left out, from the same functions by which they decided it.
 FrameTiles tiles_of(const Scene& scene, const ScreenGeometry& geometry, const AoInputs& inputs,
@@ -22,23 +54,20 @@ FrameTiles tiles_of(const Scene& scene, const ScreenGeometry& geometry, const Ao
         tiles.blur = run.leaves_out(Skip::open_tiles) ? open_blur_tiles(frame.ao_raw, settings.blur, run)
                                                       : TileMap(frame.ao_raw.size, kBlurTile);
     }
-    if (needs.lit) tiles.lit = lit_tiles(scene, geometry, frame.gbuffer, run);
+    if (needs.lit) {
+        tiles.lit = shares_geometry(settings) ? lit_tiles(scene, geometry, frame.gbuffer, run)
+                                              : TileMap(geometry.size, geometry.tile_size);
+    }
     return tiles;
 }
 
-// With EQUAL and the first pass's positions its geometry serves again; else the scene is drawn anew.
-Image3 lit_image(const Scene& scene, const ScreenGeometry& geometry, const Frame& frame,
-                 const Image<float>& map, const ShadowMap* shadow, const FrameRequest& request) {
-    const MethodSettings& settings = request.settings;
-    ShadeSettings as_first;
-    as_first.position_order = settings.buffers.position_order;
-    const Image<float> slipped = settings.ao_lookup == AoLookup::exact
-                                     ? Image<float>()
-                                     : looked_up(map, request.size, settings.ao_lookup);
-    const Image<float>& ao = slipped.empty() ? map : slipped;
-    if (settings.lit == as_first)
-        return shade(scene, frame.camera, geometry, frame.gbuffer, ao, request.run, shadow);
-    return shade(scene, frame.camera, frame.gbuffer.depth, ao, settings.lit, request.run, shadow);
+// Maps that were asked for but had nothing to compute: everything is open.
+void fill_open_maps(Frame& frame, const FrameRequest& request) {
+    const Size size = ao_map_size(request.size, request.settings.ao.ao_scale);
+    if (frame.ao_raw.empty() && request.wanted.contains("ao_raw")) frame.ao_raw = Image<float>(size, 1.0f);
+    if (frame.ao_blurred.empty() && request.wanted.contains("ao_blurred")) {
+        frame.ao_blurred = frame.ao_raw.empty() ? Image<float>(size, 1.0f) : frame.ao_raw;
+    }
 }
 
 }  // namespace
@@ -47,7 +76,7 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
     const MethodSettings& settings = request.settings;
     const Method& method = *request.method;
     const Needs needs = needs_of(scene, request.wanted, method.computes_ao, settings.blur.iterations,
-                                 !request.run.leaves_out(Skip::passes));
+                                 !request.run.leaves_out(Skip::passes), settings.buffers.mapped_normals);
     Frame frame;
     frame.camera = camera;
     frame.camera.reversed_z = settings.reversed_z;
@@ -99,12 +128,7 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
     frame.passes = stopwatch.summaries();
     frame.tiles = tiles_of(scene, geometry, inputs, frame, needs, request);
     frame.skipped = skipped_work(geometry, frame.gbuffer, frame.tiles);
-    // Buffers that were asked for but had nothing to compute: everything is open.
-    const Size ao_size = ao_map_size(request.size, settings.ao.ao_scale);
-    if (frame.ao_raw.empty() && request.wanted.contains("ao_raw")) frame.ao_raw = Image<float>(ao_size, 1.0f);
-    if (frame.ao_blurred.empty() && request.wanted.contains("ao_blurred")) {
-        frame.ao_blurred = frame.ao_raw.empty() ? Image<float>(ao_size, 1.0f) : frame.ao_raw;
-    }
+    fill_open_maps(frame, request);
     return frame;
 }
 

@@ -1,4 +1,5 @@
-// The parameters of the second drawing, the depth mismatch among them; the first word of each choice is the cure.
+// The parameters of the second drawing, the depth mismatch among them; the first word of each choice is the
+// cure.
 #include <climits>
 
 #include "chapters/parameter_kinds.h"
@@ -9,14 +10,15 @@ namespace {
 
 Parameter depth_test() {
     return choice<DepthFunction>(
-        "lit_depth_test", "equal|less_equal", "with which the lit pass meets the first pass's depths",
+        "lit_depth_test", "equal|less_equal",
+        "how the lit pass meets the first one's depths; reversed z turns it round",
         [](MethodSettings& s) -> DepthFunction& { return s.lit.depth_function; },
         {{"equal", DepthFunction::equal}, {"less_equal", DepthFunction::less_equal}});
 }
 
 Parameter depth_bias() {
     return whole(
-        "lit_depth_bias", INT_MIN, INT_MAX, "steps of the depth format; negative: the lit pass is nearer",
+        "lit_depth_bias", -INT_MAX, INT_MAX, "steps of the depth format; negative: the lit pass is nearer",
         [](MethodSettings& s, long long v) { s.lit.depth_bias.constant = static_cast<int>(v); },
         [](const MethodSettings& s) { return static_cast<long long>(s.lit.depth_bias.constant); });
 }
@@ -36,7 +38,7 @@ std::vector<Parameter> lit_parameters() {
         position_order("lit_position", "how the lit pass multiplies positions: unlike depth_position, holes",
                        [](S& s) -> PositionOrder& { return s.lit.position_order; }),
         depth_test(), depth_bias(),
-        yes_no("lit_cutouts", "false: the lit pass draws surfaces with holes whole",
+        yes_no("lit_cutouts", "false: the lit pass draws holes too; EQUAL hides that, less_equal does not",
                [](S& s) -> bool& { return s.lit.cutouts; }),
         choice<AoLookup>("ao_lookup", "exact|slip_wrap|slip_clamp",
                          "slip: v too small by 1; hidden by WRAP, with CLAMP the top row everywhere",

@@ -10,8 +10,8 @@
 
 namespace crevice {
 
-// The tables of which parameters_of() is made: of the AO map and its blur, of the buffers before them and of the
-// drawing after them.
+// The tables of which parameters_of() is made: of the AO map and its blur, of the buffers before them and of
+// the drawing after them.
 std::vector<Parameter> ao_parameters();
 std::vector<Parameter> artifact_parameters();
 std::vector<Parameter> blur_parameters();

@@ -140,7 +140,8 @@ void render_command(const RenderOptions& given) {
     options.request = request;
     try_output_directory(options.out);
     const Frame frame = render_frame(argument.scene, camera, request);
-    // Who asks for medians is told what leaving out saves, too; with everything kept there is nothing to tell.
+    // Who asks for medians is told what leaving out saves, too; with everything kept there is nothing to
+    // tell.
     const bool measures = request.repeats > 1 && request.run.leaves_out(Skip::passes);
     std::vector<Skip> found;
     for (const SkippedWork& work : frame.skipped) {

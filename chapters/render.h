@@ -19,8 +19,8 @@ struct RenderOptions {
     std::filesystem::path out = "out";
 };
 
-// What the options come to: the scene loaded, its lights turned, its camera, and settings in its units. Warnings go to
-// stderr. Throws InputError, UsageError.
+// What the options come to: the scene loaded, its lights turned, its camera, and settings in its units.
+// Warnings go to stderr. Throws InputError, UsageError.
 struct PreparedRender {
     SceneArgument argument;
     Camera camera;

@@ -15,7 +15,8 @@ namespace crevice {
 SceneArgument load_scene(const std::string& name_or_path, const WantedOfScene& wanted) {
     if (const BuiltinScene* builtin = find_builtin_scene(name_or_path)) {
         const auto start = std::chrono::steady_clock::now();
-        Scene scene = builtin->make(wanted.surfaces ? SceneDetail::surfaces : SceneDetail::shapes, wanted.run);
+        const SceneDetail detail = wanted.surfaces ? SceneDetail::surfaces : SceneDetail::shapes;
+        Scene scene = builtin->make(detail, wanted.run);
         const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
         return {std::move(scene), false, {{"make the scene", took.count()}}};
     }

@@ -42,9 +42,9 @@ Scene bare_walls() {
     const int box = add_mesh(scene, box_mesh({1, 1, 0.1}));
     for (int i = 0; i < kWalls; ++i) {
         const float z = kWallDepths[i], x = 0.125f * z * static_cast<float>(i - 2);
-        const glm::mat4 turned =
-            glm::rotate(glm::translate(glm::mat4(1.0f), {x, 0, z}), 0.06f, glm::vec3(0, 1, 0));
-        scene.instances.push_back({box, glm::scale(turned, {0.12f * z, 0.3f * z, 1})});
+        const glm::mat4 there =
+            glm::translate(glm::mat4(1.0f), {x, 0, z}) * glm::mat4(glm::mat3(turned({0, 1, 0}, 0.06)));
+        scene.instances.push_back({box, glm::scale(there, {0.12f * z, 0.3f * z, 1})});
     }
     return scene;
 }

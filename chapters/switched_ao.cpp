@@ -40,7 +40,9 @@ SwitchedAo SwitchedView::ao(const Words& words, float ao_scale) const {
     result.gbuffer = normal_depth(scene_, camera, size_, result.settings.buffers);
     result.inputs = ao_inputs(result.gbuffer, camera, method_.fetch(result.settings.ao));
     result.raw = luna_occlusion(result.inputs, result.settings.ao, {});
-    result.blurred = bilateral_blur(result.raw, result.inputs, result.settings.blur);
+    BlurSettings blur = result.settings.blur;
+    blur.format = result.settings.ao.format;
+    result.blurred = bilateral_blur(result.raw, result.inputs, blur);
     return result;
 }
 

@@ -58,8 +58,8 @@ Scene stretched_scene() {
     scene.instances = {placed(add_mesh(scene, grid_mesh(30, 20, 2, 2)), {0, -0.7f, 4}),
                        placed(box, {-3.1f, -0.2f, 0}, stretch), placed(box, {0, 0, 0}, stretch),
                        placed(ball, {3, -0.05f, 0}, stretch)};
-    glm::mat4& turned = scene.instances[2].world_from_object;
-    turned = glm::rotate(turned, 0.6f, glm::vec3(0, 0, 1));
+    glm::mat4& second = scene.instances[2].world_from_object;
+    second = second * glm::mat4(glm::mat3(turned({0, 0, 1}, 0.6)));
     scene.camera.eye = {0, 2.5, -7.5}, scene.camera.target = {0, -0.4, 0};
     scene.camera.fov_y_rad = 0.75;
     return scene;

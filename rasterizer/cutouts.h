@@ -1,5 +1,5 @@
-// Holes in surfaces: fragments whose texture's alpha is below the material's cutoff, dropped the same way in every
-// pass of a view.
+// Holes in surfaces: fragments whose texture's alpha is below the material's cutoff, dropped the same way in
+// every pass of a view.
 // Source: seed 000, clip(alpha - 0.1) in its normal, shadow and lit passes
 #pragma once
 
@@ -23,6 +23,17 @@ struct MaterialCutouts {
         const TextureCoordinates<F> at =
             texture_coordinates(mesh, geometry.vertices.first_vertex[t.instance], t, f);
         return texture_colour<F>(*material.texture, material.sampler, at).alpha >= F(material.alpha_cutoff);
+    }
+};
+
+// A shader that draws whole surfaces, with their holes left open. It must have a member `geometry`.
+template <class Whole>
+struct CutShader : Whole {
+    MaterialCutouts cutouts;
+
+    template <class F>
+    CREVICE_INLINE Mask<F> kept(const ScreenTriangle& t, const Fragment<F>& f) const {
+        return cutouts.kept(this->geometry, t, f);
     }
 };
 

@@ -1,5 +1,5 @@
-// What a shader is told about the pixels of a triangle that passed the depth test, and what it may compute from
-// it.
+// What a shader is told about the pixels of a triangle that passed the depth test, and what it may compute
+// from it.
 #pragma once
 
 #include "rasterizer/screen_geometry.h"

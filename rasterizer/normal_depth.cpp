@@ -78,16 +78,6 @@ struct MappedNormalDepthShader : NormalDepthShader {
     }
 };
 
-// Either with the holes of cut-outs left open.
-template <class Whole>
-struct CutShader : Whole {
-    MaterialCutouts cutouts;
-
-    template <class F>
-    CREVICE_INLINE Mask<F> kept(const ScreenTriangle& t, const Fragment<F>& f) const {
-        return cutouts.kept(this->geometry, t, f);
-    }
-};
 static_assert(DropsFragments<CutShader<NormalDepthShader>>);
 
 GBuffer cleared_later(const ScreenGeometry& geometry, const NormalDepthSettings& settings) {
@@ -121,13 +111,12 @@ GBuffer normal_depth(const Scene& scene, const ScreenGeometry& geometry, bool re
     const auto drawn_by = [&](const auto& shader) {
         return rasterize(geometry, nearest_wins(reversed_z), g.depth, shader, run);
     };
+    const bool cut = settings.cutouts && has_cutouts(scene);
     if (settings.mapped_normals && !geometry.tangent_turns.empty()) {
         const MappedNormalDepthShader mapped{plain, scene};
-        g.tiles = has_cutouts(scene) ? drawn_by(CutShader<MappedNormalDepthShader>{mapped, {scene}})
-                                     : drawn_by(mapped);
+        g.tiles = cut ? drawn_by(CutShader<MappedNormalDepthShader>{mapped, {scene}}) : drawn_by(mapped);
     } else {
-        g.tiles =
-            has_cutouts(scene) ? drawn_by(CutShader<NormalDepthShader>{plain, {scene}}) : drawn_by(plain);
+        g.tiles = cut ? drawn_by(CutShader<NormalDepthShader>{plain, {scene}}) : drawn_by(plain);
     }
     return g;
 }

@@ -34,17 +34,17 @@ struct NormalDepthSettings {
     bool with_material = false;                          // fill GBuffer::material
     PositionOrder position_order = PositionOrder::relative;
     NormalMatrix normal_matrix = NormalMatrix::inverse_transpose;
-    bool mapped_normals =
-        false;  // bent by the materials' normal maps; the tutorials' AO knows the vertices' only
+    bool cutouts = true;  // false: surfaces with holes are drawn whole
+    // Bent by the materials' normal maps; the tutorials' AO knows the vertices' normals only.
+    bool mapped_normals = false;
 };
 
 GBuffer normal_depth(const Scene& scene, const Camera& camera, Size size, const Run& run = {});
 GBuffer normal_depth(const Scene& scene, const Camera& camera, Size size, const NormalDepthSettings& settings,
                      const Run& run = {});
 
-// The same from geometry that another pass of this view shares; `settings` as it was built with. Without the scene
-// cut-outs are whole and normals
-// are the vertices'.
+// The same from geometry that another pass of this view shares; `settings` as it was built with. Without the
+// scene cut-outs are whole and normals are the vertices'.
 GBuffer normal_depth(const Scene& scene, const ScreenGeometry& geometry, bool reversed_z,
                      const NormalDepthSettings& settings, const Run& run = {});
 GBuffer normal_depth(const ScreenGeometry& geometry, bool reversed_z, const NormalDepthSettings& settings,

@@ -2,6 +2,8 @@
 // channel first, since all four take the same arithmetic.
 #pragma once
 
+#include <cstring>
+
 #include "rasterizer/vec3.h"
 
 namespace crevice {

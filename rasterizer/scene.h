@@ -33,7 +33,7 @@ struct Mesh {
     std::vector<glm::vec2> texcoords;  // one a position, v = 0 at the top row; empty: untextured
     std::vector<glm::vec4>
         tangents;  // object space, one a position (tangents.h); empty: normal maps do nothing
-    std::vector<std::array<std::uint32_t, 3>> triangles;  // indices into the three above
+    std::vector<std::array<std::uint32_t, 3>> triangles;  // indices into all of the above
     std::vector<MeshPart> parts;                          // cover all triangles in order
 };
 
@@ -100,7 +100,8 @@ struct Scene {
 
 std::size_t triangle_count(const Scene& scene);
 
-// The lights as they stand after `time_s` seconds. Throws UsageError unless |time_s * spin| is below 1e5 radians.
+// The lights as they stand after `time_s` seconds. Throws UsageError unless |time_s * spin| is below 1e5
+// radians.
 std::array<DirectionalLight, 3> lights_at(const Scene& scene, double time_s);
 
 // The smallest axis-aligned box around all vertices of all instances, world space. `empty` when there are

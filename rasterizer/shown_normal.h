@@ -1,5 +1,5 @@
-// The normal that a fragment shows: interpolated from the vertices, bent by the material's normal map where there is
-// one.
+// The normal that a fragment shows: interpolated from the vertices, bent by the material's normal map where
+// there is one.
 #pragma once
 
 #include "rasterizer/tangents.h"
@@ -7,8 +7,8 @@
 
 namespace crevice {
 
-// View space, unit; `n_tangent` is what the normal map says there. On a back face whose normal was turned to the eye
-// the bitangent stays where it was: the picture painted on a surface does not turn with its normal.
+// View space, unit; `n_tangent` is what the normal map says there. On a back face whose normal was turned to
+// the eye the bitangent stays where it was: the picture painted on a surface does not turn with its normal.
 template <class F>
 CREVICE_INLINE Vec3<F> bent_normal(const ScreenGeometry& geometry, const Mesh& mesh, const ScreenTriangle& t,
                                    const Fragment<F>& f, const Vec3<F>& n_tangent) {

@@ -15,8 +15,8 @@ bool is_normal_mapped(const Material& material, const Mesh& mesh);
 bool has_normal_maps(const Scene& scene);
 
 struct TangentTurn {
-    glm::mat3 view_from_object;
-    float handedness;  // -1 where the instance is mirrored
+    glm::mat3 view_from_object;  // up to a positive factor
+    float handedness;            // -1 where the instance is mirrored
 };
 
 // One an instance; empty when the scene has no normal map.

@@ -148,7 +148,7 @@ std::vector<Material> materials(const Dress& worn) {
     const auto texture =
         std::make_shared<const Texture>(keep_coverage(leaf_texture(kTextureSide / 4), kTutorialCutoff));
     for (const glm::vec3& tint : kTints) {
-        Material leaf = book_material("leaf", tint, matt, 0.6);
+        Material leaf = book_material("leaf", tint, matt, 0.95);
         leaf.texture = texture;
         leaf.sampler = kLunaSampler;
         leaf.sampler.address_u = leaf.sampler.address_v = AddressMode::clamp;

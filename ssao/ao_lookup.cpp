@@ -1,7 +1,5 @@
 #include "ssao/ao_lookup.h"
 
-#include <utility>
-
 #include "rasterizer/sample_texture.h"
 
 namespace crevice {
@@ -10,7 +8,8 @@ Image<float> map_at_pixels(const Image<float>& ao, Size picture, AddressMode mod
     if (ao.empty()) return Image<float>(picture, 1.0f);
     Image3 grey;
     grey.x = grey.y = grey.z = ao;
-    const Texture texture = build_texture(std::move(grey));
+    Texture texture;
+    texture.add_level(grey);
     const Sampler sampler{.filter = TextureFilter::bilinear, .address_u = mode, .address_v = mode};
     const glm::vec2 pixel = 1.0f / glm::vec2(picture.width, picture.height);
     Image<float> result(picture, 0.0f);

@@ -1,4 +1,5 @@
-// Lights the pixels of a tile when it is known what they show: eight at a time, whatever the size of the triangles.
+// Lights the pixels of a tile when it is known what they show: eight at a time, whatever the size of the
+// triangles.
 #pragma once
 
 #include "rasterizer/fragment.h"

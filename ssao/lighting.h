@@ -56,7 +56,8 @@ CREVICE_INLINE Vec3<F> phong(const LitPoint<F>& s, const Material& material, con
 inline float invisible_highlight(const Material& material) {
     const glm::vec3& albedo = material.diffuse;
     const float m = material.shininess, smallest = glm::min(albedo.x, glm::min(albedo.y, albedo.z));
-    // With a specular reflectance above 1 so may be the Fresnel term, and a highlight is more than its roughness.
+    // With a specular reflectance above 1 so may be the Fresnel term, and a highlight is more than its
+    // roughness.
     const bool bounded =
         glm::max(material.specular.x, glm::max(material.specular.y, material.specular.z)) <= 1;
     if (!(smallest > 0) || !(m > 0) || !bounded) return 0;
@@ -67,8 +68,8 @@ inline float invisible_highlight(const Material& material) {
 }
 
 // Seed 002: one ambient term; each light's diffuse albedo plus a Blinn-Phong highlight, normalised, times
-// Schlick's Fresnel term and brought into [0,1) for a low dynamic range. Highlights up to `no_highlight_below`
-// (0, or invisible_highlight of an untextured surface) are left out.
+// Schlick's Fresnel term and brought into [0,1) for a low dynamic range. Highlights up to
+// `no_highlight_below` (0, or invisible_highlight of an untextured surface) are left out.
 template <class F>
 CREVICE_INLINE Vec3<F> blinn_schlick(const LitPoint<F>& s, const Material& material, const ViewLights& lights,
                                      const glm::vec3& ambient_light, float no_highlight_below) {

@@ -10,36 +10,36 @@ namespace crevice {
 
 namespace {
 
-// What the lit image alone shows, and of that what this scene has none of. With keep_all there is a lit image.
-void leave_out_surfaces(const Scene& scene, Needs& needs, bool keep_all) {
-    const auto leave_out = [&](const char* what, const char* why) {
-        if (!keep_all) needs.left_out.push_back({what, why});
+// What the lit image alone shows, and of that what this scene has none of. With keep_all there is a lit
+// image.
+void leave_out_surfaces(const Scene& scene, Needs& needs, bool keep_all, bool mapped_normals) {
+    const auto leave_out = [&](const char* what, const char* why_never, const char* why_unlit) {
+        if (!keep_all) needs.left_out.push_back({what, needs.lit ? why_never : why_unlit});
     };
-    const bool flat = std::none_of(scene.materials.begin(), scene.materials.end(), [](const Material& m) {
+    const bool cut = has_cutouts(scene), bumpy = has_normal_maps(scene);
+    const bool textured = std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& m) {
         return m.texture != nullptr || m.normal_map != nullptr;
     });
+    const bool tangents = bumpy && (needs.lit || mapped_normals);
     // The passes see by themselves what the scene's materials hold.
-    if (!has_cutouts(scene)) leave_out("cut-outs", "no material has a texture with holes");
-    if (!needs.lit || flat)
-        leave_out("texture coordinates",
-                  needs.lit ? "no material has a texture" : "only the lit image shows textures");
-    if (!needs.lit || !has_normal_maps(scene))
-        leave_out("tangents",
-                  needs.lit ? "no material has a normal map" : "only the lit image shows normal maps");
+    if (!cut) leave_out("cut-outs", "no material has holes", "no material has holes");
+    if (!cut && !tangents && !(needs.lit && textured))
+        leave_out("texture coordinates", "no material has a texture", "only the lit image shows textures");
+    if (!tangents)
+        leave_out("tangents", "no material has a normal map", "only the lit image shows normal maps");
     if (!needs.lit || scene.materials.size() == 1) {
         needs.materials = keep_all;
-        leave_out("materials", needs.lit ? "the scene has only one: no pixel looks it up"
-                                         : "only the lit image shows materials");
+        leave_out("materials", "the scene has only one: no pixel looks it up",
+                  "only the lit image shows materials");
     }
     // What the scene has none of, keep_all cannot bring back.
     needs.shadow = needs.lit && throws_shadow(scene);
     needs.sky = needs.lit && scene.sky_cube != nullptr;
     if (!needs.shadow)
-        leave_out("shadow", throws_shadow(scene) ? "only the lit image shows shadows"
-                                                 : "no light of the scene throws one");
+        leave_out("shadow", "no light of the scene throws one", "only the lit image shows shadows");
     if (!needs.sky)
-        leave_out("sky", scene.sky_cube != nullptr ? "only the lit image shows the sky"
-                                                   : "the scene has none: its background is one colour");
+        leave_out("sky", "the scene has none: its background is one colour",
+                  "only the lit image shows the sky");
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ void leave_out_surfaces(const Scene& scene, Needs& needs, bool keep_all) {
 WantedBuffers all_buffers() { return {std::begin(kBufferNames), std::end(kBufferNames)}; }
 
 Needs needs_of(const Scene& scene, const WantedBuffers& wanted, bool ao_on, int blur_iterations,
-               bool keep_all) {
+               bool keep_all, bool mapped_normals) {
     const auto asked = [&](const char* name) { return wanted.contains(name); };
     Needs needs;
     const auto leave_out = [&](bool& pass, const char* what, const char* why) {
@@ -77,7 +77,7 @@ Needs needs_of(const Scene& scene, const WantedBuffers& wanted, bool ao_on, int 
         leave_out(needs.normals, "normals",
                   "neither the normals nor anything computed from them was asked for");
     }
-    leave_out_surfaces(scene, needs, keep_all);
+    leave_out_surfaces(scene, needs, keep_all, mapped_normals);
     return needs;
 }
 

@@ -48,10 +48,12 @@ struct RayScene {
 template <class F>
 CREVICE_INLINE RayHit nearest_solid_hit(const RayScene& scene, const Ray& ray, float max_distance) {
     if (!scene.holes.any()) return nearest_hit<F>(scene.bvh, ray, max_distance);
-    return nearest_hit<F>(scene.bvh, ray, max_distance, [&](std::int32_t triangle, float u, float v) {
-        const TriangleSource& source = scene.sources[static_cast<std::size_t>(triangle)];
-        return is_solid(scene.holes, triangle, source.material, u, v);
-    });
+    return nearest_hit<F>(
+        scene.bvh, ray,
+        max_distance, [&](std::int32_t triangle, float u, float v) __attribute__((always_inline)) {
+            const TriangleSource& source = scene.sources[static_cast<std::size_t>(triangle)];
+            return is_solid(scene.holes, triangle, source.material, u, v);
+        });
 }
 
 // Triangles are transformed and brought to `origin` in double, then rounded to float: with the eye of the

@@ -20,8 +20,8 @@ constexpr int kMostRays = 1 << 20;
 constexpr int kPiece = 16;
 constexpr std::size_t kOctants = 8;
 
-// The rays of one point and one replicate, those that point into the same octant together: they go through the
-// same boxes. Kept from point to point so that it is allocated once a piece.
+// The rays of one point and one replicate, those that point into the same octant together: they go through
+// the same boxes. Kept from point to point so that it is allocated once a piece.
 struct PointRays {
     std::vector<float> u, v, x, y, z;
     std::vector<Ray> rays;  // that leave the surface

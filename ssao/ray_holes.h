@@ -1,8 +1,10 @@
-// Holes in what rays meet: where the texture's alpha is below the material's cutoff a ray goes on, as the rasterizer's
-// passes do (rasterizer/cutouts.h). They read the mip level of the pixel's footprint, rays the finest one.
+// Holes in what rays meet: where the texture's alpha is below the material's cutoff a ray goes on, as the
+// rasterizer's passes do (rasterizer/cutouts.h). They read the mip level of the pixel's footprint, rays the
+// finest one.
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -12,8 +14,9 @@
 namespace crevice {
 
 struct RayHoles {
-    std::vector<Material> materials;                  // the scene's
-    std::vector<std::array<glm::vec2, 3>> texcoords;  // of each triangle's corners; empty: nothing has holes
+    std::vector<Material> materials;  // the scene's
+    // Of each triangle's corners, none where the mesh has none; empty: nothing has holes.
+    std::vector<std::optional<std::array<glm::vec2, 3>>> texcoords;
 
     bool any() const { return !texcoords.empty(); }
 };

@@ -22,10 +22,10 @@ glm::dvec3 area_vector(const Corners& c) {
     return glm::cross(glm::dvec3(c[1]) - glm::dvec3(c[0]), glm::dvec3(c[2]) - glm::dvec3(c[0]));
 }
 
-// Zero where the mesh has none.
-std::array<glm::vec2, 3> texcoords_of(const Mesh& mesh, const std::array<std::uint32_t, 3>& vertices) {
-    if (mesh.texcoords.empty()) return {};
-    return {mesh.texcoords[vertices[0]], mesh.texcoords[vertices[1]], mesh.texcoords[vertices[2]]};
+std::optional<std::array<glm::vec2, 3>> texcoords_of(const Mesh& mesh,
+                                                     const std::array<std::uint32_t, 3>& vertices) {
+    if (mesh.texcoords.empty()) return std::nullopt;
+    return {{mesh.texcoords[vertices[0]], mesh.texcoords[vertices[1]], mesh.texcoords[vertices[2]]}};
 }
 
 // Adds the triangles of one instance.

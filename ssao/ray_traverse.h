@@ -189,8 +189,8 @@ struct NoHoles {
     bool operator()(std::int32_t, float, float) const { return true; }
 };
 
-// The nearest hit at a distance in (0, max_distance] of those with solid(triangle, u, v); of those equal in float the one
-// with the lowest index. The ray must be usable().
+// The nearest hit at a distance in (0, max_distance] of those with solid(triangle, u, v); of those equal in
+// float the one with the lowest index. The ray must be usable().
 template <class F, class Solid = NoHoles>
 CREVICE_INLINE RayHit nearest_hit(const Bvh& bvh, const Ray& ray, float max_distance,
                                   const Solid& solid = {}) {

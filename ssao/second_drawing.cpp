@@ -22,7 +22,8 @@ bool any_of(const std::vector<bool>& flags) {
     return std::find(flags.begin(), flags.end(), true) != flags.end();
 }
 
-// What fragments note of a pixel until its tile is complete. A plane that no surface of the scene needs is empty.
+// What fragments note of a pixel until its tile is complete. A plane that no surface of the scene needs is
+// empty.
 struct NotedSurfaces {
     Image<std::int32_t> material;  // index, or kSkyMaterial
     Image3 texture;                // colour
@@ -48,10 +49,11 @@ CREVICE_INLINE Vec3<F> noted(const Image3& image, int x, int y) {
     return {load<F>(image.x.row(y) + x), load<F>(image.y.row(y) + x), load<F>(image.z.row(y) + x)};
 }
 
-// Fragments only note what a pixel shows; the pixels are lit when the tile is complete. Until then a pixel of `lit`
-// holds its normal.
+// Fragments only note what a pixel shows; the pixels are lit when the tile is complete. Until then a pixel of
+// `lit` holds its normal.
 struct LitShader {
     const TileLighting& lighting;
+    const ScreenGeometry& geometry;
     NotedSurfaces& surfaces;
     const PartsOfTiles* parts;  // null: every tile is drawn
 
@@ -66,7 +68,7 @@ struct LitShader {
         store_where_passed(surfaces.material.row(f.y), f, Int<F>(t.material));
         if (!surfaces.view_depth.empty()) store_where_passed(surfaces.view_depth.row(f.y), f, f.view_depth);
         if (surfaces.texture.empty() && surfaces.gloss.empty()) {
-            note(lighting.lit, f, interpolated_normal(lighting.geometry, t, f));
+            note(lighting.lit, f, interpolated_normal(geometry, t, f));
         } else {
             note_textured(t, f);
         }
@@ -92,7 +94,6 @@ struct LitShader {
  private:
     template <class F>
     CREVICE_INLINE void note_textured(const ScreenTriangle& t, const Fragment<F>& f) const {
-        const ScreenGeometry& geometry = lighting.geometry;
         const Scene& scene = lighting.scene;
         const Material& material = scene.materials[static_cast<std::size_t>(t.material)];
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(scene.instances[t.instance].mesh)];
@@ -125,17 +126,6 @@ struct LitShader {
     }
 };
 
-// The same where surfaces have holes: they are the first pass's.
-struct CutLitShader : LitShader {
-    MaterialCutouts cutouts;
-
-    template <class F>
-    CREVICE_INLINE Mask<F> kept(const ScreenTriangle& t, const Fragment<F>& f) const {
-        return cutouts.kept(lighting.geometry, t, f);
-    }
-};
-static_assert(DropsFragments<CutLitShader>);
-
 bool shows_texture(const std::vector<bool>& textured, const GBuffer& g, PixelRect tile) {
     for (int y = tile.y0; y < tile.y1; ++y) {
         for (int x = tile.x0; x < tile.x1; ++x) {
@@ -155,9 +145,9 @@ void draw_again(const TileLighting& lighting, const DepthBuffer& depth, DepthFun
     const bool textured = any_of(textured_materials(lighting.scene)) || keep_all;
     NotedSurfaces surfaces(lighting, depth.size(), textured,
                            !lighting.geometry.tangent_turns.empty() || keep_all);
-    const LitShader shader{lighting, surfaces, parts};
+    const LitShader shader{lighting, lighting.geometry, surfaces, parts};
     if (cutouts && has_cutouts(lighting.scene)) {
-        rasterize(lighting.geometry, test, depth, CutLitShader{shader, {lighting.scene}}, run);
+        rasterize(lighting.geometry, test, depth, CutShader<LitShader>{shader, {lighting.scene}}, run);
     } else {
         rasterize(lighting.geometry, test, depth, shader, run);
     }

@@ -13,8 +13,8 @@ using PartsOfTiles = std::vector<PixelRect>;
 PartsOfTiles parts_drawn_again(const Scene& scene, const ScreenGeometry& geometry, const GBuffer& gbuffer,
                                const Run& run);
 
-// Draws and lights them; `parts` null: all tiles, wholly. Writes lighting.lit there. Without `cutouts` surfaces with
-// holes are drawn whole.
+// Draws and lights them; `parts` null: all tiles, wholly. Writes lighting.lit there. Without `cutouts`
+// surfaces with holes are drawn whole.
 void draw_again(const TileLighting& lighting, const DepthBuffer& depth, DepthFunction test, bool cutouts,
                 const PartsOfTiles* parts, const Run& run);
 

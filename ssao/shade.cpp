@@ -140,7 +140,10 @@ Image3 shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geo
 
 Image3 shade(const Scene& scene, const Camera& camera, const DepthBuffer& depth, const Image<float>& ao,
              const ShadeSettings& settings, const Run& run, const ShadowMap* shadow) {
-    const GeometrySettings geometry{settings.position_order, true, depth.format, settings.depth_bias};
+    const GeometrySettings geometry{.position_order = settings.position_order,
+                                    .depth_format = depth.format,
+                                    .depth_bias = settings.depth_bias,
+                                    .normal_matrix = settings.normal_matrix};
     return shade(scene, camera, screen_geometry(scene, camera, depth.size(), geometry, run), depth, ao,
                  settings, run, shadow);
 }

@@ -2,12 +2,12 @@
 // write, the ambient terms multiplied by accessibility, and the sky behind.
 // Source: seed 000 (Phong, Lighting.hlsl of its series), seed 002 (Default.hlsl: Blinn-Phong with the Schlick
 //         approximation)
-// In:     a scene, its camera; the depth buffer of the first pass; an AO map of any size (empty: all open); the shadow
-//         map of the scene's first light (null: all of it arrives)
+// In:     a scene, its camera; the depth buffer of the first pass; an AO map of any size (empty: all open);
+//         the shadow map of the scene's first light (null: all of it arrives)
 // Out:    RGB in linear light, >= 0, may exceed 1; sky colour where no fragment passed
 // Reads:  the AO map linear, clamped, at the pixel's centre
 // Differs from the tutorials: accessibility multiplies every ambient term (seed 000's text: the directional
-//         lights' only); no shadow map yet; given the G-buffer, tiles of which it knows everything are lit
+//         lights' only); given the G-buffer, tiles of which it knows everything are lit
 //         from it and not drawn again, with the same bits.
 #pragma once
 
@@ -23,6 +23,7 @@ struct ShadeSettings {
     PositionOrder position_order = PositionOrder::relative;
     DepthBias depth_bias;
     bool cutouts = true;  // false: what the first pass cut out is drawn whole here
+    NormalMatrix normal_matrix = NormalMatrix::inverse_transpose;
     bool operator==(const ShadeSettings&) const = default;
 };
 
@@ -40,9 +41,10 @@ Image3 shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geo
 Image3 shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geometry, const GBuffer& gbuffer,
              const Image<float>& ao, const Run& run = {}, const ShadowMap* shadow = nullptr);
 
-// Which of the geometry's tiles that pass draws again, in part or as a whole (done), lights from the G-buffer (lit_once), or leaves to
-// the sky (background). A tile is drawn again
-// - around pixels where two fragments may have had the same depth: LESS keeps the first, EQUAL lights the last;
+// Which of the geometry's tiles that pass draws again, in part or as a whole (done), lights from the G-buffer
+// (lit_once), or leaves to the sky (background). A tile is drawn again
+// - around pixels where two fragments may have had the same depth: LESS keeps the first, EQUAL lights
+//   the last;
 // - when it shows a texture or a normal map: its coordinates are not in the G-buffer;
 // - when the G-buffer's normals are rounded to 16 bits, or it holds no normals or no materials.
 TileMap lit_tiles(const Scene& scene, const ScreenGeometry& geometry, const GBuffer& gbuffer,

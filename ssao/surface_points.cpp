@@ -25,6 +25,7 @@ struct ShownTriangles {
 };
 
 struct ShownTriangleShader {
+    const ScreenGeometry& geometry;
     ShownTriangles& shown;
     DepthBuffer& depth;
     std::int32_t clear_code;
@@ -38,7 +39,8 @@ struct ShownTriangleShader {
     template <class F>
     CREVICE_INLINE void fragment(const ScreenTriangle& t, const Fragment<F>& f) const {
         store_where_passed(shown.instance.row(f.y), f, Int<F>(static_cast<std::int32_t>(t.instance)));
-        // A clipped triangle keeps the order in which it was submitted; any other has that in which it was drawn.
+        // A clipped triangle keeps the order in which it was submitted; any other has that in which it was
+        // drawn.
         const bool turn = t.back_facing && t.clipped >= 0;
         for (std::size_t i = 0; i < 3; ++i) {
             const std::uint32_t vertex = t.vertex[turn ? 2 - i : i];
@@ -49,35 +51,24 @@ struct ShownTriangleShader {
     CREVICE_INLINE void finish_tile(PixelRect) const {}
 };
 
-// The same with the holes of cut-outs left open.
-struct CutShownTriangleShader : ShownTriangleShader {
-    const ScreenGeometry& geometry;
-    MaterialCutouts cutouts;
-
-    template <class F>
-    CREVICE_INLINE Mask<F> kept(const ScreenTriangle& t, const Fragment<F>& f) const {
-        return cutouts.kept(geometry, t, f);
-    }
-};
-static_assert(DropsFragments<CutShownTriangleShader>);
-
 ShownTriangles shown_triangles(const Scene& scene, const ScreenGeometry& geometry, DepthFormat format,
                                bool reversed_z, const Run& run) {
     ShownTriangles shown(geometry.size);
     DepthBuffer depth{format, Image<std::int32_t>(geometry.size)};
     const std::int32_t clear_code = depth_code(format, reversed_z ? 0.0f : 1.0f, 0.0);
-    const ShownTriangleShader shader{shown, depth, clear_code};
+    const ShownTriangleShader shader{geometry, shown, depth, clear_code};
     const DepthFunction test = nearest_wins(reversed_z);
     if (has_cutouts(scene)) {
-        rasterize(geometry, test, depth, CutShownTriangleShader{shader, geometry, {scene}}, run);
+        rasterize(geometry, test, depth, CutShader<ShownTriangleShader>{shader, {scene}}, run);
     } else {
         rasterize(geometry, test, depth, shader, run);
     }
     return shown;
 }
 
-// The point of the triangle that is nearest to p, which lies in its plane. Coverage is decided with snapped corners, so
-// a pixel at an edge may show a triangle just beyond its end; a point left there would lie below the neighbour.
+// The point of the triangle that is nearest to p, which lies in its plane. Coverage is decided with snapped
+// corners, so a pixel at an edge may show a triangle just beyond its end; a point left there would lie below
+// the neighbour.
 glm::dvec3 nearest_in_triangle(const glm::dvec3& p, const glm::dvec3 (&corner)[3],
                                const glm::dvec3& unit_normal) {
     glm::dvec3 nearest = p;
@@ -111,8 +102,9 @@ class PointFinder {
         for (int i = 0; i < 3; ++i) corner[i] = corner_of(instance, shown.vertex[i].at(x, y));
         const glm::dvec3 face = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
         const glm::dvec3 seen = seen_position(x, y, g.view_depth.at(x, y));
-        // The corners come clockwise as drawn, so this is the side that was drawn: the rasterizer's own word, which
-        // a triangle seen nearly edge-on may have against the eye's. A triangle that double finds no area in has no
+        // The corners come clockwise as drawn, so this is the side that was drawn: the rasterizer's own word,
+        // which a triangle seen nearly edge-on may have against the eye's. A triangle that double finds no
+        // area in has no
         // plane: what is seen faces the eye.
         const double area = glm::length(face);
         const glm::dvec3 geometric = area > 0 ? face / area : -glm::normalize(seen);

@@ -33,8 +33,8 @@ struct SurfacePoints {
 // not hold one a point.
 Image<float> picture_of(const SurfacePoints& points, std::span<const float> values, float background = 1);
 
-// Where a normal is zero (a mesh without any) it is the geometric one. `gbuffer` must be float32 and come from
-// this scene, camera and size.
+// Where a normal is zero (a mesh without any) it is the geometric one. `gbuffer` must be float32 and come
+// from this scene, camera and size.
 SurfacePoints surface_points(const Scene& scene, const Camera& camera, const GBuffer& gbuffer,
                              const Run& run = {});
 

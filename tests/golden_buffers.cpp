@@ -2,9 +2,11 @@
 
 #include <algorithm>
 
+#include "chapters/difference_page.h"
 #include "chapters/frame.h"
 #include "chapters/presets.h"
 #include "chapters/references.h"
+#include "rasterizer/error.h"
 #include "scenes/builtin_scenes.h"
 
 namespace crevice {
@@ -79,46 +81,58 @@ std::vector<Artifact> artifacts() {
     const char *const columns = "columns", *const luna = "columns_luna", *const xjun = "xjun";
     std::vector<Artifact> all;
     for (const char* word :
-         {"as_published=true", "random_vectors=raw", "random_vectors=none", "sign_of_zero=zero",
-          "self_occlusion_test=false", "depth_source=ndc_depth", "texel_centre=off", "edge_texels=mixed",
-          "epsilon=0", "epsilon=0.5", "fade_end=1", "exponent=6", "buffer_format=float16", "depth_format=d16",
-          "normal_matrix=with_translation", "normal_matrix=world"})
+         {"as_published=true", "random_vectors=raw", "random_vectors=none", "self_occlusion_test=false",
+          "depth_source=ndc_depth", "texel_centre=off", "edge_texels=mixed", "epsilon=0", "epsilon=0.5",
+          "fade_end=1", "exponent=6", "buffer_format=float16", "normal_matrix=with_translation"})
         all.push_back({columns, xjun, {word}, "ao_raw"});
-    for (const char* word : {"blur_edges=slope", "blur_edges=none", "blur_iterations=1", "ao_format=float16"})
+    for (const char* word :
+         {"blur_edges=slope", "blur_edges=none", "blur_iterations=1", "blur_weights=luna", "blur_normal=-1",
+          "blur_depth=10", "ao_format=float16", "ao_format=float16_nearest"})
         all.push_back({columns, xjun, {word}, "ao_blurred"});
-    for (const char* word : {"depth_format=d16", "depth_format=d24", "depth_format=d32f_reversed"})
-        all.push_back({luna, "luna", {word}, "ao_raw"});
-    for (const char* word : {"lit_position=premultiplied", "depth_position=view_first",
-                             "lit_depth_bias=65536", "ao_lookup=slip_wrap", "ao_lookup=slip_clamp"})
+    for (const char* word : {"lit_position=premultiplied", "lit_depth_bias=65536", "ao_lookup=slip_wrap",
+                             "ao_lookup=slip_clamp"})
         all.push_back({columns, xjun, {word}, "lit"});
     all.push_back({columns, xjun, {"fade_start=1e6", "fade_end=1e6"}, "ao_raw"});  // no range check
     all.push_back({columns,
                    xjun,
                    {"buffer_format=float16_nearest", "edge_texels=mixed", "sky_depth=as_stored"},
                    "ao_raw"});
+    all.push_back({columns, xjun, {"depth_position=view_first", "lit_position=premultiplied"}, "lit"});
     all.push_back({columns, xjun, {"lit_position=premultiplied", "lit_depth_test=less_equal"}, "lit"});
+    for (const char* word : {"depth_format=d16", "depth_format=d32f_reversed", "depth_source=view_depth",
+                             "texel_centre=off", "ao_normals=mapped"})
+        all.push_back({luna, "luna", {word}, "ao_raw"});
+    all.push_back({luna, "luna", {"ao_normals=mapped"}, "normal"});
     for (const char* word : {"border=edge", "border=wrap"})
         all.push_back({"noise_wall", xjun, {word}, "ao_raw"});
     all.push_back({"cornell", xjun, {"random_vectors=none", "sign_of_zero=zero"}, "ao_raw"});
     all.push_back({"cornell", xjun, {"texel_centre=off"}, "ao_raw"});
-    for (const char* word : {"depth_source=view_depth", "texel_centre=off"})
-        all.push_back({luna, "luna", {word}, "ao_raw"});
-    all.push_back({luna, "luna", {"ao_normals=mapped"}, "normal"});
-    all.push_back({luna, "luna", {"ao_normals=mapped"}, "ao_raw"});
-    all.push_back({"fence", xjun, {"lit_cutouts=false"}, "lit"});
+    all.push_back({"field", xjun, {"normal_matrix=world"}, "normal"});
+    all.push_back({"leaves", xjun, {"depth_cutouts=false"}, "lit"});
+    all.push_back({"leaves", xjun, {"lit_cutouts=false", "lit_depth_test=less_equal"}, "lit"});
     return all;
 }
 
+constexpr Size kArtifactSize = {80, 45};
+
+// Throws when an artifact changes nothing: it would be no test of its switch.
 std::vector<GoldenBuffer> rendered_artifacts() {
     std::vector<GoldenBuffer> buffers;
     std::string made;
     Scene scene;
+    Frame without;
     for (const Artifact& artifact : artifacts()) {
-        if (made != artifact.scene) scene = find_builtin_scene(artifact.scene)->make(SceneDetail::surfaces);
+        if (made != artifact.scene) {
+            scene = find_builtin_scene(artifact.scene)->make(SceneDetail::surfaces);
+            without = frame_of(scene, kArtifactSize, artifact.method, {});
+        }
         made = artifact.scene;
-        const Frame frame = frame_of(scene, {80, 45}, artifact.method, artifact.params);
+        const Frame frame = frame_of(scene, kArtifactSize, artifact.method, artifact.params);
+        Planes shown = planes_named(frame, artifact.buffer);
+        if (first_differing_pixels(shown, planes_named(without, artifact.buffer), 1).empty())
+            throw InputError(artifact.command() + ": shows nothing; choose another view");
         buffers.push_back({std::string("artifacts_of_") + artifact.scene, artifact.name(), artifact.command(),
-                           planes_named(frame, artifact.buffer)});
+                           std::move(shown)});
     }
     return buffers;
 }

@@ -1,5 +1,6 @@
-// Every buffer of every built-in scene against the one on record. The gate is the hash of the raw values, on
-// every compiler and machine; the .npy beside it only serves to show what changed.
+// Every buffer of every built-in scene, and each artifact on purpose, against the one on record. The gate is
+// the hash of the raw values, on every compiler and machine; the .npy beside it only serves to show what
+// changed.
 #include <algorithm>
 #include <bit>
 #include <fstream>

@@ -1,5 +1,5 @@
-// The artifact switches of the samples: each changes what it should, and only that. Those of the fetches are in
-// ao_inputs_switches_test.cpp, those of the blur in blur_switches_test.cpp.
+// The artifact switches of the samples: each changes what it should, and only that. Those of the fetches are
+// in ao_inputs_switches_test.cpp, those of the blur in blur_switches_test.cpp.
 #include <cmath>
 #include <functional>
 #include <utility>

@@ -86,6 +86,10 @@ TEST_CASE(
           "shadow; sky; texture coordinates; tangents; cut-outs; ");
     CHECK(left_out("columns_luna", SceneDetail::surfaces, {"ao_raw"}) ==
           "shadow; sky; texture coordinates; tangents; cut-outs; ");
+    CHECK(left_out("fence", SceneDetail::shapes, {"ao_raw"}) == "shadow; sky; tangents; ");
+    const Scene luna = columns_luna_scene(SceneDetail::surfaces);
+    CHECK(reason(needs_of(luna, {"normal"}, true, 4, false, true), "tangents").empty());
+    CHECK(reason(needs_of(luna, {"normal"}, true, 4, false, true), "texture coordinates").empty());
     CHECK(left_out("noise_wall", SceneDetail::surfaces, all_buffers()) ==
           "shadow; sky; tangents; cut-outs; ");
 }

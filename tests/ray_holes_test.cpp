@@ -54,6 +54,12 @@ TEST_CASE("ray holes: a ray meets the bars, and the wall through the gaps") {
         CHECK(occluded(rays, ray, 10));
     }
     CHECK(gaps > 25);
+    Scene without_texcoords = fence(0);  // solid to the rasterizer, and so to rays
+    without_texcoords.meshes[0].texcoords.clear();
+    CHECK(
+        closest_hit(ray_scene(without_texcoords, glm::dvec3(0)), {{0.7f, 0.3f, 0}, {0, 0, 1}}, 10).distance ==
+        3);
+    CHECK(normal_depth(without_texcoords, without_texcoords.camera, {33, 33}).view_depth.at(24, 16) < 3.5f);
     CHECK(!ray_scene(fence(0, 0), glm::dvec3(0)).holes.any());
 }
 

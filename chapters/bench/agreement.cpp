@@ -19,10 +19,10 @@ constexpr double kNdcTolerance = 2.4e-7, kViewTolerance = 1e-4;
 constexpr double kNormalTolerance_rad = 0.1 * 3.14159265358979 / 180;
 
 // Above the largest values seen of equal work (tests/peers/README.md). On `columns` other work lies above the
-// limit of the blurred AO: a radius 10 % larger gives 0.0012, another seed 0.0034, a blur iteration less 0.0010.
-// The AO as timed is fetched in another way than the peer's, so its limit only notices what is badly wrong. Ndc
-// depth is told and not judged: the two programs round the planes of a triangle that reaches far beyond the
-// picture differently, by more than 2.4e-7 at once for all its pixels.
+// limit of the blurred AO: a radius 10 % larger gives 0.0012, another seed 0.0034, a blur iteration less
+// 0.0010. The AO as timed is fetched in another way than the peer's, so its limit only notices what is badly
+// wrong. Ndc depth is told and not judged: the two programs round the planes of a triangle that reaches far
+// beyond the picture differently, by more than 2.4e-7 at once for all its pixels.
 constexpr double kCoverageLimit_percent = 0.05, kViewDepthLimit_percent = 0.05, kNormalLimit_percent = 3;
 constexpr double kAoLimit = 0.003, kBlurredLimit = 0.0008, kAsTimedLimit = 0.02, kLitLimit = 0.0015;
 
