@@ -143,9 +143,10 @@ void blur(Notebook& book) {
         pictures.push_back({std::string("blurred_") + iterations, ao_picture(bilateral.blurred)});
     }
     book.show_row("After 0, 1, 2 and 4 iterations: the grain goes, silhouettes stay sharp.", pictures);
-    const SwitchedAo plain = view.ao({seed[0], "blur_edges=none"});
-    book.show_row("Exercise 1: four times plain, " + view.command({"blur_edges=none"}) +
-                      ", and plain minus bilateral. Blue is shade that leaked.",
+    const Words gaussian = {"blur_edges=none", "blur_weights=luna"};
+    const SwitchedAo plain = view.ao({seed[0], gaussian[0], gaussian[1]});
+    book.show_row("Exercise 1: four times a plain Gaussian, " + view.command(gaussian) +
+                      ", and that minus bilateral. Blue is shade that leaked.",
                   {{"plain", ao_picture(plain.blurred)},
                    {"leak", difference_picture(difference_of(plain.blurred, bilateral.blurred))}});
     gaussian_or_bilateral(book, view, bilateral, plain);
