@@ -13,13 +13,14 @@ bool has_cutouts(const Scene& scene);
 // For the `kept` of a shader; see rasterize().
 struct MaterialCutouts {
     const Scene& scene;
+    bool cut = true;  // false: surfaces are whole
 
     template <class F>
     CREVICE_INLINE Mask<F> kept(const ScreenGeometry& geometry, const ScreenTriangle& t,
                                 const Fragment<F>& f) const {
         const Material& material = scene.materials[static_cast<std::size_t>(t.material)];
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(scene.instances[t.instance].mesh)];
-        if (!has_cutouts(material) || mesh.texcoords.empty()) return F(0) == F(0);
+        if (!cut || !has_cutouts(material) || mesh.texcoords.empty()) return F(0) == F(0);
         const TextureCoordinates<F> at =
             texture_coordinates(mesh, geometry.vertices.first_vertex[t.instance], t, f);
         return texture_colour<F>(*material.texture, material.sampler, at).alpha >= F(material.alpha_cutoff);

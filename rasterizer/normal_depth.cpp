@@ -113,8 +113,7 @@ GBuffer normal_depth(const Scene& scene, const ScreenGeometry& geometry, bool re
     };
     const bool cut = settings.cutouts && has_cutouts(scene);
     if (settings.mapped_normals && !geometry.tangent_turns.empty()) {
-        const MappedNormalDepthShader mapped{plain, scene};
-        g.tiles = cut ? drawn_by(CutShader<MappedNormalDepthShader>{mapped, {scene}}) : drawn_by(mapped);
+        g.tiles = drawn_by(CutShader<MappedNormalDepthShader>{{plain, scene}, {scene, cut}});
     } else {
         g.tiles = cut ? drawn_by(CutShader<NormalDepthShader>{plain, {scene}}) : drawn_by(plain);
     }

@@ -67,11 +67,7 @@ struct LitShader {
     CREVICE_INLINE void fragment(const ScreenTriangle& t, const Fragment<F>& f) const {
         store_where_passed(surfaces.material.row(f.y), f, Int<F>(t.material));
         if (!surfaces.view_depth.empty()) store_where_passed(surfaces.view_depth.row(f.y), f, f.view_depth);
-        if (surfaces.texture.empty() && surfaces.gloss.empty()) {
-            note(lighting.lit, f, interpolated_normal(geometry, t, f));
-        } else {
-            note_textured(t, f);
-        }
+        note(lighting.lit, f, interpolated_normal(geometry, t, f));
     }
 
     template <class F>
@@ -90,37 +86,41 @@ struct LitShader {
         };
         lighting.light_tile<F>(tile, surface_at);
     }
+};
 
- private:
+// The same with textures and normal maps.
+struct TexturedLitShader : LitShader {
     template <class F>
-    CREVICE_INLINE void note_textured(const ScreenTriangle& t, const Fragment<F>& f) const {
+    CREVICE_INLINE void fragment(const ScreenTriangle& t, const Fragment<F>& f) const {
+        LitShader::fragment(t, f);
         const Scene& scene = lighting.scene;
         const Material& material = scene.materials[static_cast<std::size_t>(t.material)];
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(scene.instances[t.instance].mesh)];
         const bool textured = material.texture != nullptr && !mesh.texcoords.empty();
         const bool mapped = is_normal_mapped(material, mesh);
-        Vec3<F> n = interpolated_normal(geometry, t, f), colour{F(1), F(1), F(1)};
+        Vec3<F> colour{F(1), F(1), F(1)};
         F gloss(1);
         if (textured || mapped) {
             const TextureCoordinates<F> at =
                 texture_coordinates(mesh, geometry.vertices.first_vertex[t.instance], t, f);
+            // One place that samples both, one that samples either: kernels grow with every place.
             MappedNormal<F> map{};
             if (textured && mapped) {
                 const ColourAndNormal<F> both =
                     colour_and_normal<F>(*material.texture, *material.normal_map, material.sampler, at);
                 colour = both.colour.colour;
                 map = both.normal;
-            } else if (textured) {
-                colour = texture_colour<F>(*material.texture, material.sampler, at).colour;
             } else {
-                map = mapped_normal<F>(*material.normal_map, material.sampler, at);
+                const Texture& only = textured ? *material.texture : *material.normal_map;
+                const TextureColour<F> sampled = texture_colour<F>(only, material.sampler, at);
+                if (textured) colour = sampled.colour;
+                if (mapped) map = mapped_normal<F>(sampled);
             }
             if (mapped) {
-                n = bent_normal(geometry, mesh, t, f, map.n_tangent);
+                note(lighting.lit, f, bent_normal(geometry, mesh, t, f, map.n_tangent));
                 gloss = map.shininess_factor;
             }
         }
-        note(lighting.lit, f, n);
         if (!surfaces.texture.empty()) note(surfaces.texture, f, colour);
         if (!surfaces.gloss.empty()) store_where_passed(surfaces.gloss.row(f.y), f, gloss);
     }
@@ -146,10 +146,12 @@ void draw_again(const TileLighting& lighting, const DepthBuffer& depth, DepthFun
     NotedSurfaces surfaces(lighting, depth.size(), textured,
                            !lighting.geometry.tangent_turns.empty() || keep_all);
     const LitShader shader{lighting, lighting.geometry, surfaces, parts};
-    if (cutouts && has_cutouts(lighting.scene)) {
-        rasterize(lighting.geometry, test, depth, CutShader<LitShader>{shader, {lighting.scene}}, run);
-    } else {
+    if (surfaces.texture.empty() && surfaces.gloss.empty()) {
         rasterize(lighting.geometry, test, depth, shader, run);
+    } else {
+        // Also where nothing is cut out: asking costs little, a third form of the kernel minutes of compiling.
+        MaterialCutouts holes{lighting.scene, cutouts};
+        rasterize(lighting.geometry, test, depth, CutShader<TexturedLitShader>{{shader}, holes}, run);
     }
 }
 
