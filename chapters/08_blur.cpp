@@ -64,9 +64,8 @@ void gaussian_or_bilateral(Notebook& book, const SwitchedView& view, const Switc
                better(Region::edge) && better(Region::crease) && better(Region::flat));
     book.text(
         "Against the mean of 64 seeds. On flats, where one neighbour is nearly as good as another, the "
-        "two are nearly equal; at edges the plain one paints one surface's shade on the other. Either blur "
-        "moves "
-        "further from the mean than the grain was: but grain hurts the eye more.");
+        "two are nearly equal; at edges the plain one paints one surface's shade on the other. Either "
+        "blur moves further from the mean than the grain was: but grain hurts the eye more.");
 }
 
 // Vertical taps that count, 0 to 10, and how many do on the far floor.

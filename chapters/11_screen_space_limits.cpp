@@ -180,9 +180,8 @@ void screen_space_limits(Notebook& book) {
         "picture: `rim`, `fade_end_2`, `one_layer_minus_all`.",
         "*Seed 000:* turns MSAA off because all targets must have equal samples. They could; one AO for four "
         "samples is what goes wrong: `mismatch`.",
-        "*Seed 000, vertex shader:* adds (w, w) to the clip position where (w, -w) is meant, so v is too "
-        "small by "
-        "1; a sampler that wraps hides it: `wrap_off_by_one`.",
+        "*Seed 000, vertex shader:* adds (w, w) to the clip position where (w, -w) is meant, so v is "
+        "too small by 1; a sampler that wraps hides it: `wrap_off_by_one`.",
         "*Seed 002:* its depth border is the far plane: nothing outside occludes, hence the rim.",
     });
 }
