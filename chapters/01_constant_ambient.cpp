@@ -11,14 +11,14 @@
 #include <cstdio>
 #include <set>
 
-#include "chapters/chapter.h"
-#include "rasterizer/normal_depth.h"
+#include "chapters/notebook/chapter.h"
+#include "rasterizer/draw/normal_depth.h"
 #include "scenes/builtin_scenes.h"
-#include "ssao/bilateral_blur.h"
-#include "ssao/metrics.h"
-#include "ssao/shade.h"
-#include "ssao/widened_ao.h"
-#include "ssao/xjun_ssao.h"
+#include "ssao/blur/bilateral_blur.h"
+#include "ssao/judge/metrics.h"
+#include "ssao/light/shade.h"
+#include "ssao/light/widened_ao.h"
+#include "ssao/methods/xjun_ssao.h"
 
 namespace crevice {
 namespace {

@@ -8,17 +8,17 @@
 #include <cmath>
 #include <cstdio>
 
-#include "chapters/chapter.h"
-#include "chapters/closed_form_plot.h"
-#include "chapters/plot_picture.h"
-#include "chapters/stopwatch.h"
+#include "chapters/notebook/chapter.h"
+#include "chapters/notebook/plot_picture.h"
+#include "chapters/props/closed_form_plot.h"
+#include "chapters/terminal/stopwatch.h"
 #include "scenes/builtin_scenes.h"
 #include "scenes/carved_head.h"
 #include "scenes/composing.h"
 #include "scenes/shapes.h"
-#include "ssao/metrics.h"
-#include "ssao/octree.h"
-#include "ssao/vertex_ao_picture.h"
+#include "ssao/bakes/vertex_ao_picture.h"
+#include "ssao/judge/metrics.h"
+#include "ssao/rays/octree.h"
 
 namespace crevice {
 namespace {

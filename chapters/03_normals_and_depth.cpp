@@ -11,9 +11,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "chapters/chapter.h"
-#include "chapters/plot_picture.h"
-#include "chapters/wrong_normals.h"
+#include "chapters/notebook/chapter.h"
+#include "chapters/notebook/plot_picture.h"
+#include "chapters/props/wrong_normals.h"
 #include "scenes/builtin_scenes.h"
 
 namespace crevice {

@@ -12,14 +12,14 @@
 #include <cmath>
 #include <cstdio>
 
-#include "chapters/chapter.h"
-#include "chapters/depth_error_plot.h"
-#include "chapters/position_ways.h"
-#include "chapters/stored_depth.h"
+#include "chapters/notebook/chapter.h"
+#include "chapters/props/depth_error_plot.h"
+#include "chapters/props/position_ways.h"
+#include "chapters/props/stored_depth.h"
 #include "scenes/builtin_scenes.h"
-#include "ssao/bilateral_blur.h"
-#include "ssao/luna_ssao.h"
-#include "ssao/xjun_ssao.h"
+#include "ssao/blur/bilateral_blur.h"
+#include "ssao/methods/luna_ssao.h"
+#include "ssao/methods/xjun_ssao.h"
 
 namespace crevice {
 namespace {

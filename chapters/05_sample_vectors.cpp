@@ -12,10 +12,10 @@
 
 #include <glm/geometric.hpp>
 
-#include "chapters/chapter.h"
-#include "chapters/switched_ao.h"
-#include "ssao/luna_limit.h"
-#include "ssao/metrics.h"
+#include "chapters/notebook/chapter.h"
+#include "chapters/props/switched_ao.h"
+#include "ssao/judge/luna_limit.h"
+#include "ssao/judge/metrics.h"
 
 namespace crevice {
 namespace {

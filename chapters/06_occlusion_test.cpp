@@ -10,13 +10,13 @@
 #include <cmath>
 #include <cstdio>
 
-#include "chapters/chapter.h"
-#include "chapters/switched_ao.h"
+#include "chapters/notebook/chapter.h"
+#include "chapters/props/switched_ao.h"
 #include "scenes/builtin_scenes.h"
 #include "scenes/composing.h"
 #include "scenes/shapes.h"
-#include "ssao/luna_ssao.h"
-#include "ssao/xjun_ssao.h"
+#include "ssao/methods/luna_ssao.h"
+#include "ssao/methods/xjun_ssao.h"
 
 namespace crevice {
 namespace {

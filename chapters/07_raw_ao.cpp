@@ -12,14 +12,14 @@
 #include <cmath>
 #include <limits>
 
-#include "chapters/chapter.h"
-#include "chapters/switched_ao.h"
+#include "chapters/notebook/chapter.h"
+#include "chapters/props/switched_ao.h"
 #include "scenes/builtin_scenes.h"
-#include "ssao/luna_limit.h"
-#include "ssao/luna_ssao.h"
-#include "ssao/metrics.h"
-#include "ssao/widened_ao.h"
-#include "ssao/xjun_ssao.h"
+#include "ssao/judge/luna_limit.h"
+#include "ssao/judge/metrics.h"
+#include "ssao/light/widened_ao.h"
+#include "ssao/methods/luna_ssao.h"
+#include "ssao/methods/xjun_ssao.h"
 
 namespace crevice {
 namespace {

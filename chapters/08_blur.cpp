@@ -10,12 +10,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "chapters/chapter.h"
-#include "chapters/switched_ao.h"
-#include "ssao/blur_edges.h"
-#include "ssao/luna_limit.h"
-#include "ssao/metrics.h"
-#include "ssao/reference_error.h"
+#include "chapters/notebook/chapter.h"
+#include "chapters/props/switched_ao.h"
+#include "ssao/blur/blur_edges.h"
+#include "ssao/judge/luna_limit.h"
+#include "ssao/judge/metrics.h"
+#include "ssao/judge/reference_error.h"
 
 namespace crevice {
 namespace {

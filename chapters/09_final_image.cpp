@@ -10,15 +10,15 @@
 // Run: crevice chapter 09
 #include <cmath>
 
-#include "chapters/chapter.h"
+#include "chapters/notebook/chapter.h"
 #include "scenes/builtin_scenes.h"
-#include "ssao/bilateral_blur.h"
-#include "ssao/luna_ssao.h"
-#include "ssao/scene_shadow.h"
-#include "ssao/shade.h"
-#include "ssao/sky.h"
-#include "ssao/widened_ao.h"
-#include "ssao/xjun_ssao.h"
+#include "ssao/blur/bilateral_blur.h"
+#include "ssao/light/scene_shadow.h"
+#include "ssao/light/shade.h"
+#include "ssao/light/sky.h"
+#include "ssao/light/widened_ao.h"
+#include "ssao/methods/luna_ssao.h"
+#include "ssao/methods/xjun_ssao.h"
 
 namespace crevice {
 namespace {

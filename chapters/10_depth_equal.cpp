@@ -9,11 +9,11 @@
 // Run: crevice chapter 10
 #include <cmath>
 
-#include "chapters/chapter.h"
-#include "chapters/depth_mismatch.h"
-#include "rasterizer/image_summary.h"
+#include "chapters/notebook/chapter.h"
+#include "chapters/props/depth_mismatch.h"
+#include "rasterizer/base/image_summary.h"
 #include "scenes/builtin_scenes.h"
-#include "ssao/shade.h"
+#include "ssao/light/shade.h"
 
 namespace crevice {
 namespace {

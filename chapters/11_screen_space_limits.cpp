@@ -13,13 +13,13 @@
 #include <array>
 #include <cstdio>
 
-#include "chapters/chapter.h"
-#include "chapters/limit_scenes.h"
-#include "chapters/limit_sections.h"
-#include "chapters/plot_picture.h"
+#include "chapters/notebook/chapter.h"
+#include "chapters/notebook/plot_picture.h"
+#include "chapters/props/limit_scenes.h"
+#include "chapters/props/limit_sections.h"
 #include "scenes/builtin_scenes.h"
-#include "ssao/luna_limit.h"
-#include "ssao/xjun_ssao.h"
+#include "ssao/judge/luna_limit.h"
+#include "ssao/methods/xjun_ssao.h"
 
 namespace crevice {
 namespace {

@@ -12,13 +12,13 @@
 #include <cstdio>
 #include <vector>
 
-#include "chapters/chapter.h"
-#include "chapters/stopwatch.h"
-#include "rasterizer/image_summary.h"
+#include "chapters/notebook/chapter.h"
+#include "chapters/terminal/stopwatch.h"
+#include "rasterizer/base/image_summary.h"
 #include "scenes/builtin_scenes.h"
-#include "ssao/compute_ssao.h"
-#include "ssao/luna_ssao.h"
-#include "ssao/xjun_ssao.h"
+#include "ssao/compute/compute_ssao.h"
+#include "ssao/methods/luna_ssao.h"
+#include "ssao/methods/xjun_ssao.h"
 
 namespace crevice {
 namespace {

@@ -11,13 +11,13 @@
 #include <cstdio>
 #include <limits>
 
-#include "chapters/chapter.h"
+#include "chapters/notebook/chapter.h"
 #include "scenes/builtin_scenes.h"
 #include "scenes/composing.h"
 #include "scenes/shapes.h"
-#include "ssao/baked_lookup.h"
-#include "ssao/lightmap_ao.h"
-#include "ssao/metrics.h"
+#include "ssao/bakes/baked_lookup.h"
+#include "ssao/bakes/lightmap_ao.h"
+#include "ssao/judge/metrics.h"
 
 namespace crevice {
 namespace {

@@ -12,9 +12,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "chapters/chapter.h"
-#include "chapters/error_study.h"
-#include "chapters/plot_picture.h"
+#include "chapters/notebook/chapter.h"
+#include "chapters/notebook/plot_picture.h"
+#include "chapters/study/error_study.h"
 #include "scenes/builtin_scenes.h"
 
 namespace crevice {

@@ -9,9 +9,9 @@
 // Run: crevice chapter 23
 #include <algorithm>
 
-#include "chapters/chapter.h"
-#include "chapters/frame.h"
-#include "rasterizer/image_summary.h"
+#include "chapters/frame/frame.h"
+#include "chapters/notebook/chapter.h"
+#include "rasterizer/base/image_summary.h"
 #include "scenes/builtin_scenes.h"
 
 namespace crevice {

@@ -22,8 +22,8 @@
 
 #include <glm/vec2.hpp>
 
-#include "rasterizer/image.h"
-#include "rasterizer/vec3.h"
+#include "rasterizer/base/image.h"
+#include "rasterizer/lanes/vec3.h"
 
 namespace crevice {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <string_view>
 
-#include "rasterizer/run.h"
-#include "rasterizer/scene.h"
+#include "rasterizer/base/run.h"
+#include "rasterizer/scene/scene.h"
 
 namespace crevice {
 

@@ -9,8 +9,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "rasterizer/parallel.h"
-#include "rasterizer/vertex_normals.h"
+#include "rasterizer/base/parallel.h"
+#include "rasterizer/scene/vertex_normals.h"
 #include "scenes/cube_sphere.h"
 
 namespace crevice {

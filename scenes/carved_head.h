@@ -1,8 +1,8 @@
 // The head on the pedestal of `columns_luna`: our own carving in the place of the book's skull.
 #pragma once
 
-#include "rasterizer/run.h"
-#include "rasterizer/scene.h"
+#include "rasterizer/base/run.h"
+#include "rasterizer/scene/scene.h"
 
 namespace crevice {
 

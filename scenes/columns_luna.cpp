@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "rasterizer/approx_math.h"
+#include "rasterizer/lanes/approx_math.h"
 #include "scenes/builtin_scenes.h"
 #include "scenes/carved_head.h"
 #include "scenes/composing.h"

@@ -7,8 +7,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/mat3x3.hpp>
 
-#include "rasterizer/approx_math.h"
-#include "rasterizer/scene.h"
+#include "rasterizer/lanes/approx_math.h"
+#include "rasterizer/scene/scene.h"
 
 namespace crevice {
 

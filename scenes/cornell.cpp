@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "rasterizer/approx_math.h"
+#include "rasterizer/lanes/approx_math.h"
 #include "scenes/builtin_scenes.h"
 #include "scenes/composing.h"
 #include "scenes/flat_mesh.h"

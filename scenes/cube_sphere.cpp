@@ -5,8 +5,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "rasterizer/approx_math.h"
-#include "rasterizer/error.h"
+#include "rasterizer/base/error.h"
+#include "rasterizer/lanes/approx_math.h"
 
 namespace crevice {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 // The points of a (cells + 1)^3 lattice that lie on its surface, numbered in the order in which they are
 // first met.
 class SurfaceLattice {
-   public:
+ public:
     explicit SurfaceLattice(int cells) : cells_(cells) {
         const auto side = static_cast<std::size_t>(cells) + 1;
         index_.assign(side * side * side, kUnmet);
@@ -33,7 +33,7 @@ class SurfaceLattice {
 
     std::vector<glm::dvec3> directions;
 
-   private:
+ private:
     static constexpr std::uint32_t kUnmet = 0xffffffffu;
 
     // From [0, cells] to [-1, 1] such that steps are equal angles seen from the cube's centre.

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "rasterizer/cutout_mips.h"
+#include "rasterizer/textures/cutout_mips.h"
 #include "scenes/builtin_scenes.h"
 #include "scenes/composing.h"
 #include "scenes/flat_mesh.h"

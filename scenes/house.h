@@ -1,7 +1,7 @@
 // The house of the `columns` scene.
 #pragma once
 
-#include "rasterizer/scene.h"
+#include "rasterizer/scene/scene.h"
 
 namespace crevice {
 

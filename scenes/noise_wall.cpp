@@ -1,7 +1,7 @@
 // A textured wall of noise that fills the view: nothing that is seen of it can be left out.
 #include <glm/geometric.hpp>
 
-#include "rasterizer/approx_math.h"
+#include "rasterizer/lanes/approx_math.h"
 #include "scenes/builtin_scenes.h"
 #include "scenes/composing.h"
 

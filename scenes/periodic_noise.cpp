@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
-#include "rasterizer/wide.h"
+#include "rasterizer/lanes/wide.h"
 
 namespace crevice {
 namespace {

@@ -9,7 +9,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "rasterizer/cube_map.h"
+#include "rasterizer/textures/cube_map.h"
 
 namespace crevice {
 

@@ -1,7 +1,7 @@
 // The textures of the built-in scenes, made in code: no files, the same bits everywhere.
 #pragma once
 
-#include "rasterizer/texture.h"
+#include "rasterizer/textures/texture.h"
 
 namespace crevice {
 

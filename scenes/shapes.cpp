@@ -5,8 +5,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "rasterizer/approx_math.h"
-#include "rasterizer/error.h"
+#include "rasterizer/base/error.h"
+#include "rasterizer/lanes/approx_math.h"
 
 namespace crevice {
 namespace {

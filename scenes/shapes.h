@@ -10,7 +10,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "rasterizer/scene.h"
+#include "rasterizer/scene/scene.h"
 
 namespace crevice {
 

@@ -1,7 +1,7 @@
 // The scenes whose ambient occlusion is known in closed form, and the empty one.
 #include <vector>
 
-#include "rasterizer/approx_math.h"
+#include "rasterizer/lanes/approx_math.h"
 #include "scenes/builtin_scenes.h"
 #include "scenes/composing.h"
 #include "scenes/flat_mesh.h"

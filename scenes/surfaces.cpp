@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "rasterizer/parallel.h"
-#include "rasterizer/tangents.h"
+#include "rasterizer/base/parallel.h"
+#include "rasterizer/scene/tangents.h"
 
 namespace crevice {
 

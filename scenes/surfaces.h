@@ -7,8 +7,8 @@
 
 #include <glm/vec2.hpp>
 
-#include "rasterizer/run.h"
-#include "rasterizer/scene.h"
+#include "rasterizer/base/run.h"
+#include "rasterizer/scene/scene.h"
 #include "scenes/procedural_sky.h"
 #include "scenes/procedural_textures.h"
 

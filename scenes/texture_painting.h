@@ -6,8 +6,8 @@
 
 #include <glm/vec2.hpp>
 
-#include "rasterizer/error.h"
-#include "rasterizer/wide.h"
+#include "rasterizer/base/error.h"
+#include "rasterizer/lanes/wide.h"
 #include "scenes/procedural_textures.h"
 
 namespace crevice {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "rasterizer/cutouts.h"
-#include "rasterizer/tangent_turn.h"
-#include "ssao/scene_shadow.h"
+#include "rasterizer/draw/cutouts.h"
+#include "rasterizer/scene/tangent_turn.h"
+#include "ssao/light/scene_shadow.h"
 
 namespace crevice {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "rasterizer/scene.h"
+#include "rasterizer/scene/scene.h"
 
 namespace crevice {
 

@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "ssao/shade.h"
+#include "ssao/light/shade.h"
 
 namespace crevice {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "chapters/bench/peer_session.h"
-#include "chapters/frame.h"
+#include "chapters/frame/frame.h"
 
 namespace crevice {
 

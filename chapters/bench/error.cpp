@@ -6,9 +6,9 @@
 
 #include "chapters/bench/error_page.h"
 #include "chapters/bench/machine.h"
-#include "chapters/progress.h"
-#include "rasterizer/error.h"
-#include "rasterizer/write_file.h"
+#include "chapters/terminal/progress.h"
+#include "rasterizer/base/error.h"
+#include "rasterizer/base/write_file.h"
 
 namespace crevice {
 

@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
-#include "chapters/error_points.h"
-#include "chapters/error_study.h"
-#include "chapters/scene_argument.h"
+#include "chapters/frame/scene_argument.h"
+#include "chapters/study/error_points.h"
+#include "chapters/study/error_study.h"
 
 namespace crevice {
 

@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include "chapters/bench/error.h"
-#include "chapters/bench/plot.h"
-#include "chapters/bench/report_page.h"
-#include "chapters/error_picture.h"
-#include "chapters/html.h"
-#include "chapters/picture.h"
-#include "rasterizer/image_io.h"
+#include "chapters/notebook/html.h"
+#include "chapters/notebook/picture.h"
+#include "chapters/notebook/plot.h"
+#include "chapters/notebook/report_page.h"
+#include "chapters/study/error_picture.h"
+#include "rasterizer/base/image_io.h"
 
 namespace crevice {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "chapters/bench/table.h"
-#include "chapters/error_study.h"
+#include "chapters/notebook/table.h"
+#include "chapters/study/error_study.h"
 
 namespace crevice {
 

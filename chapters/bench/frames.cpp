@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <ostream>
 
-#include "chapters/bench/child.h"
 #include "chapters/bench/machine.h"
 #include "chapters/bench/scratch.h"
-#include "chapters/bench/table.h"
-#include "chapters/frame.h"
-#include "chapters/progress.h"
-#include "rasterizer/error.h"
-#include "rasterizer/obj_load.h"
+#include "chapters/frame/frame.h"
+#include "chapters/notebook/table.h"
+#include "chapters/terminal/child.h"
+#include "chapters/terminal/progress.h"
+#include "rasterizer/base/error.h"
+#include "rasterizer/obj/obj_load.h"
 #include "scenes/builtin_scenes.h"
 
 namespace crevice {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "chapters/frame.h"
-#include "chapters/scene_argument.h"
-#include "rasterizer/run.h"
+#include "chapters/frame/frame.h"
+#include "chapters/frame/scene_argument.h"
+#include "rasterizer/base/run.h"
 
 namespace crevice {
 

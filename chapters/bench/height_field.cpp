@@ -5,8 +5,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "rasterizer/error.h"
-#include "ssao/random_vectors.h"
+#include "rasterizer/base/error.h"
+#include "ssao/inputs/random_vectors.h"
 
 namespace crevice {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "rasterizer/scene.h"
+#include "rasterizer/scene/scene.h"
 
 namespace crevice {
 

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "rasterizer/error.h"
+#include "rasterizer/base/error.h"
 
 namespace crevice {
 

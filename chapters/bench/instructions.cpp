@@ -6,16 +6,16 @@
 
 #include <nlohmann/json.hpp>
 
-#include "chapters/bench/child.h"
 #include "chapters/bench/instruction_figures.h"
 #include "chapters/bench/machine.h"
 #include "chapters/bench/scratch.h"
-#include "chapters/bench/table.h"
-#include "chapters/progress.h"
-#include "chapters/stopwatch.h"
-#include "rasterizer/error.h"
-#include "rasterizer/file_bytes.h"
-#include "rasterizer/write_file.h"
+#include "chapters/notebook/table.h"
+#include "chapters/terminal/child.h"
+#include "chapters/terminal/progress.h"
+#include "chapters/terminal/stopwatch.h"
+#include "rasterizer/base/error.h"
+#include "rasterizer/base/file_bytes.h"
+#include "rasterizer/base/write_file.h"
 
 namespace crevice {
 

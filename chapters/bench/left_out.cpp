@@ -3,9 +3,9 @@
 #include <ostream>
 
 #include "chapters/bench/machine.h"
-#include "chapters/bench/table.h"
-#include "chapters/savings.h"
-#include "rasterizer/error.h"
+#include "chapters/bench/savings.h"
+#include "chapters/notebook/table.h"
+#include "rasterizer/base/error.h"
 
 namespace crevice {
 

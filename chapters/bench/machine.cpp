@@ -45,8 +45,8 @@ Facts machine_facts(const Run& run) {
                         std::to_string(std::thread::hardware_concurrency()) + " threads"},
             {"compiler", compiler_name()},
             {"threads", std::to_string(thread_count(run))},
-            {"lanes", std::to_string(run.lanes)},
-            {"isa", isa_name(run.isa)}};
+            {"lanes", std::to_string(lane_count(run))},
+            {"isa", isa_name(isa_of(run))}};
 }
 
 std::string busy_note(const PassTime& frame, int threads) {

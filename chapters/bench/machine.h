@@ -1,9 +1,9 @@
 // What a figure was measured on, without which it says nothing.
 #pragma once
 
-#include "chapters/bench/table.h"
-#include "chapters/stopwatch.h"
-#include "rasterizer/run.h"
+#include "chapters/notebook/table.h"
+#include "chapters/terminal/stopwatch.h"
+#include "rasterizer/base/run.h"
 
 namespace crevice {
 

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <sstream>
 
-#include "rasterizer/error.h"
+#include "rasterizer/base/error.h"
 
 namespace crevice {
 

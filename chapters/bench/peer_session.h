@@ -3,9 +3,9 @@
 
 #include <array>
 
-#include "chapters/bench/child.h"
 #include "chapters/bench/peer_stream.h"
-#include "rasterizer/image.h"
+#include "chapters/terminal/child.h"
+#include "rasterizer/base/image.h"
 
 namespace crevice {
 

@@ -9,10 +9,10 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "rasterizer/error.h"
-#include "rasterizer/vertex_transform.h"
-#include "ssao/ao_inputs.h"
-#include "ssao/random_vectors.h"
+#include "rasterizer/base/error.h"
+#include "rasterizer/draw/vertex_transform.h"
+#include "ssao/inputs/ao_inputs.h"
+#include "ssao/inputs/random_vectors.h"
 
 namespace crevice {
 

@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "chapters/methods.h"
-#include "rasterizer/camera.h"
-#include "rasterizer/scene.h"
+#include "chapters/frame/methods.h"
+#include "rasterizer/scene/camera.h"
+#include "rasterizer/scene/scene.h"
 
 namespace crevice {
 

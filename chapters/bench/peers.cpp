@@ -6,11 +6,11 @@
 #include "chapters/bench/agreement.h"
 #include "chapters/bench/frames.h"
 #include "chapters/bench/machine.h"
-#include "chapters/bench/statistics.h"
-#include "chapters/bench/table.h"
-#include "chapters/progress.h"
-#include "rasterizer/error.h"
-#include "rasterizer/image_summary.h"
+#include "chapters/notebook/table.h"
+#include "chapters/study/statistics.h"
+#include "chapters/terminal/progress.h"
+#include "rasterizer/base/error.h"
+#include "rasterizer/base/image_summary.h"
 
 namespace crevice {
 

@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "chapters/bench/peer_session.h"
-#include "chapters/scene_argument.h"
-#include "rasterizer/run.h"
+#include "chapters/frame/scene_argument.h"
+#include "rasterizer/base/run.h"
 
 namespace crevice {
 

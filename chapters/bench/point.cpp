@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "chapters/bench/child.h"
 #include "chapters/bench/height_field.h"
 #include "chapters/bench/machine.h"
-#include "chapters/frame.h"
-#include "chapters/parse.h"
-#include "rasterizer/error.h"
+#include "chapters/frame/frame.h"
+#include "chapters/terminal/child.h"
+#include "chapters/terminal/parse.h"
+#include "rasterizer/base/error.h"
 #include "scenes/builtin_scenes.h"
 
 namespace crevice {

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "chapters/stopwatch.h"
-#include "rasterizer/image.h"
+#include "chapters/terminal/stopwatch.h"
+#include "rasterizer/base/image.h"
 
 namespace crevice {
 

@@ -8,13 +8,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "chapters/bench/child.h"
 #include "chapters/bench/machine.h"
 #include "chapters/bench/peers.h"
-#include "chapters/bench/statistics.h"
 #include "chapters/bench/threads.h"
-#include "chapters/progress.h"
-#include "rasterizer/error.h"
+#include "chapters/study/statistics.h"
+#include "chapters/terminal/child.h"
+#include "chapters/terminal/progress.h"
+#include "rasterizer/base/error.h"
 
 namespace crevice {
 

@@ -15,9 +15,9 @@
 #include <string>
 #include <vector>
 
-#include "chapters/bench/table.h"
-#include "chapters/scene_argument.h"
-#include "rasterizer/run.h"
+#include "chapters/frame/scene_argument.h"
+#include "chapters/notebook/table.h"
+#include "rasterizer/base/run.h"
 
 namespace crevice {
 

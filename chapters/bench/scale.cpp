@@ -6,11 +6,11 @@
 
 #include "chapters/bench/machine.h"
 #include "chapters/bench/scale_page.h"
-#include "chapters/bench/statistics.h"
 #include "chapters/bench/threads.h"
-#include "chapters/progress.h"
-#include "rasterizer/error.h"
-#include "rasterizer/write_file.h"
+#include "chapters/study/statistics.h"
+#include "chapters/terminal/progress.h"
+#include "rasterizer/base/error.h"
+#include "rasterizer/base/write_file.h"
 
 namespace crevice {
 

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "chapters/bench/point.h"
-#include "chapters/bench/table.h"
-#include "rasterizer/run.h"
+#include "chapters/notebook/table.h"
+#include "rasterizer/base/run.h"
 
 namespace crevice {
 

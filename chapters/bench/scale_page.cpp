@@ -1,8 +1,8 @@
 #include "chapters/bench/scale_page.h"
 
-#include "chapters/bench/plot.h"
-#include "chapters/bench/report_page.h"
-#include "chapters/html.h"
+#include "chapters/notebook/html.h"
+#include "chapters/notebook/plot.h"
+#include "chapters/notebook/report_page.h"
 
 namespace crevice {
 

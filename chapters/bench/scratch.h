@@ -6,7 +6,7 @@
 #include <string>
 #include <system_error>
 
-#include "rasterizer/error.h"
+#include "rasterizer/base/error.h"
 
 namespace crevice {
 

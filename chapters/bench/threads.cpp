@@ -2,9 +2,9 @@
 
 #include <map>
 
-#include "chapters/bench/statistics.h"
-#include "chapters/frame.h"
-#include "chapters/progress.h"
+#include "chapters/frame/frame.h"
+#include "chapters/study/statistics.h"
+#include "chapters/terminal/progress.h"
 #include "scenes/builtin_scenes.h"
 
 namespace crevice {

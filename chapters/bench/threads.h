@@ -1,7 +1,7 @@
 // What a second thread gives.
 #pragma once
 
-#include "chapters/bench/table.h"
+#include "chapters/notebook/table.h"
 
 namespace crevice {
 

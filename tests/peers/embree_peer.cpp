@@ -9,9 +9,9 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "chapters/parse.h"
-#include "chapters/scene_argument.h"
-#include "rasterizer/error.h"
+#include "chapters/frame/scene_argument.h"
+#include "chapters/terminal/parse.h"
+#include "rasterizer/base/error.h"
 #include "tests/peers/ray_duel.h"
 
 namespace {

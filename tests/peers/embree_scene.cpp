@@ -6,8 +6,8 @@
 
 #include <tbb/task_arena.h>
 
-#include "rasterizer/error.h"
-#include "rasterizer/parallel.h"
+#include "rasterizer/base/error.h"
+#include "rasterizer/base/parallel.h"
 
 namespace crevice {
 

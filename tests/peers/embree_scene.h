@@ -13,8 +13,8 @@
 
 #include <embree3/rtcore.h>
 
-#include "rasterizer/run.h"
-#include "ssao/ray_triangle.h"
+#include "rasterizer/base/run.h"
+#include "ssao/rays/ray_triangle.h"
 
 namespace crevice {
 

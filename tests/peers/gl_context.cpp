@@ -7,7 +7,7 @@
 
 #include <cstdio>
 
-#include "rasterizer/error.h"
+#include "rasterizer/base/error.h"
 
 namespace crevice {
 

@@ -2,7 +2,7 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
-#include "rasterizer/error.h"
+#include "rasterizer/base/error.h"
 #include "tests/peers/gl_functions.h"
 
 namespace crevice {

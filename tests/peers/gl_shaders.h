@@ -45,7 +45,7 @@ void main() {
     gl_Position = vec4(2 * uv - 1, 0, 1);
 })";
 
-// The estimator of ssao/luna_occlusion.h, as seed 000 fetches: normals and view depth linear.
+// The estimator of ssao/methods/luna_occlusion.h, as seed 000 fetches: normals and view depth linear.
 inline constexpr const char* kOcclusionPixels = R"(
 in vec2 uv;
 out float accessibility;
@@ -88,7 +88,7 @@ void main() {
     accessibility = clamp(pow(max(1 - sum / SAMPLES, 0.0), exponent), 0.0, 1.0);
 })";
 
-// One direction of ssao/bilateral_blur.h. A tap outside the map sees the border, which is too far away.
+// One direction of ssao/blur/bilateral_blur.h. A tap outside the map sees the border, which is too far away.
 inline constexpr const char* kBlurPixels = R"(
 in vec2 uv;
 out float blurred;
@@ -111,7 +111,7 @@ void main() {
     blurred = sum / total;
 })";
 
-// ssao/lighting.h: seed 000's Phong, seed 002's Blinn-Phong with Schlick's Fresnel term.
+// ssao/light/lighting.h: seed 000's Phong, seed 002's Blinn-Phong with Schlick's Fresnel term.
 inline constexpr const char* kLitPixels = R"(
 out vec4 lit;
 layout(binding = 0) uniform sampler2D accessibility_map;

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "rasterizer/error.h"
+#include "rasterizer/base/error.h"
 #include "tests/peers/gl_functions.h"
 #include "tests/peers/gl_shaders.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "chapters/bench/peer_stream.h"
-#include "chapters/stopwatch.h"
+#include "chapters/terminal/stopwatch.h"
 #include "tests/peers/gl_program.h"
 
 namespace crevice {

@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "rasterizer/error.h"
+#include "rasterizer/base/error.h"
 #include "tests/peers/gl_context.h"
 #include "tests/peers/gl_ssao.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "chapters/stopwatch.h"
-#include "rasterizer/parallel.h"
+#include "chapters/terminal/stopwatch.h"
+#include "rasterizer/base/parallel.h"
 
 namespace crevice {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ssao/ray_cast_ao.h"
+#include "ssao/rays/ray_cast_ao.h"
 #include "tests/peers/embree_scene.h"
 
 namespace crevice {

@@ -1,0 +1,90 @@
+// The vertex bake of `crevice bake`.
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+#include "chapters/commands/bake.h"
+#include "chapters/frame/scene_argument.h"
+#include "chapters/terminal/output_directory.h"
+#include "chapters/terminal/progress.h"
+#include "chapters/terminal/stopwatch.h"
+#include "rasterizer/base/error.h"
+#include "rasterizer/obj/obj_write.h"
+#include "rasterizer/scene/world_mesh.h"
+#include "ssao/bakes/vertex_ao.h"
+
+namespace crevice {
+
+namespace {
+
+// Rays relative to the middle of the scene, where its coordinates are smallest.
+RayScene centred_ray_scene(const Scene& scene, const std::string& name, const Run& run) {
+    const Bounds bounds = world_bounds(scene);
+    const glm::dvec3 middle = 0.5 * (bounds.low + bounds.high);
+    const bool finite = std::isfinite(middle.x) && std::isfinite(middle.y) && std::isfinite(middle.z);
+    RayScene rays = ray_scene(scene, finite ? middle : glm::dvec3(0), run);
+    if (rays.triangles.empty())
+        throw InputError(name + ": there is no triangle to bake (" + std::to_string(triangle_count(scene)) +
+                         " in the scene, " + std::to_string(rays.degenerate) + " without area, " +
+                         std::to_string(rays.not_finite) + " not finite); give a scene that has some");
+    return rays;
+}
+
+std::string comment_of(const Scene& scene, const RayAoSettings& settings) {
+    std::ostringstream text;
+    text << "Accessibility of " << scene.name << " as grey vertex colours, linear, 1 open. " << settings.rays
+         << " rays a vertex, radius " << settings.radius << " scene units, "
+         << (settings.weight == RayWeight::cosine ? "cosine" : "uniform") << " weight, seed " << settings.seed
+         << ".";
+    return text.str();
+}
+
+// What the numbers of the bake cannot show; named as in the other bake.
+void warn(const RayScene& rays, const VertexAo& ao, const BakeOptions& options) {
+    const auto note = [&](const char* name, std::size_t count, const char* what) {
+        if (count > 0) std::cerr << options.scene << ": " << name << ": " << count << " " << what << "\n";
+    };
+    note("not-finite", rays.not_finite,
+         "triangles have a corner that is no finite number or beyond 2^36 units and block no ray; mend the "
+         "file");
+    note("no-area", rays.degenerate, "triangles have no area and block no ray");
+    note("unused", ao.unused, "vertices belong to no triangle that blocks rays and are open");
+    note("offset-exceeds-radius/100", ao.lifted_far,
+         "rays' origins are more than radius / 100 above their surface; take a larger --radius");
+}
+
+}  // namespace
+
+void bake_vertex(const BakeOptions& options, std::ostream& out) {
+    validate(options.rays);
+    validate(options.run);
+    const Scene scene = load_scene(options.scene, {.surfaces = false}).scene;
+    try_output_directory(options.out);
+    const double start_ms = clocks().wall_ms;
+    const RayScene rays = centred_ray_scene(scene, options.scene, options.run);
+    const double built_ms = clocks().wall_ms;
+    VertexAo ao;
+    {
+        Progress progress("vertices", static_cast<long long>(rays.triangles.size()));
+        ao = vertex_ao_from_corners(scene, rays, options.rays, options.run,
+                                    [&](long long triangles) { progress.advance(triangles); });
+    }
+    const double trace_ms = clocks().wall_ms - built_ms;
+
+    const Mesh mesh = world_mesh(scene);
+    std::vector<glm::vec3> colours;
+    colours.reserve(mesh.positions.size());
+    for (const float value : joined(ao)) colours.emplace_back(value);
+    const std::filesystem::path path = options.out / (scene.name + "_vertex_ao.obj");
+    write_obj(path, mesh, colours, comment_of(scene, options.rays));
+
+    warn(rays, ao, options);
+    out << std::fixed << std::setprecision(1) << rays.triangles.size() << " triangles, "
+        << mesh.positions.size() << " vertices\n"
+        << ao.rays_cast << " rays, " << static_cast<double>(ao.rays_cast) / trace_ms / 1e3
+        << " million/s; BVH " << built_ms - start_ms << " ms, rays " << trace_ms << " ms\n"
+        << path.string() << std::endl;
+}
+
+}  // namespace crevice

@@ -1,0 +1,35 @@
+// The page that shows how images differ, for `crevice compare` and for golden tests that fail: each pair with
+// its difference x 16, the metrics, a histogram and the first differing pixels. One file that opens offline.
+#pragma once
+
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ssao/judge/metrics.h"
+
+namespace crevice {
+
+struct DifferenceEntry {
+    std::string name;
+    Planes a, b;                // either may be empty: there is no such image
+    std::string note;           // plain text shown under the name
+    bool linear_light = false;  // show three components through the sRGB curve
+};
+
+// What the page calls its two sides, and itself.
+struct DifferenceLabels {
+    std::string title = "Differences";
+    std::string a = "A", b = "B";
+};
+
+// Entries that differ come first, otherwise in the order given; images of unlike shapes and missing ones
+// count as differing. Both pictures of a pair share one mapping, which is printed; the difference is of the
+// values shown.
+std::string difference_page(std::span<const DifferenceEntry> entries, const DifferenceLabels& labels = {});
+
+// Name and value of each metric, as the page and `crevice compare` print them.
+std::vector<std::pair<std::string, std::string>> error_rows(const ImageError& error);
+
+}  // namespace crevice

@@ -1,0 +1,161 @@
+#include "chapters/commands/render.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+
+#include <nlohmann/json.hpp>
+
+#include "chapters/bench/savings.h"
+#include "chapters/frame/buffer_writer.h"
+#include "chapters/frame/demo_view.h"
+#include "chapters/terminal/output_directory.h"
+#include "rasterizer/base/write_file.h"
+
+namespace crevice {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json described_buffers(const Frame& frame, const RenderOptions& options) {
+    const FrameRequest& request = options.request;
+    BufferWriter writer(options.out);
+    const auto wanted = [&](const char* name) { return request.wanted.contains(name); };
+    const GBuffer& g = frame.gbuffer;
+    if (wanted("normal")) writer.write("normal", g.normal, normal_picture(g.normal));
+    if (wanted("view_depth")) writer.write("view_depth", g.view_depth, view_depth_picture(g.view_depth));
+    if (wanted("ndc_depth")) {
+        const Image<float> depth = ndc_depth(g.depth, request.run);
+        writer.write("ndc_depth", depth, ndc_depth_picture(depth, frame.camera.reversed_z));
+    }
+    if (wanted("ao_raw")) writer.write("ao_raw", frame.ao_raw, ao_picture(frame.ao_raw));
+    if (wanted("ao_blurred")) writer.write("ao_blurred", frame.ao_blurred, ao_picture(frame.ao_blurred));
+    if (wanted("lit")) writer.write("lit", frame.lit, demo_view(frame, options.inset));
+    return writer.described();
+}
+
+// Pairs of frames that one kind of work is measured with, at most.
+constexpr int kMostSavingPairs = 9;
+
+// Null when it was not measured.
+const Saving* saving_of(Skip skip, const std::vector<Saving>& savings) {
+    const auto at =
+        std::find_if(savings.begin(), savings.end(), [&](const Saving& s) { return s.skip == skip; });
+    return at == savings.end() ? nullptr : &*at;
+}
+
+Json passes_json(const RenderOptions& options, const Frame& frame, const std::vector<Saving>& savings,
+                 const std::vector<LoadStep>& load_steps, Json buffers) {
+    const FrameRequest& request = options.request;
+    Json passes = Json::array(), left_out = Json::array();
+    for (const PassTime& pass : frame.passes) {
+        passes.push_back({{"name", pass.name},
+                          {"wall_ms", pass.wall_ms},
+                          {"cpu_ms", pass.cpu_ms},
+                          {"wall_ms_mad", pass.wall_ms_mad},
+                          {"runs", pass.runs}});
+    }
+    for (const LeftOut& item : frame.left_out) left_out.push_back({{"what", item.what}, {"why", item.why}});
+    for (const SkippedWork& work : frame.skipped) {
+        if (work.count == 0) continue;
+        Json entry = {{"what", skip_name(work.skip)},
+                      {"why", skip_reason(work.skip)},
+                      {"count", work.count},
+                      {"of", work.of},
+                      {"unit", work.unit}};
+        if (const Saving* saving = saving_of(work.skip, savings)) {
+            entry["saved_ms"] = saving->saved_ms.median;
+            entry["saved_ms_interval"] = {saving->saved_ms.low, saving->saved_ms.high};
+            entry["confidence"] = saving->saved_ms.confidence;
+        }
+        left_out.push_back(entry);
+    }
+    Json loading = Json::array();
+    for (const LoadStep& step : load_steps)
+        loading.push_back({{"step", step.name}, {"wall_ms", step.wall_ms}});
+    Json parameters = Json::object();
+    for (const Parameter& p : parameters_of(*request.method)) parameters[p.name] = p.get(request.settings);
+    return {{"scene", options.scene},
+            {"size", {request.size.width, request.size.height}},
+            {"method", request.method->name},
+            {"parameters", parameters},
+            {"threads", thread_count(request.run)},
+            {"lanes", lane_count(request.run)},
+            {"isa", isa_name(isa_of(request.run))},
+            {"loading", loading},
+            {"passes", passes},
+            {"left_out", left_out},
+            {"buffers", std::move(buffers)}};
+}
+
+void print_times(const Frame& frame, const std::vector<Saving>& savings,
+                 const std::vector<LoadStep>& load_steps) {
+    double load_ms = 0;
+    for (const LoadStep& step : load_steps) load_ms += step.wall_ms;
+    std::printf("%-13s %8.2f ms wall", "load", load_ms);
+    for (const LoadStep& step : load_steps) std::printf("; %s %.1f", step.name, step.wall_ms);
+    std::printf("\n");
+    for (const PassTime& pass : frame.passes) {
+        std::printf("%-13s %8.2f ms wall  %8.2f ms cpu  (median of %d)\n", pass.name.c_str(), pass.wall_ms,
+                    pass.cpu_ms, pass.runs);
+    }
+    for (const LeftOut& item : frame.left_out)
+        std::printf("left out: %s, because %s\n", item.what.c_str(), item.why.c_str());
+    for (const SkippedWork& work : frame.skipped) {
+        if (work.count == 0) continue;
+        std::printf("left out: %s, %zu of %zu %s", skip_name(work.skip), work.count, work.of, work.unit);
+        if (const Saving* saving = saving_of(work.skip, savings)) {
+            const MedianInterval& ms = saving->saved_ms;
+            std::printf(", saves %.2f ms (%.2f .. %.2f with %.0f %% confidence)", ms.median, ms.low, ms.high,
+                        100 * ms.confidence);
+        }
+        std::printf("\n");
+    }
+}
+
+}  // namespace
+
+PreparedRender prepared_render(const RenderOptions& options) {
+    FrameRequest request = options.request;
+    validate(request.run);
+    // Before the scene is loaded, for a quick answer to a wrong word.
+    const MethodSettings asked = settings_of(*request.method, options.params);
+    // Loads or makes no texture when nothing shows one.
+    const bool surfaces = request.wanted.contains("lit") || asked.buffers.mapped_normals;
+    SceneArgument argument = load_scene(options.scene, {.surfaces = surfaces, .run = request.run});
+    argument.scene.lights = lights_at(argument.scene, options.time_s);
+    const Camera camera = chosen_camera(argument, options.camera);
+    const float ao_scale = request.settings.ao.ao_scale;
+    request.settings = settings_of(*request.method, options.params, argument.scene.length_unit);
+    request.settings.ao.ao_scale = ao_scale;
+    if (triangle_count(argument.scene) == 0)
+        std::cerr << options.scene << ": 0 triangles; only the sky will be seen\n";
+    return {std::move(argument), camera, std::move(request)};
+}
+
+void render_command(const RenderOptions& given) {
+    const auto [argument, camera, request] = prepared_render(given);
+    RenderOptions options = given;
+    options.request = request;
+    try_output_directory(options.out);
+    const Frame frame = render_frame(argument.scene, camera, request);
+    // Who asks for medians is told what leaving out saves, too; with everything kept there is nothing to
+    // tell.
+    const bool measures = request.repeats > 1 && request.run.leaves_out(Skip::passes);
+    std::vector<Skip> found;
+    for (const SkippedWork& work : frame.skipped) {
+        if (measures && work.count > 0) found.push_back(work.skip);
+    }
+    const std::vector<Saving> savings =
+        measure_savings(argument.scene, camera, request, found, std::min(request.repeats, kMostSavingPairs));
+    Json buffers = described_buffers(frame, options);
+    const std::filesystem::path report = options.out / "passes.json";
+    write_file_atomically(
+        report, passes_json(options, frame, savings, argument.load_steps, std::move(buffers)).dump(1) + "\n");
+    print_times(frame, savings, argument.load_steps);
+    std::cout.flush();
+    std::printf("%s\n", report.string().c_str());
+}
+
+}  // namespace crevice

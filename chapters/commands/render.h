@@ -1,0 +1,35 @@
+// `crevice render`: a scene's buffers as files, and passes.json beside them.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "chapters/frame/frame.h"
+#include "chapters/frame/scene_argument.h"
+
+namespace crevice {
+
+struct RenderOptions {
+    std::string scene;
+    CameraFlags camera;
+    std::vector<std::string> params;  // "name=value"
+    FrameRequest request;             // its settings follow from params and the scene
+    double time_s = 0;                // how long the lights have been turning
+    bool inset = false;               // the AO map over the lower right of lit.png (not of lit.npy)
+    std::filesystem::path out = "out";
+};
+
+// What the options come to: the scene loaded, its lights turned, its camera, and settings in its units.
+// Warnings go to stderr. Throws InputError, UsageError.
+struct PreparedRender {
+    SceneArgument argument;
+    Camera camera;
+    FrameRequest request;
+};
+PreparedRender prepared_render(const RenderOptions& options);
+
+// Writes OUT/NAME.npy and OUT/NAME.png for each wanted buffer and OUT/passes.json, and prints one line for
+// each. Throws InputError, UsageError, OutputError; the output directory is tried before anything is drawn.
+void render_command(const RenderOptions& options);
+
+}  // namespace crevice

@@ -1,0 +1,65 @@
+#include "chapters/commands/run_flags.h"
+
+#include "chapters/terminal/parse.h"
+#include "rasterizer/base/error.h"
+
+namespace crevice {
+
+namespace {
+
+Isa isa_named(const std::string& word) {
+    for (const Isa isa : kEveryIsa) {
+        if (word == isa_name(isa)) return isa;
+    }
+    throw UsageError("--isa: no such instruction set (" + word + "); give baseline or avx2");
+}
+
+// The run with so many lanes: of the instruction set that was named, else of one that has as many.
+Run with_lanes(Run run, int lanes, bool isa_was_named) {
+    std::string offered = "1";
+    for (const Isa isa : kEveryIsa) {
+        if (!isa_available(isa) || (isa_was_named && isa != run.isa)) continue;
+        offered += " or " + std::to_string(lanes_of(isa));
+        if (lanes == lanes_of(isa)) run.isa = isa;
+    }
+    run.lanes = lanes;
+    if (lanes != 1 && lanes != lanes_of(run.isa))
+        throw UsageError("--lanes: " + std::string(isa_was_named ? isa_name(run.isa) : "this machine") +
+                         " has no form with so many (" + std::to_string(lanes) + "); give " + offered);
+    return run;
+}
+
+}  // namespace
+
+void add_run_flags(CLI::App& command, RunWords& words) {
+    command.add_option("--threads", words.threads, "0: all; 1: a plain loop")->capture_default_str();
+    command.add_option("--lanes", words.lanes,
+                       "pixels at a time: 1, or as many as --isa has; default: those");
+    command.add_option("--isa", words.isa, "baseline or avx2; default: the best this machine has");
+    command.add_option("--tile", words.tile, "tile size in pixels, 8 16 32 64 or 128")->capture_default_str();
+}
+
+Run run_of(const RunWords& words) {
+    Run run;
+    run.threads = static_cast<int>(parse_whole("--threads", words.threads, 0, 1024));
+    run.tile_size = static_cast<int>(parse_whole("--tile", words.tile, kSmallestTile_px, kLargestTile_px));
+    if (words.keep_all) run.kept = KeptWork::all();
+    if (!words.isa.empty()) run.isa = isa_named(words.isa);
+    if (!words.lanes.empty()) {
+        run = with_lanes(run, static_cast<int>(parse_whole("--lanes", words.lanes, 1, kMostLanes)),
+                         !words.isa.empty());
+    }
+    validate(run);
+    return run;
+}
+
+void add_camera_flags(CLI::App& command, CameraFlags& camera) {
+    command.add_option("--eye", camera.eye, "where the camera stands, x,y,z in the scene's own coordinates");
+    command.add_option("--target", camera.target, "what it looks at, x,y,z");
+    command.add_option("--fov-y", camera.fov_y, "vertical field of view, degrees");
+    command.add_option("--near", camera.near_plane, "near plane, scene units");
+    command.add_option("--far", camera.far_plane, "far plane, scene units");
+    command.add_option("--ortho", camera.ortho, "orthographic camera; height of the picture, scene units");
+}
+
+}  // namespace crevice

@@ -1,0 +1,26 @@
+// Flags that several commands share.
+#pragma once
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "chapters/frame/scene_argument.h"
+#include "rasterizer/base/run.h"
+
+namespace crevice {
+
+// How to run, as it was typed.
+struct RunWords {
+    std::string threads = "0", tile = "64", lanes, isa;
+    bool keep_all = false;
+};
+// --threads --lanes --isa --tile
+void add_run_flags(CLI::App& command, RunWords& words);
+// Throws UsageError.
+Run run_of(const RunWords& words);
+
+// --eye --target --fov-y --near --far --ortho
+void add_camera_flags(CLI::App& command, CameraFlags& camera);
+
+}  // namespace crevice

@@ -1,0 +1,31 @@
+#include "chapters/frame/buffer_writer.h"
+
+#include <iostream>
+
+#include "rasterizer/base/image_io.h"
+
+namespace crevice {
+
+void BufferWriter::write(const std::string& name, const Image<float>& buffer, const Picture& picture) {
+    write_npy(out_ / (name + ".npy"), buffer);
+    describe(name, picture, 1, content_hash(buffer));
+}
+
+void BufferWriter::write(const std::string& name, const Image3& buffer, const Picture& picture) {
+    write_npy(out_ / (name + ".npy"), buffer);
+    describe(name, picture, 3, content_hash(buffer));
+}
+
+void BufferWriter::describe(const std::string& name, const Picture& picture, int components,
+                            const std::string& hash) {
+    const std::filesystem::path path = out_ / (name + ".png");
+    write_picture(path, picture);
+    const BufferStatistics& s = picture.statistics;
+    nlohmann::ordered_json shape = {picture.size.height, picture.size.width};
+    if (components > 1) shape.push_back(components);
+    described_[name] = {{"shape", shape}, {"min", s.min}, {"max", s.max}, {"mean", s.mean},
+                        {"nan", s.nan},   {"inf", s.inf}, {"hash", hash}};
+    std::cout << path.string() << ": " << picture.mapping << "\n";
+}
+
+}  // namespace crevice

@@ -1,0 +1,135 @@
+#include "chapters/frame/frame.h"
+
+#include <utility>
+
+#include "ssao/light/ao_lookup.h"
+#include "ssao/light/scene_shadow.h"
+#include "ssao/light/shade.h"
+#include "ssao/light/sky.h"
+#include "ssao/methods/open_tiles.h"
+
+namespace crevice {
+
+namespace {
+
+// How the second drawing meets the first, in the terms of its depth direction: nearer is nearer.
+ShadeSettings lit_settings(const MethodSettings& settings) {
+    ShadeSettings lit = settings.lit;
+    lit.normal_matrix = settings.buffers.normal_matrix;
+    if (!settings.reversed_z) return lit;
+    if (lit.depth_function == DepthFunction::less_equal) lit.depth_function = DepthFunction::greater_equal;
+    lit.depth_bias.constant = -lit.depth_bias.constant;
+    return lit;
+}
+
+// With EQUAL and the first pass's positions its geometry serves again; else the scene is drawn anew.
+bool shares_geometry(const MethodSettings& settings) {
+    ShadeSettings as_first;
+    as_first.position_order = settings.buffers.position_order;
+    as_first.normal_matrix = settings.buffers.normal_matrix;
+    return lit_settings(settings) == as_first;
+}
+
+Image3 lit_image(const Scene& scene, const ScreenGeometry& geometry, const Frame& frame,
+                 const Image<float>& map, const ShadowMap* shadow, const FrameRequest& request) {
+    const MethodSettings& settings = request.settings;
+    const Image<float> slipped = settings.ao_lookup == AoLookup::exact
+                                     ? Image<float>()
+                                     : looked_up(map, request.size, settings.ao_lookup);
+    const Image<float>& ao = slipped.empty() ? map : slipped;
+    if (shares_geometry(settings))
+        return shade(scene, frame.camera, geometry, frame.gbuffer, ao, request.run, shadow);
+    return shade(scene, frame.camera, frame.gbuffer.depth, ao, lit_settings(settings), request.run, shadow);
+}
+
+// What the passes left out, from the same functions by which they decided it.
+FrameTiles tiles_of(const Scene& scene, const ScreenGeometry& geometry, const AoInputs& inputs,
+                    const Frame& frame, const Needs& needs, const FrameRequest& request) {
+    const MethodSettings& settings = request.settings;
+    const Run& run = request.run;
+    FrameTiles tiles;
+    tiles.raster = raster_tiles(geometry, run);
+    if (needs.ao) tiles.ao = ao_tiles(inputs, settings.ao, run);
+    if (needs.blur) {
+        tiles.blur = run.leaves_out(Skip::open_tiles) ? open_blur_tiles(frame.ao_raw, settings.blur, run)
+                                                      : TileMap(frame.ao_raw.size, kBlurTile);
+    }
+    if (needs.lit) {
+        tiles.lit = shares_geometry(settings) ? lit_tiles(scene, geometry, frame.gbuffer, run)
+                                              : TileMap(geometry.size, geometry.tile_size);
+    }
+    return tiles;
+}
+
+// Maps that were asked for but had nothing to compute: everything is open.
+void fill_open_maps(Frame& frame, const FrameRequest& request) {
+    const Size size = ao_map_size(request.size, request.settings.ao.ao_scale);
+    if (frame.ao_raw.empty() && request.wanted.contains("ao_raw")) frame.ao_raw = Image<float>(size, 1.0f);
+    if (frame.ao_blurred.empty() && request.wanted.contains("ao_blurred")) {
+        frame.ao_blurred = frame.ao_raw.empty() ? Image<float>(size, 1.0f) : frame.ao_raw;
+    }
+}
+
+}  // namespace
+
+Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest& request) {
+    const MethodSettings& settings = request.settings;
+    const Method& method = *request.method;
+    const Needs needs = needs_of(scene, request.wanted, method.computes_ao, settings.blur.iterations,
+                                 !request.run.leaves_out(Skip::passes), settings.buffers.mapped_normals);
+    Frame frame;
+    frame.camera = camera;
+    frame.camera.reversed_z = settings.reversed_z;
+    frame.left_out = needs.left_out;
+
+    ScreenGeometry geometry;
+    AoInputs inputs;
+    ShadowMap shadow;
+    Stopwatch stopwatch;
+    for (int repeat = 0; repeat < request.repeats; ++repeat) {
+        stopwatch.time("frame", [&] {
+            stopwatch.time("normal_depth", [&] {
+                GeometrySettings geometry_with = geometry_settings(settings.buffers);
+                geometry_with.with_normals = needs.normals;
+                geometry = screen_geometry(scene, frame.camera, request.size, geometry_with, request.run);
+                NormalDepthSettings buffers = settings.buffers;
+                buffers.with_material = needs.lit && needs.materials;
+                frame.gbuffer = normal_depth(scene, geometry, frame.camera.reversed_z, buffers, request.run);
+            });
+            if (needs.ao) {
+                stopwatch.time("ao", [&] {
+                    inputs = ao_inputs(frame.gbuffer, frame.camera, method.fetch(settings.ao), request.run);
+                    frame.ao_raw = luna_occlusion(inputs, settings.ao, request.run);
+                });
+            }
+            if (needs.blur) {
+                stopwatch.time("blur", [&] {
+                    BlurSettings blur = settings.blur;
+                    blur.format = settings.ao.format;
+                    frame.ao_blurred = bilateral_blur(frame.ao_raw, inputs, blur, request.run);
+                });
+            }
+            if (needs.shadow) stopwatch.time("shadow", [&] { shadow = scene_shadow(scene, request.run); });
+            if (needs.lit) {
+                stopwatch.time("lit", [&] {
+                    const Image<float>& ao = needs.blur ? frame.ao_blurred : frame.ao_raw;
+                    frame.lit =
+                        lit_image(scene, geometry, frame, ao, needs.shadow ? &shadow : nullptr, request);
+                });
+            }
+            if (needs.sky) {
+                stopwatch.time("sky", [&] {
+                    frame.lit = with_sky(std::move(frame.lit), frame.gbuffer.depth, frame.camera,
+                                         *scene.sky_cube, request.run);
+                });
+            }
+        });
+    }
+    frame.passes = stopwatch.summaries();
+    frame.tiles = tiles_of(scene, geometry, inputs, frame, needs, request);
+    frame.skipped = skipped_work(geometry, frame.gbuffer, frame.tiles);
+    fill_open_maps(frame, request);
+    return frame;
+}
+
+}  // namespace crevice

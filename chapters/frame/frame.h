@@ -1,0 +1,36 @@
+// One frame of the tutorials' pipeline: the passes in their order, each timed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "chapters/frame/left_out.h"
+#include "chapters/frame/methods.h"
+#include "chapters/terminal/stopwatch.h"
+#include "ssao/needs.h"
+
+namespace crevice {
+
+struct FrameRequest {
+    Size size;
+    const Method* method = nullptr;
+    MethodSettings settings;
+    WantedBuffers wanted = all_buffers();
+    int repeats = 1;  // >= 1; times are medians over them
+    Run run;
+};
+
+struct Frame {
+    Camera camera;  // as drawn: with the depth direction that the settings asked for
+    GBuffer gbuffer;
+    Image<float> ao_raw, ao_blurred;  // empty when left out
+    Image3 lit;                       // empty when left out
+    std::vector<PassTime> passes;     // those that ran, and last the frame
+    std::vector<LeftOut> left_out;    // passes and data, with reasons
+    FrameTiles tiles;
+    std::vector<SkippedWork> skipped;
+};
+
+Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest& request);
+
+}  // namespace crevice

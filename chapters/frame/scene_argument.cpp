@@ -1,0 +1,72 @@
+#include "chapters/frame/scene_argument.h"
+
+#include <chrono>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+
+#include "chapters/terminal/parse.h"
+#include "rasterizer/base/error.h"
+#include "rasterizer/lanes/approx_math.h"
+#include "scenes/builtin_scenes.h"
+
+namespace crevice {
+
+SceneArgument load_scene(const std::string& name_or_path, const WantedOfScene& wanted) {
+    if (const BuiltinScene* builtin = find_builtin_scene(name_or_path)) {
+        const auto start = std::chrono::steady_clock::now();
+        const SceneDetail detail = wanted.surfaces ? SceneDetail::surfaces : SceneDetail::shapes;
+        Scene scene = builtin->make(detail, wanted.run);
+        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+        return {std::move(scene), false, {{"make the scene", took.count()}}};
+    }
+    std::error_code ignored;
+    if (!std::filesystem::exists(name_or_path, ignored)) {
+        throw InputError(name_or_path +
+                         ": neither a built-in scene nor a file; `crevice scenes` lists the scenes");
+    }
+    ObjOptions options;
+    options.want_textures = wanted.surfaces;
+    options.want_unused_texcoords = wanted.unused_texcoords;
+    LoadedObj loaded = load_obj(name_or_path, options);
+    for (const std::string& warning : loaded.report.warnings) std::cerr << warning << "\n";
+    return {std::move(loaded.scene), true, std::move(loaded.steps)};
+}
+
+Camera chosen_camera(const SceneArgument& argument, const CameraFlags& flags) {
+    Camera camera = argument.scene.camera;
+    // An OBJ's coordinates are converted like its vertices.
+    const auto point = [&](const char* flag, const std::string& word) {
+        const glm::dvec3 p = parse_point(flag, word);
+        return argument.from_obj ? glm::dvec3(p.x, p.y, -p.z) : p;
+    };
+    if (flags.eye) {
+        camera.eye = point("--eye", *flags.eye);
+        const Bounds bounds = world_bounds(argument.scene);
+        if (!flags.target && !bounds.empty) camera.target = 0.5 * (bounds.low + bounds.high);
+    }
+    if (flags.target) camera.target = point("--target", *flags.target);
+    if (flags.fov_y) camera.fov_y_rad = radians(parse_number("--fov-y", *flags.fov_y));
+    if (flags.near_plane) camera.near_plane = parse_number("--near", *flags.near_plane);
+    if (flags.far_plane) camera.far_plane = parse_number("--far", *flags.far_plane);
+    if (flags.ortho) {
+        camera.projection = Projection::orthographic;
+        camera.ortho_height = parse_number("--ortho", *flags.ortho);
+    }
+    validate(camera);
+    return camera;
+}
+
+void print_scenes(std::ostream& out) {
+    out << std::left << std::setw(18) << "scene" << std::right << std::setw(10) << "triangles"
+        << "  " << std::left << std::setw(22) << "unit"
+        << "purpose\n";
+    for (const BuiltinScene& builtin : builtin_scenes()) {
+        out << std::left << std::setw(18) << builtin.name << std::right << std::setw(10)
+            << triangle_count(builtin.make()) << "  " << std::left << std::setw(22) << builtin.unit
+            << builtin.purpose << "\n";
+    }
+    out << "or the path of an OBJ file\n";
+}
+
+}  // namespace crevice

@@ -1,0 +1,40 @@
+// SCENE on the command line: the name of a built-in scene, or the path of an OBJ file.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "rasterizer/obj/obj_load.h"
+
+namespace crevice {
+
+struct SceneArgument {
+    Scene scene;
+    bool from_obj = false;             // its coordinates are right-handed
+    std::vector<LoadStep> load_steps;  // what making or reading it took
+};
+
+// What of a scene is wanted beside its triangles and materials.
+struct WantedOfScene {
+    // SceneDetail::surfaces, and the texture files of an OBJ; else those stay unread.
+    bool surfaces = true;
+    bool unused_texcoords = false;  // of an OBJ: texture coordinates that no texture asks for
+    Run run = {};                   // with which a built-in scene is made
+};
+
+// Warnings of the OBJ loader go to stderr. Throws InputError.
+SceneArgument load_scene(const std::string& name_or_path, const WantedOfScene& wanted = {});
+
+// The camera flags, each as it was typed; nothing means: as the scene says.
+struct CameraFlags {
+    std::optional<std::string> eye, target, fov_y, near_plane, far_plane, ortho;
+};
+
+// The scene's camera with the flags applied. --eye and --target are in the scene's own coordinates. A given
+// eye looks at the middle of the scene unless a target is given too. Throws UsageError.
+Camera chosen_camera(const SceneArgument& scene, const CameraFlags& flags);
+
+// `crevice scenes`: the built-in scenes with triangle counts, unit and purpose.
+void print_scenes(std::ostream& out);
+
+}  // namespace crevice

@@ -1,0 +1,31 @@
+// The parts that the lab's HTML pages share. A page is one file that opens offline: style and pictures are
+// inside.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "rasterizer/base/image.h"
+
+namespace crevice {
+
+// `text` with & < > " as entities.
+std::string escape_html(std::string_view text);
+
+// RFC 4648, with padding, without line breaks.
+std::string base64(std::string_view bytes);
+
+// CommonMark with tables; raw HTML in it is shown, not obeyed. Throws InputError if the text cannot be
+// parsed.
+std::string html_from_markdown(std::string_view markdown);
+
+// An <img> with the PNG inside, at a whole multiple of its size that is at least kMinShownWidth wide; `alt`
+// and `classes` are plain text.
+inline constexpr int kMinShownWidth = 320;
+std::string image_element(std::string_view png, Size size, std::string_view alt,
+                          std::string_view classes = "");
+
+// A whole page. `title` is plain text, `body` HTML.
+std::string html_page(std::string_view title, std::string_view body);
+
+}  // namespace crevice

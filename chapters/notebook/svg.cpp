@@ -1,0 +1,102 @@
+#include "chapters/notebook/svg.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "chapters/notebook/html.h"
+
+namespace crevice {
+
+namespace {
+
+constexpr double kLegendLine = 18;  // from one name to the next
+
+std::string attribute(std::string_view name, std::string_view value) {
+    return " " + std::string(name) + "=\"" + std::string(value) + "\"";
+}
+std::string attribute(std::string_view name, double value) { return attribute(name, svg_number(value)); }
+
+}  // namespace
+
+std::string svg_number(double value) {
+    char text[32];
+    // Never "-0.0".
+    std::snprintf(text, sizeof text, "%.1f", std::fabs(value) < 0.05 ? 0.0 : value);
+    return text;
+}
+
+std::string svg_line(SvgPoint from, SvgPoint to, std::string_view colour) {
+    return "<line" + attribute("x1", from.x) + attribute("y1", from.y) + attribute("x2", to.x) +
+           attribute("y2", to.y) + attribute("stroke", colour) + "/>\n";
+}
+
+std::string svg_polyline(const std::vector<SvgPoint>& points, std::string_view colour,
+                         std::string_view more) {
+    std::string text;
+    for (const SvgPoint& p : points) text += svg_number(p.x) + "," + svg_number(p.y) + " ";
+    return "<polyline fill=\"none\"" + attribute("stroke", colour) + " stroke-width=\"1.5\"" +
+           std::string(more) + attribute("points", text) + "/>\n";
+}
+
+std::string svg_dot(SvgPoint centre, double radius, std::string_view colour) {
+    return "<circle" + attribute("cx", centre.x) + attribute("cy", centre.y) + attribute("r", radius) +
+           attribute("fill", colour) + "/>\n";
+}
+
+std::string svg_ring(SvgPoint centre, double radius, std::string_view colour) {
+    return "<circle" + attribute("cx", centre.x) + attribute("cy", centre.y) + attribute("r", radius) +
+           " fill=\"none\"" + attribute("stroke", colour) + " stroke-width=\"1.5\"/>\n";
+}
+
+std::string svg_box(SvgPoint corner, SvgPoint opposite, std::string_view colour, std::string_view hint) {
+    return "<rect" + attribute("x", std::min(corner.x, opposite.x)) +
+           attribute("y", std::min(corner.y, opposite.y)) +
+           attribute("width", std::fabs(corner.x - opposite.x)) +
+           attribute("height", std::fabs(corner.y - opposite.y)) + attribute("fill", colour) + "><title>" +
+           escape_html(hint) + "</title></rect>\n";
+}
+
+std::string svg_text(SvgPoint at, std::string_view words, TextAnchor anchor, std::string_view colour) {
+    constexpr const char* kNames[] = {"start", "middle", "end"};
+    return "<text" + attribute("x", at.x) + attribute("y", at.y) +
+           attribute("text-anchor", kNames[static_cast<int>(anchor)]) + attribute("fill", colour) + ">" +
+           escape_html(words) + "</text>\n";
+}
+
+std::string svg_upward_text(SvgPoint middle, std::string_view words) {
+    const std::string at = svg_number(middle.x) + " " + svg_number(middle.y);
+    return "<text" + attribute("x", middle.x) + attribute("y", middle.y) + " text-anchor=\"middle\"" +
+           attribute("transform", "rotate(-90 " + at + ")") + ">" + escape_html(words) + "</text>\n";
+}
+
+std::string svg_picture(std::string_view title, double width, double height, std::string_view drawn) {
+    return "<svg" + attribute("viewBox", "0 0 " + svg_number(width) + " " + svg_number(height)) +
+           attribute("width", width) +
+           " xmlns=\"http://www.w3.org/2000/svg\" font-family=\"sans-serif\" font-size=\"12\" "
+           "style=\"background:#fff;max-width:100%;height:auto\" role=\"img\">\n<title>" +
+           escape_html(title) + "</title>\n<text x=\"70.0\" y=\"22.0\" font-size=\"15\">" +
+           escape_html(title) + "</text>\n" + std::string(drawn) + "</svg>\n";
+}
+
+std::string_view series_colour(std::size_t index) {
+    static constexpr std::array<std::string_view, 10> kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                                                  "#332288", "#e69f00", "#56b4e9", "#7f3c8d",
+                                                                  "#8c564b", "#8a8a00"};
+    return kColours[index % kColours.size()];
+}
+
+std::string svg_legend(SvgPoint top, const std::vector<LegendEntry>& entries) {
+    std::string svg;
+    SvgPoint at = top;
+    for (const LegendEntry& entry : entries) {
+        svg += entry.ring ? svg_ring({at.x + 5, at.y}, 5, entry.colour)
+                          : svg_box({at.x, at.y - 5}, {at.x + 10, at.y + 5}, entry.colour, entry.name);
+        svg += svg_text({at.x + 17, at.y + 4}, entry.name);
+        at.y += kLegendLine;
+    }
+    return svg;
+}
+
+}  // namespace crevice

@@ -1,0 +1,55 @@
+// One view of a built-in scene under different `--param` words: what a chapter shows of an artifact and its
+// cure, and the command that shows the same.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "chapters/frame/methods.h"
+#include "chapters/notebook/notebook.h"
+
+namespace crevice {
+
+// The words of `--param`, name=value.
+using Words = std::vector<std::string>;
+
+struct SwitchedAo {
+    MethodSettings settings;
+    GBuffer gbuffer;
+    AoInputs inputs;
+    Image<float> raw, blurred;  // of the AO map's size
+};
+
+class SwitchedView {
+ public:
+    // The scene's own camera, and xjun's settings. Throws UsageError for a scene or a method there is not.
+    SwitchedView(const std::string& scene, Size size, const std::string& method = "xjun");
+    // Another camera; `flags` is how the command line says so.
+    SwitchedView(const std::string& scene, Size size, Camera camera, std::string flags);
+
+    // Throws UsageError as settings_of(). `ao_scale` is .5 or 1.
+    SwitchedAo ao(const Words& words = {}, float ao_scale = 0.5f) const;
+    // "crevice render SCENE ...", Markdown.
+    std::string command(const Words& words) const;
+
+    const Scene& scene() const { return scene_; }
+    const Camera& camera() const { return camera_; }
+
+ private:
+    Scene scene_;
+    Camera camera_;
+    Size size_;
+    const Method& method_;
+    std::string flags_;
+};
+
+// Seed 000's columns from near the foot of one, where contact shade is large.
+SwitchedView column_foot(Size size);
+
+// a - b, of images of one size.
+Image<float> difference_of(Image<float> a, const Image<float>& b);
+
+// Four digits after the point.
+std::string four_digits(double value);
+
+}  // namespace crevice

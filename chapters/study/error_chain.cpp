@@ -1,0 +1,102 @@
+#include "chapters/study/error_chain.h"
+
+#include "scenes/builtin_scenes.h"
+#include "ssao/judge/fitted_power.h"
+#include "ssao/light/widened_ao.h"
+
+namespace crevice {
+
+namespace {
+
+// image + b - a, pixel by pixel.
+Image<float> moved_by(Image<float> image, const Image<float>& a, const Image<float>& b) {
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] += b.pixels[i] - a.pixels[i];
+    return image;
+}
+
+// What the blur alone does to the method's limit, on top of the image `before` the blur.
+ChainImage blurred_limit(const MethodView& view, const MethodSettings& settings, const Image<float>& before,
+                         int limit_seeds, const Run& run) {
+    const AoInputs inputs = inputs_of(view, settings, run);
+    const ReferenceImage limit = luna_limit(inputs, settings.ao, limit_seeds, run);
+    BlurSettings blur = settings.blur;
+    blur.format = BufferFormat::float32;
+    const auto half = [&](std::size_t i) {
+        return moved_by(before, ao_at_picture_size(limit.half[i], view.size, run),
+                        ao_at_picture_size(bilateral_blur(limit.half[i], inputs, blur, run), view.size, run));
+    };
+    return {"blur, bias", half(0), half(1)};
+}
+
+constexpr Size kFitSize{160, 90};
+constexpr int kFitRays = 128, kFitSeeds = 64;
+
+}  // namespace
+
+std::vector<ChainImage> error_chain(const MethodView& view, const References& references,
+                                    const ErrorSetting& setting, std::uint32_t seed, int limit_seeds,
+                                    const Run& run) {
+    const auto settings_with = [&](bool half_floats) {
+        ErrorSetting changed = setting;
+        changed.half_floats = half_floats;
+        return settings_of(*view.method, changed, view.length_unit, seed);
+    };
+    const auto noisy = [](const char* step, const Reference& r) {
+        return ChainImage{step, r.image.half[0], r.image.half[1]};
+    };
+    std::vector<ChainImage> chain = {noisy("truth", references.soft),
+                                     noisy("depth buffer", references.screen),
+                                     noisy("definition", references.limit)};
+    const MethodSettings plain = settings_with(false);
+    const AoInputs inputs = inputs_of(view, plain, run);
+    if (setting.ao_scale < 1) {
+        const ReferenceImage limit = luna_limit(inputs, plain.ao, limit_seeds, run);
+        chain.push_back({"half size", ao_at_picture_size(limit.half[0], view.size, run),
+                         ao_at_picture_size(limit.half[1], view.size, run)});
+    }
+    const auto add = [&](const char* step, const Image<float>& map) {
+        chain.push_back({step, ao_at_picture_size(map, view.size, run)});
+    };
+    add("sampling", luna_occlusion_in_double(inputs, plain.ao, run));
+    add("rounding", luna_occlusion(inputs, plain.ao, run));
+    const MethodSettings last = settings_with(setting.half_floats);
+    if (setting.half_floats) add("float16", luna_occlusion(inputs_of(view, last, run), last.ao, run));
+    if (setting.blur_iterations > 0) {
+        chain.push_back(blurred_limit(view, last, chain.back().first, limit_seeds, run));
+        chain.push_back({"blur, noise removed", ao_picture_of(view, last, run)});
+    }
+    return chain;
+}
+
+FittedElsewhere fitted_elsewhere(const Method& method, const std::string& name, const Run& run) {
+    FittedElsewhere fitted;
+    std::vector<References> references;
+    for (const char* candidate : {"columns", "columns_luna", "cornell"}) {
+        if (name == candidate) continue;
+        const Scene scene = find_builtin_scene(candidate)->make();
+        ReferenceRequest request;
+        request.size = kFitSize;
+        request.method = &method;
+        request.ao = settings_of(method, {}, scene.length_unit).ao;
+        request.rays.rays = kFitRays;
+        request.rays.radius = request.ao.radius;
+        request.limit_seeds = kFitSeeds;
+        request.run = run;
+        references.push_back(make_references(scene, scene.camera, request));
+        fitted.scenes.push_back(candidate);
+    }
+    std::vector<Image<std::uint8_t>> surfaces;
+    for (const References& r : references) {
+        Image<std::uint8_t> surface(kFitSize, 0);
+        for (const std::int32_t pixel : r.points.pixel)
+            surface.at(pixel % kFitSize.width, pixel / kFitSize.width) = 1;
+        surfaces.push_back(std::move(surface));
+    }
+    std::vector<PowerExample> examples;
+    for (std::size_t i = 0; i < references.size(); ++i)
+        examples.push_back({references[i].limit.image.mean, references[i].soft.image.mean, surfaces[i]});
+    fitted.exponent = fitted_power(examples).exponent;
+    return fitted;
+}
+
+}  // namespace crevice

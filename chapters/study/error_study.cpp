@@ -1,0 +1,218 @@
+#include "chapters/study/error_study.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "chapters/study/error_chain.h"
+#include "ssao/bakes/vertex_ao_picture.h"
+#include "ssao/judge/fitted_power.h"
+
+namespace crevice {
+
+namespace {
+
+// Seeds of the images that are judged: none of them is a reference's.
+constexpr std::uint32_t kFirstStudySeed = 1000;
+
+// A point and how to make its picture, and how to do only what is timed.
+struct Candidate {
+    StudyPoint point;
+    bool of_method = false;
+    std::function<Image<float>(std::uint32_t seed)> picture;
+    std::function<void()> timed;
+};
+
+class Study {
+ public:
+    Study(const Scene& scene, const Camera& camera, const Method& method, const ErrorPlan& plan,
+          const Run& run, const StudyProgress& progress)
+        : scene_(scene), run_(run), progress_(progress) {
+        study.method = &method;
+        study.camera = camera;
+        study.plan = plan;
+        view_ = method_view(scene, camera, plan.size, method, run);
+        rays_ = ray_scene(scene, camera.eye, run);
+    }
+
+    void make_references_for(const std::optional<std::filesystem::path>& cache) {
+        ReferenceRequest request;
+        request.size = study.plan.size;
+        request.method = study.method;
+        request.ao = settings_of(*study.method, {}, scene_.length_unit).ao;
+        request.rays.rays = study.plan.reference_rays;
+        request.rays.radius = request.ao.radius;
+        request.limit_seeds = study.plan.limit_seeds;
+        request.cache = cache;
+        request.run = run_;
+        study.references = make_references(scene_, view_.camera, request);
+        kinds_ = surface_kinds(study.references.gbuffer, view_.camera);
+        study.cast.radius = request.ao.radius;
+        study.cast.fade = Fade{request.ao.fade_start, request.ao.fade_end};
+    }
+
+    std::vector<Candidate> candidates() {
+        std::vector<Candidate> all;
+        for (const ErrorSetting& setting : study.plan.settings) all.push_back(of_method(setting));
+        for (const int rays : study.plan.cast_rays) all.push_back(ray_cast(rays));
+        for (const int rays : study.plan.vertex_rays) all.push_back(vertex_bake(rays));
+        return all;
+    }
+
+    void judge(Candidate& candidate) const {
+        std::vector<MeanError> truth, screen, limit, fitted;
+        const References& r = study.references;
+        for (int i = 0; i < study.plan.seeds; ++i) {
+            const Image<float> picture = candidate.picture(kFirstStudySeed + static_cast<std::uint32_t>(i));
+            const auto against = [&](const Image<float>& image, const Reference& reference) {
+                return mean_error(image, reference.image, kinds_, Region::surface);
+            };
+            truth.push_back(against(picture, r.soft));
+            screen.push_back(against(picture, r.screen));
+            if (!candidate.of_method) continue;
+            limit.push_back(against(picture, r.limit));
+            fitted.push_back(against(to_power(picture, study.fitted_exponent), r.soft));
+        }
+        candidate.point.truth = spread_of(truth);
+        candidate.point.screen = spread_of(screen);
+        if (!candidate.of_method) return;
+        candidate.point.limit = spread_of(limit);
+        candidate.point.fitted_rmse = spread_of(fitted).rmse;
+    }
+
+    // All candidates in turns; each point's time is set.
+    void time(std::vector<Candidate>& all) const {
+        std::vector<PassSamples> samples(all.size());
+        for (int round = -1; round < study.plan.rounds; ++round) {
+            for (std::size_t i = 0; i < all.size(); ++i) {
+                PassSamples& own = samples[i];
+                const bool slow = !own.wall_ms.empty() && own.wall_ms.front() > kSlow_ms;
+                if (slow && round >= study.plan.slow_rounds) continue;
+                const Clocks before = clocks();
+                all[i].timed();
+                const Clocks after = clocks();
+                if (round < 0) continue;
+                own.wall_ms.push_back(after.wall_ms - before.wall_ms);
+                own.cpu_ms.push_back(after.cpu_ms - before.cpu_ms);
+            }
+            report("timing", round + 2, study.plan.rounds + 1);
+        }
+        for (std::size_t i = 0; i < all.size(); ++i) all[i].point.time = samples[i].summary();
+    }
+
+    void report(const char* stage, long long done, long long total) const {
+        if (progress_) progress_(stage, done, total);
+    }
+
+    ErrorStudy study;
+
+    void take_apart() {
+        study.parts_setting = default_setting(*study.method);
+        study.parts_setting.half_floats = true;
+        const std::vector<ChainImage> chain = error_chain(view_, study.references, study.parts_setting,
+                                                          kFirstStudySeed, study.plan.limit_seeds, run_);
+        study.parts = error_parts(chain, region_mask(kinds_, Region::surface));
+    }
+
+ private:
+    Candidate of_method(const ErrorSetting& setting) const {
+        const auto settings = [this, setting](std::uint32_t seed) {
+            return settings_of(*study.method, setting, scene_.length_unit, seed);
+        };
+        Candidate candidate;
+        candidate.point.method = study.method->name;
+        candidate.point.setting = setting_name(setting);
+        candidate.point.of = setting;
+        candidate.of_method = true;
+        candidate.picture = [=, this](std::uint32_t seed) {
+            return ao_picture_of(view_, settings(seed), run_);
+        };
+        candidate.timed = [=, this] { ao_map_of(view_, settings(kFirstStudySeed), run_); };
+        return candidate;
+    }
+
+    RayAoSettings cast_settings(int rays, std::uint32_t seed) const {
+        RayAoSettings settings = study.cast;
+        settings.rays = rays;
+        settings.seed = seed;
+        return settings;
+    }
+
+    static std::string ray_count(int rays, const char* of_what) {
+        return std::to_string(rays) + (rays == 1 ? " ray a " : " rays a ") + of_what;
+    }
+
+    Candidate ray_cast(int rays) const {
+        const auto cast = [=, this](std::uint32_t seed) {
+            return ray_cast_ao(rays_, study.references.points.points, cast_settings(rays, seed), run_);
+        };
+        Candidate candidate;
+        candidate.point.method = "ray_cast";
+        candidate.point.setting = ray_count(rays, "pixel");
+        candidate.picture = [=, this](std::uint32_t seed) {
+            return picture_of(study.references.points, cast(seed));
+        };
+        candidate.timed = [=] { cast(kFirstStudySeed); };
+        return candidate;
+    }
+
+    Candidate vertex_bake(int rays) const {
+        const auto baked = [=, this](std::uint32_t seed) {
+            return vertex_ao_from_corners(scene_, rays_, cast_settings(rays, seed), run_);
+        };
+        Candidate candidate;
+        candidate.point.method = "vertex_bake";
+        candidate.point.setting = ray_count(rays, "vertex");
+        candidate.picture = [=, this](std::uint32_t seed) {
+            return vertex_ao_picture(scene_, view_.camera, view_.size, rays_, baked(seed), run_);
+        };
+        candidate.timed = [=] { baked(kFirstStudySeed); };
+        return candidate;
+    }
+
+    // Roots of each image's mean square; the mean square of all for the middle.
+    static ErrorSpread spread_of(const std::vector<MeanError>& errors) {
+        ErrorSpread spread;
+        double square = 0, squared_error = 0;
+        spread.lowest = errors.front().squared.root();
+        for (const MeanError& e : errors) {
+            square += e.squared.mean / static_cast<double>(errors.size());
+            squared_error += e.squared.error / static_cast<double>(errors.size());
+            spread.bias += e.bias / static_cast<double>(errors.size());
+            spread.lowest = std::min(spread.lowest, e.squared.root());
+            spread.highest = std::max(spread.highest, e.squared.root());
+        }
+        spread.rmse = std::sqrt(std::max(square, 0.0));
+        if (spread.rmse > 0) spread.error = squared_error / (2 * spread.rmse);
+        return spread;
+    }
+
+    const Scene& scene_;
+    const Run& run_;
+    const StudyProgress& progress_;
+    MethodView view_;
+    RayScene rays_;
+    Image<SurfaceKind> kinds_;
+};
+
+}  // namespace
+
+ErrorStudy error_study(const Scene& scene, const Camera& camera, const Method& method, const ErrorPlan& plan,
+                       const std::optional<std::filesystem::path>& cache, bool timed, const Run& run,
+                       const StudyProgress& progress) {
+    Study maker(scene, camera, method, plan, run, progress);
+    maker.make_references_for(cache);
+    const FittedElsewhere fitted = fitted_elsewhere(method, scene.name, run);
+    maker.study.fitted_exponent = fitted.exponent;
+    maker.study.fitted_on = fitted.scenes;
+    maker.take_apart();
+    std::vector<Candidate> candidates = maker.candidates();
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        maker.judge(candidates[i]);
+        maker.report("images", static_cast<long long>(i) + 1, static_cast<long long>(candidates.size()));
+    }
+    if (timed) maker.time(candidates);
+    for (Candidate& candidate : candidates) maker.study.points.push_back(std::move(candidate.point));
+    return std::move(maker.study);
+}
+
+}  // namespace crevice

@@ -1,0 +1,31 @@
+// What the settings of a method share when many of them are tried on one view: buffers drawn once.
+#pragma once
+
+#include <array>
+
+#include "chapters/study/error_settings.h"
+#include "rasterizer/draw/normal_depth.h"
+
+namespace crevice {
+
+struct MethodView {
+    const Method* method = nullptr;
+    float length_unit = 1;
+    Camera camera;
+    Size size;
+    std::array<GBuffer, 2> gbuffer;  // float32, float16
+};
+
+MethodView method_view(const Scene& scene, const Camera& camera, Size size, const Method& method,
+                       const Run& run);
+
+// What the method's samples are compared with.
+AoInputs inputs_of(const MethodView& view, const MethodSettings& settings, const Run& run);
+
+// The AO map as it is before the picture is lit: estimated and blurred. This is what is timed, inputs included.
+Image<float> ao_map_of(const MethodView& view, const MethodSettings& settings, const Run& run);
+
+// The same at picture size, as the lit pass reads it.
+Image<float> ao_picture_of(const MethodView& view, const MethodSettings& settings, const Run& run);
+
+}  // namespace crevice

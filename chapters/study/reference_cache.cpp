@@ -1,0 +1,66 @@
+#include "chapters/study/reference_cache.h"
+
+#include "rasterizer/base/error.h"
+#include "rasterizer/base/image_io.h"
+
+namespace crevice {
+
+namespace {
+
+// The four images of a reference, in the order in which they are stored: a set is whole when the last is there.
+constexpr const char* kParts[] = {"half_1", "half_2", "error", "mean"};
+
+std::filesystem::path part_path(const std::filesystem::path& cache, const std::string& name, int part) {
+    return cache / (name + "-" + kParts[part] + ".npy");
+}
+
+}  // namespace
+
+void ContentKey::add_bytes(std::span<const std::byte> bytes) {
+    for (const std::byte b : bytes) hash_ = (hash_ ^ static_cast<std::uint64_t>(b)) * 0x100000001b3u;
+}
+
+void ContentKey::add_image(const Image<float>& image) {
+    add(image.size.width);
+    add(image.size.height);
+    for (int y = 0; y < image.size.height; ++y)
+        add_bytes(std::as_bytes(std::span(image.row(y), static_cast<std::size_t>(image.size.width))));
+}
+
+std::string ContentKey::hex() const {
+    std::string text;
+    for (int shift = 60; shift >= 0; shift -= 4) text += "0123456789abcdef"[hash_ >> shift & 15];
+    return text;
+}
+
+std::optional<ReferenceImage> find_reference(const std::filesystem::path& cache, const std::string& name,
+                                             Size size) {
+    Image<float> found[4];
+    for (int part = 0; part < 4; ++part) {
+        const std::filesystem::path path = part_path(cache, name, part);
+        std::error_code none;
+        if (!std::filesystem::is_regular_file(path, none)) return std::nullopt;
+        try {
+            Planes planes = read_npy(path);
+            if (planes.size() != 1 || planes[0].size != size) return std::nullopt;
+            found[part] = std::move(planes[0]);
+        } catch (const InputError&) {
+            return std::nullopt;
+        }
+    }
+    return ReferenceImage{
+        std::move(found[3]), std::move(found[2]), {std::move(found[0]), std::move(found[1])}};
+}
+
+void store_reference(const std::filesystem::path& cache, const std::string& name,
+                     const ReferenceImage& image) {
+    std::error_code error;
+    std::filesystem::create_directories(cache, error);
+    if (error)
+        throw OutputError(cache.string() + ": cannot make this directory (" + error.message() +
+                          "); choose another --cache, or --no-cache");
+    const Image<float>* const parts[] = {&image.half[0], &image.half[1], &image.error, &image.mean};
+    for (int part = 0; part < 4; ++part) write_npy(part_path(cache, name, part), *parts[part]);
+}
+
+}  // namespace crevice

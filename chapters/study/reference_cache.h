@@ -1,0 +1,45 @@
+// Reference images on disk, under the hash of what they were made from.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ssao/judge/reference_image.h"
+
+namespace crevice {
+
+// 64-bit FNV-1a over whatever is added. Plain values only: no pointers, no padding.
+class ContentKey {
+ public:
+    void add_bytes(std::span<const std::byte> bytes);
+    template <class T>
+    void add(const T& value) {
+        add_bytes(std::as_bytes(std::span(&value, 1)));
+    }
+    template <class Values>  // a vector or a span
+    void add_all(const Values& values) {
+        add(values.size());
+        add_bytes(std::as_bytes(std::span(values)));
+    }
+    // The pixels, without the padding of rows.
+    void add_image(const Image<float>& image);
+
+    std::string hex() const;  // 16 digits
+
+ private:
+    std::uint64_t hash_ = 0xcbf29ce484222325u;
+};
+
+// What was stored as `name`, or nothing when it is not there, not of this size or damaged.
+std::optional<ReferenceImage> find_reference(const std::filesystem::path& cache, const std::string& name,
+                                             Size size);
+// Throws OutputError.
+void store_reference(const std::filesystem::path& cache, const std::string& name,
+                     const ReferenceImage& image);
+
+}  // namespace crevice

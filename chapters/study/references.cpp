@@ -1,0 +1,205 @@
+#include "chapters/study/references.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+
+#include "chapters/study/reference_cache.h"
+#include "chapters/terminal/progress.h"
+#include "chapters/terminal/stopwatch.h"
+#include "rasterizer/base/error.h"
+#include "ssao/rays/depth_mesh.h"
+
+namespace crevice {
+
+namespace {
+
+// Names the meaning of the stored images: a new one when any of their definitions changes.
+constexpr int kReferenceVersion = 1;
+
+constexpr int kMostRays = 1 << 20;
+
+class ReferenceMaker {
+ public:
+    ReferenceMaker(const ReferenceRequest& request, const SurfacePoints& points)
+        : request_(request), points_(points) {}
+
+    // Of one trace. `soft` null: not asked for.
+    struct Pair {
+        Reference hard, soft;
+        std::size_t lifted_far = 0;
+    };
+    // `from`: where the rays start, one for each of the points.
+    Pair traced(const char* label, const SurfacePoints& from, const RayScene& scene, const Fade& fade) {
+        RayAoSettings rays = request_.rays;
+        for (;;) {
+            Pair pair = traced_with(label, from.points, scene, fade, rays);
+            const double error = std::max(pair.hard.mean_error, pair.soft.mean_error);
+            if (request_.wanted_error <= 0 || error <= request_.wanted_error || rays.rays >= kMostRays)
+                return pair;
+            rays.rays = std::min(2 * rays.rays, kMostRays);
+        }
+    }
+
+    Reference limit_of(const AoInputs& inputs) {
+        ContentKey key;
+        key.add(kReferenceVersion);
+        for (const Image<float>* image :
+             {&inputs.normal.x, &inputs.normal.y, &inputs.normal.z, &inputs.view_depth, &inputs.depth_map})
+            key.add_image(*image);
+        const LunaSettings& s = request_.ao;
+        for (const float value : {s.radius, s.fade_start, s.fade_end, s.epsilon, s.exponent}) key.add(value);
+        for (const int value :
+             {s.samples, request_.limit_seeds, static_cast<int>(s.as_published),
+              static_cast<int>(s.random_vectors), static_cast<int>(s.sign_of_zero),
+              static_cast<int>(s.self_occlusion_test), static_cast<int>(inputs.fetch.border),
+              static_cast<int>(inputs.fetch.depth), static_cast<int>(inputs.rays.perspective)})
+            key.add(value);
+        key.add(inputs.rays.ray_scale);
+        key.add(inputs.near_plane);
+        key.add(inputs.depth_a);
+        key.add(inputs.depth_b);
+        const std::string name = key.hex() + "-limit";
+        if (auto found = find(name)) return counted(std::move(*found), request_.limit_seeds, 0, true);
+        Progress progress("limit", request_.limit_seeds);
+        const Clocks before = clocks();
+        ReferenceImage image = luna_limit(inputs, s, request_.limit_seeds, request_.run,
+                                          [&](long long done) { progress.advance(done); });
+        const double ms = clocks().wall_ms - before.wall_ms;
+        store(name, image);
+        return counted(std::move(image), request_.limit_seeds, ms, false);
+    }
+
+ private:
+    Pair traced_with(const char* label, std::span<const SurfacePoint> from, const RayScene& scene,
+                     const Fade& fade, const RayAoSettings& rays) {
+        const std::string key = key_of(from, scene, fade, rays);
+        auto hard = find(key + "-hard"), soft = find(key + "-soft");
+        Pair pair;
+        pair.lifted_far = lifted_far(from, rays.radius);
+        if (hard && soft) {
+            pair.hard = counted(std::move(*hard), rays.rays, 0, true);
+            pair.soft = counted(std::move(*soft), rays.rays, 0, true);
+            return pair;
+        }
+        Progress progress(label, static_cast<long long>(from.size()));
+        const Clocks before = clocks();
+        const RayAoReference traced = ray_cast_reference(scene, from, rays, &fade, request_.run,
+                                                         [&](long long done) { progress.advance(done); });
+        const double ms = clocks().wall_ms - before.wall_ms;
+        ReferenceImage hard_image = picture_of_estimates(traced.hard),
+                       soft_image = picture_of_estimates(traced.soft);
+        store(key + "-hard", hard_image);
+        store(key + "-soft", soft_image);
+        pair.hard = counted(std::move(hard_image), rays.rays, ms, false);
+        pair.soft = counted(std::move(soft_image), rays.rays, ms, false);
+        return pair;
+    }
+
+    std::string key_of(std::span<const SurfacePoint> from, const RayScene& scene, const Fade& fade,
+                       const RayAoSettings& rays) const {
+        ContentKey key;
+        key.add(kReferenceVersion);
+        key.add_all(scene.triangles);
+        key.add_all(from);
+        key.add_all(points_.pixel);
+        key.add(request_.size);
+        key.add(fade);
+        for (const int value : {rays.rays, static_cast<int>(rays.weight), static_cast<int>(rays.sequence),
+                                static_cast<int>(rays.hemisphere)})
+            key.add(value);
+        key.add(rays.radius);
+        key.add(rays.seed);
+        return key.hex();
+    }
+
+    ReferenceImage picture_of_estimates(const std::vector<AoEstimate>& estimates) const {
+        std::vector<float> values(estimates.size());
+        const auto picture = [&](auto value, float background) {
+            std::transform(estimates.begin(), estimates.end(), values.begin(), value);
+            return picture_of(points_, values, background);
+        };
+        return {picture([](const AoEstimate& e) { return e.mean; }, 1),
+                picture([](const AoEstimate& e) { return e.error; }, 0),
+                {picture([](const AoEstimate& e) { return e.half[0]; }, 1),
+                 picture([](const AoEstimate& e) { return e.half[1]; }, 1)}};
+    }
+
+    Reference counted(ReferenceImage image, long long rays, double ms, bool from_cache) const {
+        Reference reference{std::move(image), 1, 0, 0, rays, ms, from_cache};
+        if (points_.pixel.empty()) return reference;
+        double sum = 0, error_sum = 0;
+        for (const std::int32_t pixel : points_.pixel) {
+            const int x = pixel % request_.size.width, y = pixel / request_.size.width;
+            const double error = reference.image.error.at(x, y);
+            sum += reference.image.mean.at(x, y);
+            error_sum += error;
+            reference.max_error = std::max(reference.max_error, error);
+        }
+        reference.mean = sum / static_cast<double>(points_.pixel.size());
+        reference.mean_error = error_sum / static_cast<double>(points_.pixel.size());
+        return reference;
+    }
+
+    std::optional<ReferenceImage> find(const std::string& name) const {
+        return request_.cache ? find_reference(*request_.cache, name, request_.size) : std::nullopt;
+    }
+    void store(const std::string& name, const ReferenceImage& image) {
+        if (!request_.cache || cache_failed_) return;
+        try {
+            store_reference(*request_.cache, name, image);
+        } catch (const OutputError& error) {
+            std::cerr << error.what() << "\n";
+            cache_failed_ = true;
+        }
+    }
+
+    const ReferenceRequest& request_;
+    const SurfacePoints& points_;
+    bool cache_failed_ = false;
+};
+
+}  // namespace
+
+std::optional<std::filesystem::path> default_cache() {
+    const char* const cache = std::getenv("XDG_CACHE_HOME");
+    if (cache != nullptr && *cache != 0) return std::filesystem::path(cache) / "crevice";
+    const char* const home = std::getenv("HOME");
+    if (home != nullptr && *home != 0) return std::filesystem::path(home) / ".cache" / "crevice";
+    return std::nullopt;
+}
+
+References make_references(const Scene& scene, const Camera& camera, const ReferenceRequest& request) {
+    validate(request.run);
+    validate(request.rays);
+    validate(request.ao);
+    References references;
+    const Clocks start = clocks();
+    references.gbuffer = normal_depth(scene, camera, request.size, request.run);
+    references.points = surface_points(scene, camera, references.gbuffer, request.run);
+    const Clocks drawn = clocks();
+    const RayScene rays = ray_scene(scene, camera.eye, request.run);
+    const RayScene screen = depth_mesh(references.gbuffer, camera, request.rays.radius, request.run);
+    references.points_ms = drawn.wall_ms - start.wall_ms;
+    references.build_ms = clocks().wall_ms - drawn.wall_ms;
+    references.dropped_triangles = rays.not_finite;
+
+    ReferenceMaker maker(request, references.points);
+    const Fade fade{request.ao.fade_start, request.ao.fade_end};
+    ReferenceMaker::Pair truth = maker.traced("truth", references.points, rays, fade);
+    references.hard = std::move(truth.hard);
+    references.soft = std::move(truth.soft);
+    references.lifted_far = truth.lifted_far;
+    const SurfacePoints in_buffer =
+        points_on_depth_mesh(references.points, references.gbuffer, camera, request.run);
+    references.screen = maker.traced("screen", in_buffer, screen, fade).soft;
+    if (request.limit_seeds > 0) {
+        LunaSettings full = request.ao;
+        full.ao_scale = 1;
+        references.limit =
+            maker.limit_of(ao_inputs(references.gbuffer, camera, request.method->fetch(full), request.run));
+    }
+    return references;
+}
+
+}  // namespace crevice

@@ -1,0 +1,57 @@
+#include "chapters/study/seen_points.h"
+
+#include <cmath>
+#include <numeric>
+
+#include <glm/vec4.hpp>
+
+#include "ssao/judge/luna_limit.h"
+#include "ssao/methods/xjun_ssao.h"
+#include "ssao/rays/ray_cast_ao.h"
+
+namespace crevice {
+
+namespace {
+
+constexpr LunaSettings kLinear{.exponent = 1, .ao_scale = 1};
+constexpr int kSeeds = 8;
+// A texel shows a point when its surface is as deep as the point up to this, scene units.
+constexpr float kSamePlace = 0.03f;
+
+}  // namespace
+
+Image<float> noiseless_ao(const GBuffer& gbuffer, const Camera& camera) {
+    return luna_limit(ao_inputs(gbuffer, camera, xjun_fetch(kLinear)), kLinear, kSeeds).mean;
+}
+
+SeenAo seen_ao(const Scene& scene, const Camera& camera, Size size, std::span<const WorldPoint> points) {
+    const GBuffer gbuffer = normal_depth(scene, camera, size);
+    const Image<float> ao = noiseless_ao(gbuffer, camera);
+    const CameraMatrices m = camera_matrices(camera, size);
+    const ViewRays rays{m.ray_scale, size, camera.projection == Projection::perspective};
+    double sum = 0;
+    SeenAo result;
+    for (const WorldPoint& point : points) {
+        const glm::vec4 p = m.view_from_world * glm::vec4(glm::vec3(point.position), 1);
+        if (!(p.z > static_cast<float>(camera.near_plane))) continue;
+        const Screen2<float> at = rays.p_screen<float>({p.x, p.y, p.z}, 1 / p.z);
+        if (!(at.x >= 0 && at.y >= 0 && at.x < float(size.width) && at.y < float(size.height))) continue;
+        const int x = static_cast<int>(at.x), y = static_cast<int>(at.y);
+        if (!(std::fabs(gbuffer.view_depth.at(x, y) - p.z) < kSamePlace)) continue;
+        sum += double(ao.at(x, y));
+        ++result.seen;
+    }
+    if (result.seen > 0) result.mean = sum / result.seen;
+    return result;
+}
+
+double true_ao(const Scene& scene, std::span<const WorldPoint> points, int rays) {
+    const glm::dvec3 origin = points.empty() ? glm::dvec3(0) : points.front().position;
+    std::vector<SurfacePoint> surface;
+    for (const WorldPoint& point : points)
+        surface.push_back({glm::vec3(point.position - origin), point.normal, point.normal});
+    const std::vector<float> open = ray_cast_ao(ray_scene(scene, origin), surface, {.rays = rays});
+    return std::accumulate(open.begin(), open.end(), 0.0) / double(open.size());
+}
+
+}  // namespace crevice

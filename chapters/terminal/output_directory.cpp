@@ -1,0 +1,21 @@
+#include "chapters/terminal/output_directory.h"
+
+#include <system_error>
+
+#include "rasterizer/base/error.h"
+#include "rasterizer/base/write_file.h"
+
+namespace crevice {
+
+void try_output_directory(const std::filesystem::path& out) {
+    std::error_code error;
+    std::filesystem::create_directories(out, error);
+    if (error)
+        throw OutputError(out.string() + ": cannot make this directory (" + error.message() +
+                          "); choose another --out");
+    const std::filesystem::path trial = out / ".crevice";
+    write_file_atomically(trial, "");
+    std::filesystem::remove(trial, error);
+}
+
+}  // namespace crevice

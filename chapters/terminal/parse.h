@@ -1,0 +1,24 @@
+// Words of the command line as values. Each throws UsageError "FLAG: what is wrong (word); what to do" for
+// anything that is not exactly what it should be: trailing junk, NaN, infinities and numbers out of range are
+// never accepted.
+#pragma once
+
+#include <string>
+
+#include <glm/vec3.hpp>
+
+#include "rasterizer/base/image.h"
+
+namespace crevice {
+
+double parse_number(const std::string& flag, const std::string& word);
+long long parse_whole(const std::string& flag, const std::string& word, long long lowest, long long highest);
+// "true", "false", "1" or "0".
+bool parse_yes_no(const std::string& flag, const std::string& word);
+// "x,y,z"
+glm::dvec3 parse_point(const std::string& flag, const std::string& word);
+// "WxH", each in 1..kLargestSide, together small enough to be addressed.
+inline constexpr int kLargestSide = 32767;  // what a PNG can hold
+Size parse_size(const std::string& flag, const std::string& word);
+
+}  // namespace crevice

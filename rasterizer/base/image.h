@@ -1,0 +1,86 @@
+// A picture in memory: rows from top to bottom, each padded to whole groups of eight pixels so that wide
+// loads need no tail.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <utility>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "rasterizer/lanes/vec3.h"
+
+namespace crevice {
+
+struct Size {
+    int width = 0, height = 0;  // pixels
+    friend bool operator==(const Size&, const Size&) = default;
+};
+
+// Rows start at multiples of this many pixels.
+inline constexpr int kRowAlignment = 8;
+
+constexpr int round_up(int value, int multiple) { return (value + multiple - 1) / multiple * multiple; }
+
+// Leaves new elements as they are, so that a pass can fill a large image tile by tile, on all threads.
+template <class T>
+struct UninitializedAllocator : std::allocator<T> {
+    template <class U>
+    struct rebind {
+        using other = UninitializedAllocator<U>;
+    };
+    template <class U, class... Arguments>
+    void construct(U* at, Arguments&&... arguments) {
+        if constexpr (sizeof...(Arguments) == 0) {
+            ::new (static_cast<void*>(at)) U;
+        } else {
+            ::new (static_cast<void*>(at)) U(std::forward<Arguments>(arguments)...);
+        }
+    }
+};
+
+template <class T>
+struct Image {
+    Size size;
+    int stride = 0;  // pixels from one row to the next
+    std::vector<T, UninitializedAllocator<T>> pixels;
+
+    Image() = default;
+    Image(Size image_size, T fill) : Image(image_size) { std::fill(pixels.begin(), pixels.end(), fill); }
+    // Holds anything: for a pass that writes every pixel, padding included.
+    explicit Image(Size image_size)
+        : size(image_size),
+          stride(round_up(image_size.width, kRowAlignment)),
+          pixels(static_cast<std::size_t>(stride) * static_cast<std::size_t>(image_size.height)) {}
+
+    bool empty() const { return pixels.empty(); }
+    T* row(int y) { return pixels.data() + static_cast<std::ptrdiff_t>(y) * stride; }
+    const T* row(int y) const { return pixels.data() + static_cast<std::ptrdiff_t>(y) * stride; }
+    T& at(int x, int y) { return row(y)[x]; }
+    const T& at(int x, int y) const { return row(y)[x]; }
+};
+
+// Three planes, one a component: what a kernel loads eight pixels at a time.
+struct Image3 {
+    Image<float> x, y, z;
+
+    Image3() = default;
+    Image3(Size size, glm::vec3 fill) : x(size, fill.x), y(size, fill.y), z(size, fill.z) {}
+    explicit Image3(Size size) : x(size), y(size), z(size) {}
+
+    Size size() const { return x.size; }
+    bool empty() const { return x.empty(); }
+    glm::vec3 at(int column, int row) const {
+        return {x.at(column, row), y.at(column, row), z.at(column, row)};
+    }
+    void set(int column, int row, glm::vec3 value) {
+        x.at(column, row) = value.x;
+        y.at(column, row) = value.y;
+        z.at(column, row) = value.z;
+    }
+};
+
+}  // namespace crevice

@@ -1,0 +1,89 @@
+#include "rasterizer/draw/clip.h"
+
+#include "rasterizer/spaces.h"
+
+namespace crevice {
+
+namespace {
+
+// Signed distance (times a positive factor) of a point from plane `plane`; negative is outside.
+double plane_distance(int plane, const glm::dvec4& p, Size size) {
+    const double right = 2.0 * kGuardBand_px / size.width, bottom = 2.0 * kGuardBand_px / size.height;
+    switch (plane) {
+        case 0: return p.z;
+        case 1: return p.w - p.z;
+        case 2: return p.w - kSmallestW;
+        case 3: return (right + 1) * p.w + p.x;   // screen x >= -kGuardBand_px
+        case 4: return (right - 1) * p.w - p.x;   // screen x <= +kGuardBand_px
+        case 5: return (bottom + 1) * p.w - p.y;  // screen y >= -kGuardBand_px
+        default: return (bottom - 1) * p.w + p.y;
+    }
+}
+
+// Measured from the vertex nearer to the plane: a huge vertex swallows no small one, and both neighbours of
+// an edge compute the same point.
+ClippedVertex crossing(const ClippedVertex& inside, double distance_inside, const ClippedVertex& outside,
+                       double distance_outside, int plane) {
+    const bool inside_is_nearer = distance_inside <= -distance_outside;
+    const ClippedVertex &near = inside_is_nearer ? inside : outside,
+                        &far = inside_is_nearer ? outside : inside;
+    const double t =
+        (inside_is_nearer ? distance_inside : -distance_outside) / (distance_inside - distance_outside);
+    ClippedVertex cut;
+    cut.p_clip = near.p_clip + t * (far.p_clip - near.p_clip);
+    cut.lambda1 = near.lambda1 + t * (far.lambda1 - near.lambda1);
+    cut.lambda2 = near.lambda2 + t * (far.lambda2 - near.lambda2);
+    cut.original = -1;
+    if (plane == 0) cut.p_clip.z = 0;
+    if (plane == 1) cut.p_clip.z = cut.p_clip.w;
+    return cut;
+}
+
+ClippedPolygon clip_to_plane(const ClippedPolygon& polygon, int plane, Size size) {
+    ClippedPolygon result;
+    for (int i = 0; i < polygon.count; ++i) {
+        const ClippedVertex& a = polygon.vertices[static_cast<std::size_t>(i)];
+        const ClippedVertex& b = polygon.vertices[static_cast<std::size_t>((i + 1) % polygon.count)];
+        const double distance_a = plane_distance(plane, a.p_clip, size);
+        const double distance_b = plane_distance(plane, b.p_clip, size);
+        const auto append = [&](const ClippedVertex& v) {
+            result.vertices[static_cast<std::size_t>(result.count++)] = v;
+        };
+        if (distance_a >= 0) append(a);
+        if (distance_a >= 0 && distance_b < 0) append(crossing(a, distance_a, b, distance_b, plane));
+        if (distance_a < 0 && distance_b >= 0) append(crossing(b, distance_b, a, distance_a, plane));
+    }
+    return result;
+}
+
+}  // namespace
+
+ClippedPolygon clip_triangle(const std::array<glm::vec4, 3>& p_clip, Size size) {
+    ClippedPolygon polygon;
+    polygon.count = 3;
+    for (int i = 0; i < 3; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        polygon.vertices[at] = {glm::dvec4(p_clip[at]), i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0, i};
+    }
+    for (int plane = 0; plane < kClipPlanes && polygon.count > 0; ++plane) {
+        polygon = clip_to_plane(polygon, plane, size);
+    }
+    if (polygon.count < 3) polygon.count = 0;
+    return polygon;
+}
+
+ProjectedVertex project_clipped(const ClippedVertex& vertex, Size size) {
+    const glm::dvec4& p = vertex.p_clip;
+    const double x = screen_x_from_ndc<double>(p.x / p.w, size.width);
+    const double y = screen_y_from_ndc<double>(p.y / p.w, size.height);
+    ProjectedVertex projected;
+    projected.x = round_half_even(x * kSubpixelSteps);
+    projected.y = round_half_even(y * kSubpixelSteps);
+    projected.x_rest = static_cast<float>(x * kSubpixelSteps - projected.x);
+    projected.y_rest = static_cast<float>(y * kSubpixelSteps - projected.y);
+    projected.z_ndc = static_cast<float>(saturate(p.z / p.w));
+    projected.inverse_w = static_cast<float>(1 / p.w);
+    return projected;
+}
+
+}  // namespace crevice

@@ -1,0 +1,31 @@
+// How much of a view depth is left once a depth buffer has stored it.
+// Source: ndc_depth = A + B / z (camera.h), so dz = z^2 / |B| d(ndc): a step of the buffer grows with the
+//         square of the distance. That is the first order; where a step comes near z itself, the bound
+//         follows the curve.
+#pragma once
+
+#include "rasterizer/draw/depth_buffer.h"
+#include "rasterizer/scene/camera.h"
+
+namespace crevice {
+
+struct DepthError {
+    double error;           // |z' - z|, scene units: stored and rebuilt with A and B in double
+    double error_in_float;  // the same rebuilt as a shader does, all in float; may be infinite
+    // What `error` never exceeds: e / (1 - e / z) + 3 u z, e = (step / 2 + 2 u) z^2 / |B|, u = 2^-24; for e
+    // >= z as far as the planes are apart.
+    double bound;
+};
+
+// `z` in [near, far], scene units. Throws UsageError for a camera that is not valid.
+DepthError depth_error(const Camera& camera, DepthFormat format, double z);
+
+// How far apart in view depth the stored depths on either side of z are, scene units.
+double depth_step(const Camera& camera, DepthFormat format, double z);
+
+// The view depth from which on one step is more than `length` (> 0, scene units), within a thousandth;
+// infinite where none is up to the far plane. With `length` the epsilon of an AO method: where false
+// occlusion begins.
+double depth_of_step(const Camera& camera, DepthFormat format, double length);
+
+}  // namespace crevice

@@ -1,0 +1,59 @@
+// The first pass of both tutorials: view-space normals and depth of the nearest surface at every pixel.
+// Source: seed 000 (normal/depth map in one target), seed 002 (DrawNormals).
+// In:     a scene, its camera
+// Out:    GBuffer; background: normal (0,0,0), view_depth +inf, ndc_depth 1 (reversed z: 0)
+// Differs from the tutorials: the clear values say "nothing here" instead of a plausible normal; a method
+//         that wants the tutorial's clear value replaces it where it reads. float32 by default.
+// Cost:   one transform a vertex, one set-up a triangle, about 40 operations a covered pixel.
+#pragma once
+
+#include "rasterizer/draw/depth_buffer.h"
+#include "rasterizer/draw/raster_tile.h"
+#include "rasterizer/draw/screen_geometry.h"
+#include "rasterizer/lanes/half.h"
+
+namespace crevice {
+
+struct GBuffer {
+    Image3 normal;  // view space, unit (interpolated vertex normal), turned to the eye on back faces
+    Image<float> view_depth;  // view-space z, scene units
+    DepthBuffer depth;
+    BufferFormat format = BufferFormat::float32;  // normal and view_depth hold only values this format can
+
+    // For the lit pass, so that it need not draw the scene again (shade.h).
+    Image<std::int32_t> material =
+        {};             // index into Scene::materials; background: anything; empty: not asked for
+    int tile_size = 0;  // of the geometry it was drawn from, pixels
+    std::vector<TileRecord> tiles = {};  // of the geometry's tiles
+};
+
+struct NormalDepthSettings {
+    DepthFormat depth_format = DepthFormat::d32f;
+    DepthBias depth_bias = {};
+    BufferFormat buffer_format = BufferFormat::float32;  // of normal and view_depth
+    bool with_material = false;                          // fill GBuffer::material
+    PositionOrder position_order = PositionOrder::relative;
+    NormalMatrix normal_matrix = NormalMatrix::inverse_transpose;
+    bool cutouts = true;  // false: surfaces with holes are drawn whole
+    // Bent by the materials' normal maps; the tutorials' AO knows the vertices' normals only.
+    bool mapped_normals = false;
+};
+
+GBuffer normal_depth(const Scene& scene, const Camera& camera, Size size, const Run& run = {});
+GBuffer normal_depth(const Scene& scene, const Camera& camera, Size size, const NormalDepthSettings& settings,
+                     const Run& run = {});
+
+// The same from geometry that another pass of this view shares; `settings` as it was built with. Without the
+// scene cut-outs are whole and normals are the vertices'.
+GBuffer normal_depth(const Scene& scene, const ScreenGeometry& geometry, bool reversed_z,
+                     const NormalDepthSettings& settings, const Run& run = {});
+GBuffer normal_depth(const ScreenGeometry& geometry, bool reversed_z, const NormalDepthSettings& settings,
+                     const Run& run = {});
+
+// What screen_geometry must be given for these settings.
+GeometrySettings geometry_settings(const NormalDepthSettings& settings);
+
+// The comparison that keeps the nearest surface: LESS, or GREATER with reversed z.
+DepthFunction nearest_wins(bool reversed_z);
+
+}  // namespace crevice

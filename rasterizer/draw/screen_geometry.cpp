@@ -1,0 +1,104 @@
+#include "rasterizer/draw/screen_geometry.h"
+
+#include <algorithm>
+#include <string>
+
+#include <glm/matrix.hpp>
+
+#include "rasterizer/base/error.h"
+#include "rasterizer/base/parallel.h"
+#include "rasterizer/draw/triangle_blocks.h"
+
+namespace crevice {
+
+namespace {
+
+// Blocks hold at least this many triangles; a large draw has at most kMostBlocks of them for each instance.
+constexpr std::uint32_t kBlockTriangles = 4096;
+constexpr std::uint32_t kMostBlocks = 64;
+
+ScreenGeometry empty_geometry(Size size, const Run& run) {
+    validate(run);
+    constexpr int largest = static_cast<int>(kGuardBand_px);
+    if (size.width < 1 || size.height < 1 || size.width > largest || size.height > largest) {
+        throw UsageError("image size: width and height must lie in 1.." + std::to_string(largest) + " (" +
+                         std::to_string(size.width) + "x" + std::to_string(size.height) +
+                         "); give another --size");
+    }
+    ScreenGeometry geometry;
+    geometry.size = size;
+    geometry.tile_size = run.tile_size;
+    geometry.tiles = {(size.width + run.tile_size - 1) / run.tile_size,
+                      (size.height + run.tile_size - 1) / run.tile_size};
+    return geometry;
+}
+
+void build_blocks(ScreenGeometry& geometry, const std::vector<BlockSource>& sources,
+                  const SetupSettings& setup, const Run& run) {
+    geometry.blocks.resize(sources.size());
+    parallel_for(static_cast<int>(sources.size()), run, [&](int i) {
+        const auto at = static_cast<std::size_t>(i);
+        geometry.blocks[at] = build_block(geometry, sources[at], setup, run);
+    });
+    for (const BlockSource& source : sources) geometry.submitted_triangles += source.triangles.size();
+}
+
+void append_sources(std::vector<BlockSource>& sources, BlockSource whole) {
+    const auto count = static_cast<std::uint32_t>(whole.triangles.size());
+    const std::uint32_t step = std::max(kBlockTriangles, (count + kMostBlocks - 1) / kMostBlocks);
+    for (std::uint32_t first = 0; first < count; first += step) {
+        BlockSource part = whole;
+        part.triangles = whole.triangles.subspan(first, std::min(step, count - first));
+        sources.push_back(part);
+    }
+}
+
+}  // namespace
+
+ScreenGeometry screen_geometry(const Scene& scene, const Camera& camera, Size size,
+                               const GeometrySettings& settings, const Run& run) {
+    ScreenGeometry geometry = empty_geometry(size, run);
+    const CameraMatrices matrices = camera_matrices(camera, size);
+    geometry.rays = {matrices.ray_scale, size, camera.projection == Projection::perspective};
+    geometry.depth_a = matrices.depth_a;
+    geometry.depth_b = matrices.depth_b;
+    if (settings.with_normals) geometry.tangent_turns = tangent_turns(scene, matrices);
+    geometry.vertices = transform_vertices(
+        scene, camera, size, {settings.position_order, settings.with_normals, settings.normal_matrix}, run);
+
+    std::vector<BlockSource> sources;
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        const Mesh& mesh = scene.meshes[static_cast<std::size_t>(scene.instances[i].mesh)];
+        const bool mirrored = glm::determinant(glm::mat3(scene.instances[i].world_from_object)) < 0;
+        for (const MeshPart& part : mesh.parts) {
+            append_sources(
+                sources,
+                {std::span(mesh.triangles).subspan(part.first_triangle, part.triangle_count),
+                 geometry.vertices.first_vertex[i], static_cast<std::uint32_t>(i), part.material, mirrored});
+        }
+    }
+    const SetupSettings setup{!scene.two_sided && !settings.keep_back_faces, settings.depth_format,
+                              settings.depth_bias};
+    build_blocks(geometry, sources, setup, run);
+    return geometry;
+}
+
+ScreenGeometry screen_geometry_from_clip(std::span<const glm::vec4> p_clip,
+                                         std::span<const std::array<std::uint32_t, 3>> triangles, Size size,
+                                         const SetupSettings& setup, const Run& run) {
+    ScreenGeometry geometry = empty_geometry(size, run);
+    TransformedVertices& vertices = geometry.vertices;
+    vertices.first_vertex = {0};
+    vertices.n_view.assign(p_clip.size(), glm::vec3(0));
+    vertices.with_normals = true;
+    for (const glm::vec4& p : p_clip) {
+        vertices.p_clip.push_back(p);
+        vertices.projected.push_back(project_vertex(p, size));
+    }
+    std::vector<BlockSource> sources;
+    append_sources(sources, {triangles, 0, 0, 0, false});
+    build_blocks(geometry, sources, setup, run);
+    return geometry;
+}
+
+}  // namespace crevice

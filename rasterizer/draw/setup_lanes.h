@@ -1,0 +1,190 @@
+// Triangle setup for one triangle or eight: the kernel behind set_up_triangle and the geometry blocks.
+#pragma once
+
+#include <array>
+
+#include "rasterizer/draw/triangle_setup.h"
+#include "rasterizer/lanes/wide.h"
+
+namespace crevice {
+
+// A corner of each triangle: ProjectedVertex, lane by lane.
+template <class F>
+struct LaneCorner {
+    Int<F> x, y;  // 1/256 pixel
+    F x_rest, y_rest, z_ndc, inverse_w;
+    Int<F> number;  // which corner of the submitted triangle, 0 to 2
+};
+
+template <class F>
+CREVICE_INLINE LaneCorner<F> select(Mask<F> m, const LaneCorner<F>& a, const LaneCorner<F>& b) {
+    return {select(m, a.x, b.x),           select(m, a.y, b.y),         select(m, a.x_rest, b.x_rest),
+            select(m, a.y_rest, b.y_rest), select(m, a.z_ndc, b.z_ndc), select(m, a.inverse_w, b.inverse_w),
+            select(m, a.number, b.number)};
+}
+
+// Undoing the snap moves a corner value by at most this part of the triangle's range.
+inline constexpr double kSnapReach = 0.25;
+
+// z_ndc at a pixel is a sum of three rounded terms, each at most the largest |z| of the corners: a few units
+// in the last place, of which this holds eight.
+inline constexpr double kDepthRounding = 0x1p-20;
+
+template <class F>
+struct SetupLanes {
+    using I = Int<F>;
+    using D = Double<F>;
+
+    // A quantity that is affine on the screen: its slope per 1/256 pixel, and its values at the snapped corners.
+    struct Plane {
+        D per_x, per_y;
+        F at_corner[3];
+    };
+
+    Mask<F> drawn;            // has area, may cover a pixel centre, is not culled
+    LaneCorner<F> corner[3];  // clockwise from the topmost, then leftmost
+    Mask<F> back_facing, small;
+    I x0, y0, x1, y1;  // ScreenTriangle::bounds
+    D area, inverse_area;
+    Plane z, inverse_w;
+
+    CREVICE_INLINE SetupLanes(const LaneCorner<F> (&given)[3], Mask<F> wanted, bool cull_back_faces) {
+        const LaneCorner<F>&a = given[0], &b = given[1], &c = given[2];
+        // Whole numbers below 2^49: exact in double.
+        area = to_double(b.x - a.x) * to_double(c.y - a.y) - to_double(c.x - a.x) * to_double(b.y - a.y);
+        back_facing = area < D(0);
+        const I left = min_of(min_of(a.x, b.x), c.x), right = max_of(max_of(a.x, b.x), c.x),
+                top = min_of(min_of(a.y, b.y), c.y), bottom = max_of(max_of(a.y, b.y), c.y);
+        x0 = first_centre(left);
+        y0 = first_centre(top);
+        x1 = last_centre(right) + I(1);
+        y1 = last_centre(bottom) + I(1);
+        drawn = wanted & (area != D(0)) & (x0 < x1) & (y0 < y1);
+        if (cull_back_faces) drawn = drawn & !back_facing;
+
+        order_corners(a, select<F>(back_facing, c, b), select<F>(back_facing, b, c));
+        area = select(back_facing, D(0) - area, area);
+        inverse_area = D(1) / select(drawn, area, D(1));
+        z = plane_through({corner[0].z_ndc, corner[1].z_ndc, corner[2].z_ndc});
+        inverse_w = plane_through({corner[0].inverse_w, corner[1].inverse_w, corner[2].inverse_w});
+        const I limit(kSmallTriangle_px * kSubpixelSteps);
+        small = (right - left <= limit) & (bottom - top <= limit);
+    }
+
+ private:
+    // a, b, c are clockwise; they are rotated until the topmost comes first.
+    CREVICE_INLINE void order_corners(const LaneCorner<F>& a, const LaneCorner<F>& b,
+                                      const LaneCorner<F>& c) {
+        const auto above = [](const LaneCorner<F>& p, const LaneCorner<F>& q) __attribute__((always_inline)) {
+            return (p.y < q.y) | ((p.y == q.y) & (p.x < q.x));
+        };
+        const Mask<F> a_first = above(a, b) & above(a, c), b_first = above(b, c) & !above(a, b);
+        corner[0] = select<F>(a_first, a, select<F>(b_first, b, c));
+        corner[1] = select<F>(a_first, b, select<F>(b_first, c, a));
+        corner[2] = select<F>(a_first, c, select<F>(b_first, a, b));
+    }
+
+    CREVICE_INLINE Plane plane_through(const std::array<F, 3>& value) const {
+        const LaneCorner<F>&a = corner[0], &b = corner[1], &c = corner[2];
+        const D at_a = to_double(value[0]), at_b = to_double(value[1]), at_c = to_double(value[2]);
+        const D low = min_of(min_of(at_a, at_b), at_c), high = max_of(max_of(at_a, at_b), at_c);
+        const D to_b = at_b - at_a, to_c = at_c - at_a;
+        Plane plane;
+        plane.per_x = (to_b * to_double(c.y - a.y) - to_c * to_double(b.y - a.y)) * inverse_area;
+        plane.per_y = (to_c * to_double(b.x - a.x) - to_b * to_double(c.x - a.x)) * inverse_area;
+        for (int i = 0; i < 3; ++i) {
+            // Slivers have wild slopes: their corners keep near the range of the triangle, and on their side of
+            // zero.
+            const D reach = D(kSnapReach) * (high - low);
+            const D shift = D(0) - (plane.per_x * to_double(corner[i].x_rest) +
+                                    plane.per_y * to_double(corner[i].y_rest));
+            const D moved =
+                to_double(value[static_cast<std::size_t>(i)]) + min_of(max_of(shift, D(0) - reach), reach);
+            plane.at_corner[i] = to_float(max_of(moved, D(0.5) * low));
+        }
+        return plane;
+    }
+};
+
+// The results of SetupLanes in memory, to be taken triangle by triangle.
+template <class F>
+class SetUpTriangles {
+ public:
+    CREVICE_INLINE explicit SetUpTriangles(const SetupLanes<F>& s) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            put(x_[i], s.corner[i].x);
+            put(y_[i], s.corner[i].y);
+            put(number_[i], s.corner[i].number);
+            put(z_[i], s.z.at_corner[i]);
+            put(inverse_w_[i], s.inverse_w.at_corner[i]);
+        }
+        put(bounds_[0], s.x0);
+        put(bounds_[1], s.y0);
+        put(bounds_[2], s.x1);
+        put(bounds_[3], s.y1);
+        const auto z_per = [&](int i) __attribute__((always_inline)) {
+            return to_float((to_double(s.z.at_corner[i]) - to_double(s.z.at_corner[0])) * s.inverse_area);
+        };
+        put(z_per_e1_, z_per(1));
+        put(z_per_e2_, z_per(2));
+        using D = Double<F>;
+        const F nearest = min_of(min_of(s.z.at_corner[0], s.z.at_corner[1]), s.z.at_corner[2]),
+                farthest = max_of(max_of(s.z.at_corner[0], s.z.at_corner[1]), s.z.at_corner[2]);
+        const D rounding = D(kDepthRounding) * to_double(max_of(absolute(nearest), absolute(farthest)));
+        put(z_low_, to_float(to_double(nearest) - rounding));
+        put(z_high_, to_float(to_double(farthest) + rounding));
+        put(area_, to_float(s.area));
+        const Int<F> zero(0);
+        put(flags_, select(s.drawn, Int<F>(kDrawn), zero) | select(s.back_facing, Int<F>(kBackFacing), zero) |
+                        select(s.small, Int<F>(kSmall), zero));
+        put(z_per_x_, s.z.per_x);
+        put(z_per_y_, s.z.per_y);
+    }
+
+    bool drawn(int lane) const { return (flags_[static_cast<std::size_t>(lane)] & kDrawn) != 0; }
+
+    // Material, instance, vertex and clipped are left to the caller; `order` says which corner of the input became
+    // corner 0, 1, 2.
+    SetUpTriangle triangle(int lane, const SetupSettings& settings) const {
+        const auto l = static_cast<std::size_t>(lane);
+        SetUpTriangle result;
+        ScreenTriangle& t = result.triangle;
+        for (std::size_t i = 0; i < 3; ++i) {
+            t.x[i] = x_[i][l];
+            t.y[i] = y_[i][l];
+            t.inverse_w[i] = inverse_w_[i][l];
+            result.order[i] = static_cast<std::uint8_t>(number_[i][l]);
+        }
+        t.z0 = z_[0][l];
+        t.z_per_e1 = z_per_e1_[l];
+        t.z_per_e2 = z_per_e2_[l];
+        t.doubled_area = area_[l];
+        t.z_low = z_low_[l];
+        t.z_high = z_high_[l];
+        t.bounds = {bounds_[0][l], bounds_[1][l], bounds_[2][l], bounds_[3][l]};
+        t.depth_bias = depth_bias(settings, z_[0][l], z_[1][l], z_[2][l], z_per_x_[l], z_per_y_[l]);
+        t.clipped = -1;
+        t.back_facing = (flags_[l] & kBackFacing) != 0;
+        t.small = (flags_[l] & kSmall) != 0;
+        return result;
+    }
+
+ private:
+    template <class T>
+    using Stored = std::array<T, kLanes<F>>;
+    static constexpr std::int32_t kDrawn = 1, kBackFacing = 2, kSmall = 4;
+
+    template <class T, class V>
+    CREVICE_INLINE static void put(Stored<T>& at, const V& value) {
+        store(at.data(), value);
+    }
+
+    std::array<Stored<std::int32_t>, 3> x_, y_, number_;
+    std::array<Stored<std::int32_t>, 4> bounds_;
+    std::array<Stored<float>, 3> z_, inverse_w_;
+    Stored<float> z_per_e1_, z_per_e2_, z_low_, z_high_, area_;
+    Stored<std::int32_t> flags_;
+    Stored<double> z_per_x_, z_per_y_;
+};
+
+}  // namespace crevice

@@ -1,0 +1,214 @@
+#include "rasterizer/draw/triangle_blocks.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "rasterizer/base/run.h"
+#include "rasterizer/draw/clip.h"
+#include "rasterizer/draw/setup_lanes.h"
+
+namespace crevice {
+
+namespace {
+
+// Appends triangles to a block, then sorts their indices by tile.
+class BlockBuilder {
+ public:
+    BlockBuilder(const ScreenGeometry& geometry, const SetupSettings& setup, bool leaves_out_off_screen,
+                 TriangleBlock& block)
+        : geometry_(geometry), setup_(setup), leaves_out_off_screen_(leaves_out_off_screen), block_(block) {}
+
+    // All triangles of a source, eight at a time.
+    void add(const BlockSource& source, const Run& run) {
+        block_.triangles.reserve(source.triangles.size());
+        entries_.reserve(source.triangles.size());
+        run_kernel(run, [&]<class F>(Lanes<F>) {
+            for (std::size_t i = 0; i < source.triangles.size(); i += kLanes<F>) add_group<F>(source, i);
+        });
+    }
+
+    void finish() {
+        const auto tile_count = static_cast<std::size_t>(geometry_.tiles.width * geometry_.tiles.height);
+        block_.first_of_tile.assign(tile_count + 1, 0);
+        for (const Entry& entry : entries_) ++block_.first_of_tile[entry.tile + 1];
+        for (std::size_t t = 0; t < tile_count; ++t) block_.first_of_tile[t + 1] += block_.first_of_tile[t];
+        block_.triangle_of_tile.resize(entries_.size());
+        std::vector<std::uint32_t> next(block_.first_of_tile.begin(), block_.first_of_tile.end() - 1);
+        for (const Entry& entry : entries_) block_.triangle_of_tile[next[entry.tile]++] = entry.triangle;
+    }
+
+ private:
+    struct Entry {
+        std::uint32_t tile, triangle;
+    };
+
+    // The triangles from `first` on, one a lane.
+    template <class F>
+    CREVICE_INLINE void add_group(const BlockSource& source, std::size_t first) {
+        using I = Int<F>;
+        const auto left = static_cast<int>(source.triangles.size() - first);
+        const I triangle = min_of(lane_index<F>(), I(left - 1));
+        const auto* const indices = reinterpret_cast<const std::int32_t*>(source.triangles[first].data());
+        const auto vertex_of = [&](int corner) __attribute__((always_inline)) {
+            const I in_mesh = gather(indices + (source.mirrored ? 2 - corner : corner), triangle * I(3));
+            return in_mesh + I(static_cast<std::int32_t>(source.first_vertex));
+        };
+        const I vertex[3] = {vertex_of(0), vertex_of(1), vertex_of(2)};
+        const I outside[3] = {outside_of<F>(vertex[0]), outside_of<F>(vertex[1]), outside_of<F>(vertex[2])};
+        const I everywhere = outside[0] & outside[1] & outside[2],
+                somewhere = outside[0] | outside[1] | outside[2];
+        const auto has = [](I bits, std::int32_t any_of) __attribute__((always_inline)) {
+            return (bits & I(any_of)) != I(0);
+        };
+        Mask<F> wanted = (lane_index<F>() < I(left)) & !has(somewhere, kNotANumber);
+        if (leaves_out_off_screen_) {
+            const Mask<F> beyond = wanted & has(everywhere, kOutsideOneSide);
+            if (any(beyond)) {
+                std::int32_t is_beyond[kLanes<F>];
+                store(is_beyond, select(beyond, I(1), I(0)));
+                for (const std::int32_t one : is_beyond) block_.off_screen += static_cast<std::size_t>(one);
+                wanted = wanted & !beyond;
+            }
+        }
+        if (!any(wanted)) return;
+        const Mask<F> clipped = wanted & has(somewhere, kNeedsClipping);
+        const LaneCorner<F> corners[3] = {corner_of<F>(vertex[0], 0), corner_of<F>(vertex[1], 1),
+                                          corner_of<F>(vertex[2], 2)};
+        const SetUpTriangles<F> set_up(SetupLanes<F>(corners, wanted & !clipped, setup_.cull_back_faces));
+
+        std::int32_t index[3][kLanes<F>], needs_clipping[kLanes<F>];
+        for (std::size_t i = 0; i < 3; ++i) store(index[i], vertex[i]);
+        store(needs_clipping, select(clipped, I(1), I(0)));
+        for (int lane = 0; lane < kLanes<F> && lane < left; ++lane) {
+            const std::array<std::uint32_t, 3> of_lane = {static_cast<std::uint32_t>(index[0][lane]),
+                                                          static_cast<std::uint32_t>(index[1][lane]),
+                                                          static_cast<std::uint32_t>(index[2][lane])};
+            if (needs_clipping[lane] != 0) {
+                add_clipped(source, of_lane);
+            } else if (set_up.drawn(lane)) {
+                append(source, of_lane, set_up.triangle(lane, setup_), nullptr);
+            }
+        }
+    }
+
+    // A member of each lane's vertex.
+    template <class F, class T>
+    CREVICE_INLINE auto member_of(const T ProjectedVertex::*member, Int<F> vertex) const {
+        static_assert(sizeof(ProjectedVertex) % sizeof(T) == 0);
+        constexpr auto stride = static_cast<std::int32_t>(sizeof(ProjectedVertex) / sizeof(T));
+        return gather(&(geometry_.vertices.projected.data()->*member), vertex * Int<F>(stride));
+    }
+    template <class F>
+    CREVICE_INLINE Int<F> outside_of(Int<F> vertex) const {
+        return member_of<F>(&ProjectedVertex::outside, vertex);
+    }
+    template <class F>
+    CREVICE_INLINE LaneCorner<F> corner_of(Int<F> vertex, int number) const {
+        return {member_of<F>(&ProjectedVertex::x, vertex),
+                member_of<F>(&ProjectedVertex::y, vertex),
+                member_of<F>(&ProjectedVertex::x_rest, vertex),
+                member_of<F>(&ProjectedVertex::y_rest, vertex),
+                member_of<F>(&ProjectedVertex::z_ndc, vertex),
+                member_of<F>(&ProjectedVertex::inverse_w, vertex),
+                Int<F>(number)};
+    }
+
+    void add_clipped(const BlockSource& source, const std::array<std::uint32_t, 3>& index) {
+        std::array<glm::vec4, 3> p_clip;
+        std::array<const ProjectedVertex*, 3> corners;
+        for (std::size_t i = 0; i < 3; ++i) {
+            p_clip[i] = geometry_.vertices.p_clip[index[i]];
+            corners[i] = &geometry_.vertices.projected[index[i]];
+        }
+        const ClippedPolygon polygon = clip_triangle(p_clip, geometry_.size);
+        std::array<ProjectedVertex, kMaxClippedVertices> projected;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.count); ++i) {
+            // A vertex inside all planes keeps the position its unclipped neighbours use. (One on the guard
+            // band may be outside in float and not be moved in double: it has no position yet.)
+            const ClippedVertex& v = polygon.vertices[i];
+            const ProjectedVertex* corner =
+                v.original >= 0 ? corners[static_cast<std::size_t>(v.original)] : nullptr;
+            const bool keeps = corner != nullptr && (corner->outside & kNeedsClipping) == 0;
+            projected[i] = keeps ? *corner : project_clipped(v, geometry_.size);
+        }
+        for (std::size_t i = 2; i < static_cast<std::size_t>(polygon.count); ++i) {
+            const std::array<std::size_t, 3> piece = {0, i - 1, i};
+            ClippedCorners lambdas;
+            for (std::size_t k = 0; k < 3; ++k) {
+                lambdas.lambda1[k] = static_cast<float>(polygon.vertices[piece[k]].lambda1);
+                lambdas.lambda2[k] = static_cast<float>(polygon.vertices[piece[k]].lambda2);
+            }
+            const std::optional<SetUpTriangle> set_up =
+                set_up_triangle({&projected[piece[0]], &projected[piece[1]], &projected[piece[2]]}, setup_);
+            if (set_up) append(source, index, *set_up, &lambdas);
+        }
+    }
+
+    void append(const BlockSource& source, const std::array<std::uint32_t, 3>& index,
+                const SetUpTriangle& set_up, const ClippedCorners* lambdas) {
+        ScreenTriangle t = set_up.triangle;
+        t.instance = source.instance;
+        t.material = source.material;
+        if (lambdas != nullptr) {
+            // The corners of the piece were reordered; the submitted triangle keeps its order.
+            ClippedCorners reordered;
+            for (std::size_t i = 0; i < 3; ++i) {
+                reordered.lambda1[i] = lambdas->lambda1[set_up.order[i]];
+                reordered.lambda2[i] = lambdas->lambda2[set_up.order[i]];
+            }
+            t.vertex = index;
+            t.clipped = static_cast<std::int32_t>(block_.clipped.size());
+            block_.clipped.push_back(reordered);
+        } else {
+            for (std::size_t i = 0; i < 3; ++i) t.vertex[i] = index[set_up.order[i]];
+        }
+        enter_into_tiles(t);
+        block_.triangles.push_back(t);
+    }
+
+    void enter_into_tiles(const ScreenTriangle& t) {
+        const int size = geometry_.tile_size;
+        const int left = std::max(t.bounds.x0, 0) / size, top = std::max(t.bounds.y0, 0) / size;
+        const int right = std::min(t.bounds.x1, geometry_.size.width) - 1,
+                  bottom = std::min(t.bounds.y1, geometry_.size.height) - 1;
+        if (right < 0 || bottom < 0 || t.bounds.x0 > right || t.bounds.y0 > bottom) return;
+        const auto triangle = static_cast<std::uint32_t>(block_.triangles.size());
+        const bool one_tile = left == right / size && top == bottom / size;
+        for (int y = top; y <= bottom / size; ++y) {
+            for (int x = left; x <= right / size; ++x) {
+                if (!one_tile && misses_tile(t, x * size, y * size)) continue;
+                entries_.push_back({static_cast<std::uint32_t>(y * geometry_.tiles.width + x), triangle});
+            }
+        }
+    }
+
+    // True when one edge has every pixel centre of the tile on its outer side: its most inner corner decides.
+    bool misses_tile(const ScreenTriangle& t, int x, int y) const {
+        const int last = geometry_.tile_size - 1;
+        for (int i = 0; i < 3; ++i) {
+            const Edge e = triangle_edge(t, i);
+            const int inner_x = x + (e.per_column > 0 ? last : 0), inner_y = y + (e.per_row > 0 ? last : 0);
+            if (e.at_origin + e.per_column * inner_x + e.per_row * inner_y < e.threshold) return true;
+        }
+        return false;
+    }
+
+    const ScreenGeometry& geometry_;
+    const SetupSettings& setup_;
+    const bool leaves_out_off_screen_;
+    TriangleBlock& block_;
+    std::vector<Entry> entries_;
+};
+
+}  // namespace
+
+TriangleBlock build_block(const ScreenGeometry& geometry, const BlockSource& source,
+                          const SetupSettings& setup, const Run& run) {
+    TriangleBlock block;
+    BlockBuilder builder(geometry, setup, run.leaves_out(Skip::off_screen_triangles), block);
+    builder.add(source, run);
+    builder.finish();
+    return block;
+}
+
+}  // namespace crevice

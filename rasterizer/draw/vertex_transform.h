@@ -1,0 +1,78 @@
+// Vertices on their way to the screen. One position transform serves every pass, so that a second pass with
+// EQUAL finds its own depths; the other two orders of the same product exist to show what happens when passes
+// differ (chapter 10).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "rasterizer/base/run.h"
+#include "rasterizer/scene/camera.h"
+#include "rasterizer/scene/normal_matrix.h"
+#include "rasterizer/scene/scene.h"
+
+namespace crevice {
+
+// The order in which a position is multiplied. Equal in real numbers, different in the last bits of floats.
+enum class PositionOrder {
+    relative,       // clip_from_relative * (world_from_object * p - eye): what every pass uses
+    premultiplied,  // (clip_from_world * world_from_object) * p: seed 000's BasicEffect, x(WVP)
+    view_first,     // clip_from_view * ((view_from_world * world_from_object) * p): its normal pass, (x(WV))P
+};
+
+// What is wrong with a vertex for the clipper; see clip.h. Bits of ProjectedVertex::outside.
+enum OutsideBits : std::int32_t {
+    kOutsideNear = 1 << 0,       // z_clip < 0
+    kOutsideFar = 1 << 1,        // z_clip > w
+    kOutsideEye = 1 << 2,        // w <= 0
+    kOutsideGuardBand = 1 << 3,  // further than kGuardBand_px from the origin of the screen
+    kOutsideLeft = 1 << 4,       // of the viewport, by more than a pixel; likewise the next three
+    kOutsideRight = 1 << 5,
+    kOutsideTop = 1 << 6,
+    kOutsideBottom = 1 << 7,
+    kNotANumber = 1 << 8,
+};
+inline constexpr std::int32_t kNeedsClipping = kOutsideNear | kOutsideFar | kOutsideEye | kOutsideGuardBand;
+inline constexpr std::int32_t kOutsideOneSide =
+    kOutsideNear | kOutsideFar | kOutsideEye | kOutsideLeft | kOutsideRight | kOutsideTop | kOutsideBottom;
+
+// Screen coordinates reach this far without clipping: to the last edge of the largest picture, one pixel
+// further than D3D11.3 functional spec 15.6.1.
+inline constexpr float kGuardBand_px = 32768;
+
+// A vertex ready for triangle setup. The screen position is meaningful when no bit of kNeedsClipping is set.
+struct ProjectedVertex {
+    std::int32_t x = 0, y = 0;     // screen, in 1/256 pixel, rounded to nearest with ties to even
+    float x_rest = 0, y_rest = 0;  // what the rounding took away, in [-1/2, 1/2] of 1/256 pixel
+    float z_ndc = 0;
+    float inverse_w = 0;
+    std::int32_t outside = 0;  // OutsideBits
+};
+
+struct VertexSettings {
+    PositionOrder position_order = PositionOrder::relative;
+    bool with_normals = true;
+    NormalMatrix normal_matrix = NormalMatrix::inverse_transpose;
+};
+
+// All vertices of a draw, instances one after the other.
+struct TransformedVertices {
+    std::vector<glm::vec4> p_clip;
+    std::vector<ProjectedVertex> projected;
+    std::vector<glm::vec3> n_view;            // unit, or zero where there is none; empty when not asked for
+    bool with_normals = false;                // whether they were
+    std::vector<std::uint32_t> first_vertex;  // of each instance
+};
+
+ProjectedVertex project_vertex(glm::vec4 p_clip, Size size);
+
+// Throws InputError when there are more vertices than 32-bit offsets reach, 306,783,378.
+TransformedVertices transform_vertices(const Scene& scene, const Camera& camera, Size size,
+                                       const VertexSettings& settings, const Run& run);
+
+}  // namespace crevice

@@ -1,0 +1,231 @@
+// The functions that kernels are written with, for one pixel or several.
+//
+// A kernel is written once as `template <class F>` and runs with F = float (one pixel, to step through),
+// Wide<4> or Wide<8> (as many pixels as the register holds, to be fast) or double (truth for rounding error).
+// The functions below exist under the same names for all of them. Every operation is the IEEE one lane by
+// lane, so the lane count never changes a bit.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+#include "rasterizer/lanes/wide_types.h"
+
+namespace crevice {
+
+// ---- one lane
+
+CREVICE_INLINE bool any(bool m) { return m; }
+CREVICE_INLINE std::int32_t largest_of(std::int32_t a) { return a; }
+CREVICE_INLINE bool all(bool m) { return m; }
+CREVICE_INLINE float select(bool m, float a, float b) { return m ? a : b; }
+CREVICE_INLINE double select(bool m, double a, double b) { return m ? a : b; }
+CREVICE_INLINE std::int32_t select(bool m, std::int32_t a, std::int32_t b) { return m ? a : b; }
+CREVICE_INLINE float square_root(float a) { return __builtin_sqrtf(a); }
+CREVICE_INLINE double square_root(double a) { return __builtin_sqrt(a); }
+// Toward zero. Defined for |a| < 2^31.
+CREVICE_INLINE std::int32_t to_int(float a) { return static_cast<std::int32_t>(a); }
+CREVICE_INLINE std::int32_t to_int(double a) { return static_cast<std::int32_t>(a); }
+CREVICE_INLINE float to_float(std::int32_t a) { return static_cast<float>(a); }
+CREVICE_INLINE float to_float(double a) { return static_cast<float>(a); }
+CREVICE_INLINE double to_double(float a) { return static_cast<double>(a); }
+CREVICE_INLINE double to_double(std::int32_t a) { return static_cast<double>(a); }
+// Not std::bit_cast: in Debug builds that is a call, and a Wide would change its calling convention.
+CREVICE_INLINE std::int32_t float_bits(float a) { return __builtin_bit_cast(std::int32_t, a); }
+CREVICE_INLINE std::int32_t upper_bits(double a) {
+    return static_cast<std::int32_t>(__builtin_bit_cast(std::int64_t, a) >> 32);
+}
+CREVICE_INLINE float float_from_bits(std::int32_t a) { return __builtin_bit_cast(float, a); }
+CREVICE_INLINE float gather(const float* base, std::int32_t index) { return base[index]; }
+CREVICE_INLINE std::int32_t gather(const std::int32_t* base, std::int32_t index) { return base[index]; }
+template <class F>
+requires(kLanes<F> == 1) CREVICE_INLINE F load(const float* at) { return static_cast<F>(*at); }
+template <class F>
+requires(kLanes<F> == 1) CREVICE_INLINE std::int32_t load(const std::int32_t* at) { return *at; }
+CREVICE_INLINE void store(float* at, float a) { *at = a; }
+CREVICE_INLINE void store(std::int32_t* at, std::int32_t a) { *at = a; }
+CREVICE_INLINE void store(double* at, double a) { *at = a; }
+// 0, 1, 2 ... one a lane.
+template <class F>
+requires(kLanes<F> == 1) CREVICE_INLINE std::int32_t lane_index() { return 0; }
+
+// ---- N lanes
+
+// Joined to one 128-bit vector, then two 64-bit words: the shortest that both compilers find.
+CREVICE_INLINE bool any(WideMask<4> m) {
+    const auto words = __builtin_bit_cast(VectorOf<std::int64_t, 2>::type, m.v);
+    return (words[0] | words[1]) != 0;
+}
+CREVICE_INLINE bool any(WideMask<8> m) { return any(WideMask<4>{low_half(m.v) | high_half(m.v)}); }
+template <int N>
+CREVICE_INLINE bool all(WideMask<N> m) {
+    return !any(!m);
+}
+template <int N>
+CREVICE_INLINE std::int32_t largest_of(WideInt<N> a) {
+    std::int32_t largest = a.v[0];
+    for (int i = 1; i < N; ++i) largest = a.v[i] > largest ? a.v[i] : largest;
+    return largest;
+}
+// The upper 32 bits of each: the sign comes first.
+CREVICE_INLINE WideInt<4> upper_bits(WideDouble<4> a) {
+    const auto words = __builtin_bit_cast(VectorOf<std::int32_t, 8>::type, a.v);
+    return WideInt<4>(__builtin_shufflevector(words, words, 1, 3, 5, 7));
+}
+CREVICE_INLINE WideInt<8> upper_bits(WideDouble<8> a) {
+    typedef std::int32_t Words __attribute__((vector_size(64)));
+    const Words words = __builtin_bit_cast(Words, a.v);
+    return WideInt<8>(__builtin_shufflevector(words, words, 1, 3, 5, 7, 9, 11, 13, 15));
+}
+// The halves of a mask, as wide as the doubles they select.
+template <int N>
+struct DoubleMask {
+    typename VectorOf<std::int64_t, N / 2>::type low, high;
+};
+CREVICE_INLINE DoubleMask<4> double_mask(WideMask<4> m) {
+    using Half = VectorOf<std::int64_t, 2>::type;
+    return {__builtin_bit_cast(Half, __builtin_shufflevector(m.v, m.v, 0, 0, 1, 1)),
+            __builtin_bit_cast(Half, __builtin_shufflevector(m.v, m.v, 2, 2, 3, 3))};
+}
+CREVICE_INLINE DoubleMask<8> double_mask(WideMask<8> m) {
+    using Half = VectorOf<std::int64_t, 4>::type;
+    return {__builtin_convertvector(low_half(m.v), Half), __builtin_convertvector(high_half(m.v), Half)};
+}
+template <class T, int N>
+CREVICE_INLINE WideOf<T, N> select(WideMask<N> m, WideOf<T, N> a, WideOf<T, N> b) {
+    if constexpr (sizeof(T) == sizeof(std::int32_t)) {
+        return WideOf<T, N>(m.v ? a.v : b.v);
+    } else {
+        const DoubleMask<N> wide = double_mask(m);
+        return WideOf<T, N>(
+            joined(wide.low ? low_half(a.v) : low_half(b.v), wide.high ? high_half(a.v) : high_half(b.v)));
+    }
+}
+template <int N>
+CREVICE_INLINE Wide<N> select(WideMask<N> m, float a, Wide<N> b) {
+    return select(m, Wide<N>(a), b);
+}
+template <int N>
+CREVICE_INLINE Wide<N> select(WideMask<N> m, Wide<N> a, float b) {
+    return select(m, a, Wide<N>(b));
+}
+template <int N>
+CREVICE_INLINE Wide<N> square_root(Wide<N> a) {
+    Wide<N> r;
+    for (int i = 0; i < N; ++i) r.v[i] = __builtin_sqrtf(a.v[i]);
+    return r;
+}
+template <class T, int N>
+CREVICE_INLINE WideInt<N> to_int(WideOf<T, N> a) {
+    return WideInt<N>(__builtin_convertvector(a.v, typename WideInt<N>::V));
+}
+template <class T, int N>
+CREVICE_INLINE Wide<N> to_float(WideOf<T, N> a) {
+    return Wide<N>(__builtin_convertvector(a.v, typename Wide<N>::V));
+}
+template <class T, int N>
+CREVICE_INLINE WideDouble<N> to_double(WideOf<T, N> a) {
+    return WideDouble<N>(__builtin_convertvector(a.v, typename WideDouble<N>::V));
+}
+template <int N>
+CREVICE_INLINE WideInt<N> float_bits(Wide<N> a) {
+    return WideInt<N>(__builtin_bit_cast(typename WideInt<N>::V, a.v));
+}
+template <int N>
+CREVICE_INLINE Wide<N> float_from_bits(WideInt<N> a) {
+    return Wide<N>(__builtin_bit_cast(typename Wide<N>::V, a.v));
+}
+template <class T, int N>
+CREVICE_INLINE WideOf<T, N> gather(const T* base, WideInt<N> index) {
+    WideOf<T, N> r;
+    for (int i = 0; i < N; ++i) r.v[i] = base[index.v[i]];
+    return r;
+}
+template <class F, class T>
+requires(kLanes<F> > 1) CREVICE_INLINE WideOf<T, kLanes<F>> load(const T* at) {
+    WideOf<T, kLanes<F>> r;
+    std::memcpy(&r.v, at, sizeof r.v);
+    return r;
+}
+template <class T, int N>
+CREVICE_INLINE void store(T* at, WideOf<T, N> a) {
+    std::memcpy(at, &a.v, sizeof a.v);
+}
+template <class F>
+requires(kLanes<F> > 1) CREVICE_INLINE Int<F> lane_index() {
+    Int<F> r;
+    for (int i = 0; i < kLanes<F>; ++i) r.v[i] = i;
+    return r;
+}
+
+// ---- the same text for every lane type
+
+// A NaN in the first place gives the second operand, so min_of(max_of(NaN, 0), 1) is 0; in the second place
+// it stays.
+template <class A>
+CREVICE_INLINE A max_of(A a, A b) {
+    return select(a > b, a, b);
+}
+template <class A>
+CREVICE_INLINE A min_of(A a, A b) {
+    return select(a < b, a, b);
+}
+// Of doubles without the way through a 32-bit mask.
+template <int N>
+CREVICE_INLINE WideDouble<N> max_of(WideDouble<N> a, WideDouble<N> b) {
+    const auto larger = [](auto x, auto y) __attribute__((always_inline)) { return x > y ? x : y; };
+    return WideDouble<N>(
+        joined(larger(low_half(a.v), low_half(b.v)), larger(high_half(a.v), high_half(b.v))));
+}
+template <int N>
+CREVICE_INLINE WideDouble<N> min_of(WideDouble<N> a, WideDouble<N> b) {
+    const auto smaller = [](auto x, auto y) __attribute__((always_inline)) { return x < y ? x : y; };
+    return WideDouble<N>(
+        joined(smaller(low_half(a.v), low_half(b.v)), smaller(high_half(a.v), high_half(b.v))));
+}
+// a clamped to [0,1]; NaN becomes 0.
+template <class F>
+CREVICE_INLINE F saturate(F a) {
+    return min_of(max_of(a, F(0)), F(1));
+}
+template <class F>
+CREVICE_INLINE F absolute(F a) {
+    return select(a < F(0), F(0) - a, a);
+}
+// A whole number as F; for double without the rounding of a float.
+template <class F>
+CREVICE_INLINE F from_int(Int<F> a) {
+    if constexpr (std::is_same_v<F, double>) {
+        return to_double(a);
+    } else {
+        return to_float(a);
+    }
+}
+// Largest whole number <= a, for |a| < 2^31.
+template <class F>
+CREVICE_INLINE Int<F> floor_to_int(F a) {
+    const Int<F> whole = to_int(a);
+    return select(from_int<F>(whole) > a, whole - Int<F>(1), whole);
+}
+// Nearest whole number, ties to even, for |a| < 2^31.
+template <class F>
+CREVICE_INLINE Int<F> round_half_even(F a) {
+    const Int<F> below = floor_to_int(a);
+    const F fraction = a - from_int<F>(below);
+    const auto odd = (below & Int<F>(1)) == Int<F>(1);
+    const auto up = (fraction > F(0.5f)) | ((fraction == F(0.5f)) & odd);
+    return select(up, below + Int<F>(1), below);
+}
+// a where t = 0, b where t = 1; between equal values exactly that value.
+template <class F>
+CREVICE_INLINE F mix(F a, F b, F t) {
+    return a + t * (b - a);
+}
+template <class I>
+CREVICE_INLINE I clamp_int(I a, I low, I high) {
+    return min_of(max_of(a, low), high);
+}
+
+}  // namespace crevice

@@ -1,0 +1,177 @@
+// Several pixels as one value: the types, with arithmetic and comparison, over the compiler's vector extensions.
+// What kernels call on them is in wide.h.
+//
+// Everything that takes a Wide by value is CREVICE_INLINE: passed to a function that is not inlined, a Wide
+// would change its calling convention with the instruction set. In gdb: `skip -gfi *wide*.h`.
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+namespace crevice {
+
+#define CREVICE_INLINE [[gnu::always_inline]] inline
+
+// The native vector of N elements. A trait, because GCC 12 drops vector_size written inside a class template.
+template <class T, int N>
+struct VectorOf;
+#define CREVICE_VECTOR(T, N)                                        \
+    template <>                                                     \
+    struct VectorOf<T, N> {                                         \
+        typedef T type __attribute__((vector_size(sizeof(T) * N))); \
+    };
+CREVICE_VECTOR(float, 4)
+CREVICE_VECTOR(float, 8)
+CREVICE_VECTOR(double, 2)
+CREVICE_VECTOR(double, 4)
+CREVICE_VECTOR(double, 8)
+CREVICE_VECTOR(std::int32_t, 4)
+CREVICE_VECTOR(std::int32_t, 8)
+CREVICE_VECTOR(std::int64_t, 2)
+CREVICE_VECTOR(std::int64_t, 4)
+CREVICE_VECTOR(std::int64_t, 8)
+#undef CREVICE_VECTOR
+
+// As many doubles as there are floats in a register fill two registers. They are compared and selected half by
+// half: GCC 12 compares and selects vectors wider than the register one element at a time.
+template <class V>
+inline constexpr int kElements = static_cast<int>(sizeof(V) / sizeof(V{}[0]));
+
+template <class V>
+CREVICE_INLINE auto low_half(V v) {
+    if constexpr (kElements<V> == 8) {
+        return __builtin_shufflevector(v, v, 0, 1, 2, 3);
+    } else {
+        return __builtin_shufflevector(v, v, 0, 1);
+    }
+}
+template <class V>
+CREVICE_INLINE auto high_half(V v) {
+    if constexpr (kElements<V> == 8) {
+        return __builtin_shufflevector(v, v, 4, 5, 6, 7);
+    } else {
+        return __builtin_shufflevector(v, v, 2, 3);
+    }
+}
+template <class Half>
+CREVICE_INLINE auto joined(Half low, Half high) {
+    if constexpr (kElements<Half> == 4) {
+        return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+    } else {
+        return __builtin_shufflevector(low, high, 0, 1, 2, 3);
+    }
+}
+
+// One truth value a lane: all bits set, or none.
+template <int N>
+struct WideMask {
+    using V = typename VectorOf<std::int32_t, N>::type;
+    V v;
+
+    CREVICE_INLINE WideMask operator&(WideMask o) const { return {v & o.v}; }
+    CREVICE_INLINE WideMask operator|(WideMask o) const { return {v | o.v}; }
+    CREVICE_INLINE WideMask operator!() const { return {~v}; }
+    CREVICE_INLINE bool operator[](int lane) const { return v[lane] != 0; }
+};
+
+template <class T, int N>
+struct WideOf {
+    using V = typename VectorOf<T, N>::type;
+    V v;
+
+    CREVICE_INLINE WideOf() = default;
+    // Lane by lane: GCC 12 makes one broadcast of this, and eight inserts of {scalar, scalar, ...}.
+    CREVICE_INLINE WideOf(T scalar) {
+        for (int i = 0; i < N; ++i) v[i] = scalar;
+    }
+    CREVICE_INLINE explicit WideOf(V vector) : v(vector) {}
+
+    CREVICE_INLINE T operator[](int lane) const { return v[lane]; }
+    CREVICE_INLINE friend WideOf operator+(WideOf a, WideOf b) { return WideOf(a.v + b.v); }
+    CREVICE_INLINE friend WideOf operator-(WideOf a, WideOf b) { return WideOf(a.v - b.v); }
+    CREVICE_INLINE friend WideOf operator*(WideOf a, WideOf b) { return WideOf(a.v * b.v); }
+    CREVICE_INLINE friend WideOf operator/(WideOf a, WideOf b) { return WideOf(a.v / b.v); }
+    CREVICE_INLINE friend WideOf operator-(WideOf a) { return WideOf(-a.v); }
+    CREVICE_INLINE friend WideOf operator&(WideOf a, WideOf b) { return WideOf(a.v & b.v); }
+    CREVICE_INLINE friend WideOf operator|(WideOf a, WideOf b) { return WideOf(a.v | b.v); }
+    CREVICE_INLINE friend WideOf operator<<(WideOf a, int bits) { return WideOf(a.v << bits); }
+    CREVICE_INLINE friend WideOf operator>>(WideOf a, int bits) { return WideOf(a.v >> bits); }
+    CREVICE_INLINE friend WideMask<N> operator<(WideOf a, WideOf b) {
+        return compare(
+            a, b, [](auto x, auto y) __attribute__((always_inline)) { return x < y; });
+    }
+    CREVICE_INLINE friend WideMask<N> operator<=(WideOf a, WideOf b) {
+        return compare(
+            a, b, [](auto x, auto y) __attribute__((always_inline)) { return x <= y; });
+    }
+    CREVICE_INLINE friend WideMask<N> operator>(WideOf a, WideOf b) {
+        return compare(
+            a, b, [](auto x, auto y) __attribute__((always_inline)) { return x > y; });
+    }
+    CREVICE_INLINE friend WideMask<N> operator>=(WideOf a, WideOf b) {
+        return compare(
+            a, b, [](auto x, auto y) __attribute__((always_inline)) { return x >= y; });
+    }
+    CREVICE_INLINE friend WideMask<N> operator==(WideOf a, WideOf b) {
+        return compare(
+            a, b, [](auto x, auto y) __attribute__((always_inline)) { return x == y; });
+    }
+    CREVICE_INLINE friend WideMask<N> operator!=(WideOf a, WideOf b) {
+        return compare(
+            a, b, [](auto x, auto y) __attribute__((always_inline)) { return x != y; });
+    }
+
+ private:
+    // The lower 32 bits of each 64-bit element.
+    template <class Half>
+    CREVICE_INLINE static typename WideMask<N>::V low_words(Half low, Half high) {
+        using HalfWords = typename VectorOf<std::int32_t, N>::type;
+        const auto a = __builtin_bit_cast(HalfWords, low), b = __builtin_bit_cast(HalfWords, high);
+        if constexpr (N == 8) {
+            return __builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14);
+        } else {
+            return __builtin_shufflevector(a, b, 0, 2, 4, 6);
+        }
+    }
+    template <class Comparison>
+    CREVICE_INLINE static WideMask<N> compare(WideOf a, WideOf b, Comparison holds) {
+        if constexpr (sizeof(T) == sizeof(std::int32_t)) {
+            return {holds(a.v, b.v)};
+        } else {
+            return {low_words(holds(low_half(a.v), low_half(b.v)), holds(high_half(a.v), high_half(b.v)))};
+        }
+    }
+};
+
+template <int N>
+using Wide = WideOf<float, N>;
+template <int N>
+using WideInt = WideOf<std::int32_t, N>;
+template <int N>
+using WideDouble = WideOf<double, N>;
+
+// The types that go with a lane type F: its integer, its boolean, its double, and how many pixels it holds.
+template <class F>
+struct LaneTypes {
+    using Int = std::int32_t;
+    using Double = double;
+    using Mask = bool;
+    static constexpr int kLanes = 1;
+};
+template <int N>
+struct LaneTypes<Wide<N>> {
+    using Int = WideInt<N>;
+    using Double = WideDouble<N>;
+    using Mask = WideMask<N>;
+    static constexpr int kLanes = N;
+};
+template <class F>
+using Int = typename LaneTypes<F>::Int;
+template <class F>
+using Double = typename LaneTypes<F>::Double;
+template <class F>
+using Mask = typename LaneTypes<F>::Mask;
+template <class F>
+inline constexpr int kLanes = LaneTypes<F>::kLanes;
+
+}  // namespace crevice

@@ -1,0 +1,64 @@
+#include "rasterizer/obj/obj_lines.h"
+
+#include <algorithm>
+
+namespace crevice {
+namespace {
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\0' || c == '\v' || c == '\f'; }
+
+bool ends_in_backslash(std::string_view physical) { return !physical.empty() && physical.back() == '\\'; }
+
+bool is_comment(std::string_view physical) {
+    const auto first = std::find_if_not(physical.begin(), physical.end(), is_blank);
+    return first != physical.end() && *first == '#';
+}
+
+}  // namespace
+
+bool LogicalLines::advance() {
+    if (rest.empty()) return false;
+    line = next_line;
+    text = take_physical();
+    if (!ends_in_backslash(text) || is_comment(text)) return true;
+    joined.clear();
+    while (ends_in_backslash(text)) {
+        joined.append(text.substr(0, text.size() - 1)).push_back(' ');
+        text = take_physical();
+    }
+    joined.append(text);
+    text = joined;
+    return true;
+}
+
+std::string_view LogicalLines::take_physical() {
+    if (rest.empty()) return {};
+    const char* const begin = rest.data();
+    const char* const end = begin + rest.size();
+    const char* stop = begin;
+    while (stop != end && *stop != '\n' && *stop != '\r') ++stop;
+    const char* next = stop == end ? end : stop + 1;
+    if (stop != end && *stop == '\r' && next != end && *next == '\n') ++next;
+    rest.remove_prefix(static_cast<std::size_t>(next - begin));
+    ++next_line;
+    return {begin, static_cast<std::size_t>(stop - begin)};
+}
+
+std::string_view take_word(std::string_view& rest) {
+    std::size_t begin = 0;
+    while (begin < rest.size() && is_blank(rest[begin])) ++begin;
+    if (begin == rest.size() || rest[begin] == '#') return {};
+    std::size_t end = begin;
+    while (end < rest.size() && !is_blank(rest[end])) ++end;
+    const std::string_view word = rest.substr(begin, end - begin);
+    rest.remove_prefix(end);
+    return word;
+}
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+    return text;
+}
+
+}  // namespace crevice

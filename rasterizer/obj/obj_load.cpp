@@ -1,0 +1,150 @@
+#include "rasterizer/obj/obj_load.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iterator>
+#include <new>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "rasterizer/base/error.h"
+#include "rasterizer/base/file_bytes.h"
+#include "rasterizer/obj/ear_clip.h"
+#include "rasterizer/obj/obj_materials.h"
+#include "rasterizer/obj/obj_mesh.h"
+#include "rasterizer/obj/obj_parse.h"
+#include "rasterizer/obj/obj_prescan.h"
+#include "rasterizer/obj/obj_triangles.h"
+
+namespace crevice {
+namespace {
+
+// What a tally counts, what is wrong with it, and what was done about it.
+struct Finding {
+    const Tally& tally;
+    std::string kind, what, done;
+};
+
+std::string warning_of(const std::string& path, const Finding& finding) {
+    const std::size_t count = finding.tally.count;
+    return path + ":" + std::to_string(finding.tally.first_line) + ": " + finding.what + " (" +
+           std::to_string(count) + " " + finding.kind + (count == 1 ? "" : "s, the first here") + "); " +
+           finding.done;
+}
+
+std::vector<std::string> warnings_of(const ObjReport& report, const std::string& path,
+                                     std::size_t faces_in_file) {
+    const std::string too_many = "more than " + std::to_string(kMaxFaceCorners) + " corners";
+    std::vector<Finding> findings = {
+        {report.too_few_corners, "face", "fewer than three corners", "dropped"},
+        {report.too_many_corners, "face", too_many, "dropped"},
+        {report.missing_vertices, "face", "a vertex index that the file has no vertex for", "dropped"},
+        {report.not_finite, "face", "a vertex that is not a finite number", "dropped"},
+        {report.zero_area, "face", "all corners on one line", "dropped"},
+        {report.self_intersecting, "face", "the outline crosses itself", "triangulated all the same"},
+        {report.reversed, "face", "wound against its own normals", "turned round"},
+        {report.replaced_normals, "corner", "a normal that is zero or not finite", "the face's normal used"},
+        {report.missing_normals, "corner", "a normal index that the file has no normal for", "one generated"},
+        {report.missing_texcoords, "corner", "a texture index without a finite coordinate", "(0, 0) used"},
+    };
+    for (const IgnoredStatement& ignored : report.ignored_statements) {
+        findings.push_back({ignored.lines, "line", "`" + ignored.keyword + "` is not drawn here", "ignored"});
+    }
+    std::vector<std::string> warnings;
+    for (const Finding& finding : findings) {
+        if (finding.tally.count > 0) warnings.push_back(warning_of(path, finding));
+    }
+    if (report.dropped_faces == faces_in_file) {
+        warnings.push_back(path + ": there is nothing to draw (" + std::to_string(faces_in_file) +
+                           " faces in the file, none of them usable); the scene is empty");
+    }
+    return warnings;
+}
+
+glm::vec3 unit(glm::dvec3 v) { return glm::vec3(v / std::sqrt(glm::dot(v, v))); }
+
+// The lights of seed 002.
+void add_light(Scene& scene) {
+    scene.lighting = LightingModel::blinn_schlick;
+    scene.ambient_light = {0.4f, 0.4f, 0.6f};
+    scene.lights[0].direction = unit({1, -1, 1});
+    scene.lights[0].diffuse = {0.4f, 0.4f, 0.5f};
+    scene.lights[1].direction = unit({-1, -1, 1});
+    scene.lights[1].diffuse = glm::vec3(0.1f);
+    scene.lights[2].direction = unit({0, -1, -1});
+    scene.lights[2].diffuse = glm::vec3(0);
+}
+
+// Notes the time since the last step ended.
+class StepTimer {
+ public:
+    explicit StepTimer(std::vector<LoadStep>& steps) : steps_(steps) {}
+    void finish(const char* name) {
+        const Clock::time_point now = Clock::now();
+        steps_.push_back({name, std::chrono::duration<double, std::milli>(now - started_).count()});
+        started_ = now;
+    }
+
+ private:
+    using Clock = std::chrono::steady_clock;
+    std::vector<LoadStep>& steps_;
+    Clock::time_point started_ = Clock::now();
+};
+
+LoadedObj loaded_from(const std::filesystem::path& path, const ObjOptions& options) {
+    const std::string name = path.string();
+    LoadedObj loaded;
+    StepTimer timer(loaded.steps);
+    const std::string bytes = read_file(path, kMaxObjBytes);
+    timer.finish("read the file");
+    ObjPrescan prescan = prescan_obj(bytes, name);
+    timer.finish("numbers and structure");
+    const ObjFaces faces = parse_faces(prescan);
+    timer.finish("faces");
+    ObjTriangles triangles = triangulate_obj(prescan, faces, std::move(prescan.report));
+    timer.finish("triangles");
+    ObjMaterials materials =
+        load_obj_materials(path, prescan.libraries, faces.materials, options.want_textures);
+    timer.finish("materials and textures");
+    const int no_material = static_cast<int>(materials.materials.size()) - 1;
+    const bool textured = std::any_of(materials.materials.begin(), materials.materials.end(),
+                                      [](const Material& m) { return m.texture != nullptr; });
+    const bool want_texcoords = options.want_unused_texcoords || (options.want_textures && textured);
+    ObjMesh built = build_obj_mesh(prescan, faces, triangles, materials.of_use, no_material, want_texcoords,
+                                   options.crease_angle_rad);
+    timer.finish("vertices and normals");
+
+    ObjReport& report = loaded.report = std::move(triangles.report);
+    report.generated_normals = built.generated_normals;
+    const std::size_t skipped = report.too_few_corners.count + report.too_many_corners.count;
+    report.dropped_faces =
+        skipped + report.missing_vertices.count + report.not_finite.count + report.zero_area.count;
+    report.warnings = warnings_of(report, name, skipped + faces.faces.size());
+    std::move(materials.warnings.begin(), materials.warnings.end(), std::back_inserter(report.warnings));
+
+    Scene& scene = loaded.scene;
+    scene.name = path.stem().string();
+    scene.meshes.push_back(std::move(built.mesh));
+    scene.instances.push_back({});
+    scene.materials = std::move(materials.materials);
+    scene.two_sided = true;
+    add_light(scene);
+    const Bounds bounds = world_bounds(scene);
+    scene.camera = framing_camera(bounds);
+    scene.length_unit = length_unit_of(bounds);
+    return loaded;
+}
+
+}  // namespace
+
+LoadedObj load_obj(const std::filesystem::path& path, const ObjOptions& options) {
+    try {
+        return loaded_from(path, options);
+    } catch (const std::bad_alloc&) {
+        throw InputError(path.string() + ": there is not enough memory for the scene; give a smaller one");
+    }
+}
+
+}  // namespace crevice

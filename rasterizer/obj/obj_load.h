@@ -1,0 +1,51 @@
+// OBJ files (with MTL and textures) as scenes.
+//
+// A file's text is first looked over and its numbers read (obj_prescan), its faces and materials are then
+// read by tinyobjloader (obj_parse, obj_materials), cut into triangles (obj_triangles), and made a mesh
+// (obj_mesh).
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "rasterizer/obj/obj_report.h"
+#include "rasterizer/scene/framing_camera.h"
+#include "rasterizer/scene/scene.h"
+#include "rasterizer/scene/vertex_normals.h"
+
+namespace crevice {
+
+// Longer files could hold more vertices than 32-bit indices can tell apart.
+inline constexpr std::uintmax_t kMaxObjBytes = std::uintmax_t{1} << 32;
+
+struct ObjOptions {
+    // [0, pi] rad; edges sharper than this stay sharp in GENERATED normals. pi: all smooth. The file's own
+    // are kept.
+    double crease_angle_rad = kSmoothEverywhere_rad;
+    bool want_textures = true;  // false: texture files are not read
+    bool want_unused_texcoords =
+        true;  // false: no texture coordinates unless a texture that was read needs them
+};
+
+// What a part of the loading took.
+struct LoadStep {
+    const char* name;
+    double wall_ms;
+};
+
+struct LoadedObj {
+    Scene scene;
+    ObjReport report;
+    std::vector<LoadStep> steps;  // in their order
+};
+
+// One mesh and one identity instance, two-sided; a part is a run of faces of one material, in file order. The
+// file's right-handed coordinates become the lab's: z is negated for positions and normals and the winding
+// reversed; v of texture coordinates is flipped. Lengths are the file's. Materials see obj_materials.h,
+// normals vertex_normals.h. The light is seed 002's (ao_methods 9.4), the camera framing_camera's. What could
+// not be drawn as the file says is in the report; a file whose every face was dropped is a scene without
+// triangles. Throws InputError when the file is missing, no regular file, too large, no OBJ, or has a number
+// or an index that is not one ("path:line: ..."); UsageError for an option out of range.
+LoadedObj load_obj(const std::filesystem::path& path, const ObjOptions& options = {});
+
+}  // namespace crevice

@@ -1,0 +1,161 @@
+#include "rasterizer/obj/obj_triangles.h"
+
+#include <cmath>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "rasterizer/obj/ear_clip.h"
+
+namespace crevice {
+namespace {
+
+bool is_finite(glm::vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+template <class T>
+bool is_listed(std::int32_t index, const std::vector<T>& list) {
+    return index >= 0 && static_cast<std::size_t>(index) < list.size();
+}
+
+// v / |v| (in double no float overflows or underflows), or 0 when v is zero or not finite.
+glm::vec3 unit_or_zero(glm::dvec3 v) {
+    const double length = std::sqrt(glm::dot(v, v));
+    return length > 0 && std::isfinite(length) ? glm::vec3(v / length) : glm::vec3(0);
+}
+
+struct Builder {
+    const ObjPrescan& prescan;
+    const ObjFaces& faces;
+    ObjTriangles made;
+    std::vector<glm::vec3> outline;  // of the face in hand
+
+    const glm::vec3& position(std::size_t corner) const {
+        return prescan.positions[static_cast<std::size_t>(faces.corners[corner].position)];
+    }
+
+    // Collects the outline of a face; false when the face cannot be drawn.
+    bool take_outline(const ObjFace& face) {
+        outline.clear();
+        for (std::uint32_t i = 0; i < face.corner_count; ++i) {
+            const std::size_t corner = face.first_corner + i;
+            if (!is_listed(faces.corners[corner].position, prescan.positions)) {
+                made.report.missing_vertices.add(face.line);
+                return false;
+            }
+            outline.push_back(position(corner));
+        }
+        for (const glm::vec3& p : outline) {
+            if (is_finite(p)) continue;
+            made.report.not_finite.add(face.line);
+            return false;
+        }
+        return true;
+    }
+
+    void add_triangle(std::uint32_t face_index, std::size_t a, std::size_t b, std::size_t c) {
+        const std::size_t first = faces.faces[face_index].first_corner;
+        made.triangles.push_back({{first + a, first + b, first + c}, face_index});
+    }
+
+    void triangulate(std::uint32_t face_index) {
+        if (outline.size() == 3) return add_triangle(face_index, 0, 1, 2);
+        if (outline.size() == 4) {
+            const QuadCut cut = quad_cut({outline[0], outline[1], outline[2], outline[3]});
+            if (cut == QuadCut::first_third) {
+                add_triangle(face_index, 0, 1, 2);
+                return add_triangle(face_index, 0, 2, 3);
+            }
+            if (cut == QuadCut::second_fourth) {
+                add_triangle(face_index, 0, 1, 3);
+                return add_triangle(face_index, 1, 2, 3);
+            }
+        }
+        const Triangulation cut = ear_clip(outline);
+        if (cut.self_intersecting) made.report.self_intersecting.add(faces.faces[face_index].line);
+        for (const auto& [a, b, c] : cut.triangles) add_triangle(face_index, a, b, c);
+    }
+
+    // Drops those triangles from `begin` on that have no area.
+    void drop_flat(std::size_t begin) {
+        std::size_t kept = begin;
+        for (std::size_t t = begin; t < made.triangles.size(); ++t) {
+            const auto& [a, b, c] = made.triangles[t].corners;
+            const std::array<glm::vec3, 3> p = {position(a), position(b), position(c)};
+            if (newell_normal(p) != glm::dvec3(0)) made.triangles[kept++] = made.triangles[t];
+        }
+        made.triangles.resize(kept);
+    }
+
+    // Gives the corners of a face their normals and texture coordinates as far as the file has them, and
+    // turns its triangles round when they face away from those normals.
+    void resolve_corners(const ObjFace& face, std::size_t first_triangle) {
+        const glm::dvec3 geometric = newell_normal(outline);
+        glm::dvec3 sum(0);
+        for (std::size_t c = face.first_corner; c < face.first_corner + face.corner_count; ++c) {
+            const std::int32_t n = faces.corners[c].normal, t = faces.corners[c].texcoord;
+            if (is_listed(n, prescan.normals)) {
+                made.corner_normal[c] = n;
+                sum += glm::dvec3(made.normals[static_cast<std::size_t>(n)]);
+            } else if (n != kAbsentIndex) {
+                made.report.missing_normals.add(face.line);
+            }
+            const bool usable = is_listed(t, prescan.texcoords) &&
+                                std::isfinite(prescan.texcoords[static_cast<std::size_t>(t)].x) &&
+                                std::isfinite(prescan.texcoords[static_cast<std::size_t>(t)].y);
+            if (usable) made.corner_texcoord[c] = t;
+            if (!usable && t != kAbsentIndex) made.report.missing_texcoords.add(face.line);
+        }
+        const bool reversed = glm::dot(geometric, sum) < 0;
+        if (reversed) {
+            made.report.reversed.add(face.line);
+            for (std::size_t t = first_triangle; t < made.triangles.size(); ++t) {
+                std::swap(made.triangles[t].corners[1], made.triangles[t].corners[2]);
+            }
+        }
+        replace_useless_normals(face, reversed ? -geometric : geometric);
+    }
+
+    void replace_useless_normals(const ObjFace& face, glm::dvec3 geometric) {
+        // Where the outline crosses itself so that its areas cancel, the face has no normal: one is
+        // generated.
+        const glm::vec3 own = unit_or_zero(geometric);
+        std::int32_t of_face = kAbsentIndex;
+        for (std::size_t c = face.first_corner; c < face.first_corner + face.corner_count; ++c) {
+            const std::int32_t n = made.corner_normal[c];
+            if (n == kAbsentIndex || made.normals[static_cast<std::size_t>(n)] != glm::vec3(0)) continue;
+            made.report.replaced_normals.add(face.line);
+            if (of_face == kAbsentIndex && own != glm::vec3(0)) {
+                of_face = static_cast<std::int32_t>(made.normals.size());
+                made.normals.push_back(own);
+            }
+            made.corner_normal[c] = of_face;
+        }
+    }
+
+    void add_face(std::uint32_t face_index) {
+        const ObjFace& face = faces.faces[face_index];
+        if (!take_outline(face)) return;
+        const std::size_t first = made.triangles.size();
+        triangulate(face_index);
+        drop_flat(first);
+        if (made.triangles.size() == first) return made.report.zero_area.add(face.line);
+        resolve_corners(face, first);
+    }
+};
+
+}  // namespace
+
+ObjTriangles triangulate_obj(const ObjPrescan& prescan, const ObjFaces& faces, ObjReport report) {
+    Builder builder{.prescan = prescan, .faces = faces, .made = {}, .outline = {}};
+    ObjTriangles& made = builder.made;
+    made.report = std::move(report);
+    made.triangles.reserve(faces.faces.size());
+    made.normals.reserve(prescan.normals.size());
+    for (const glm::vec3& normal : prescan.normals) made.normals.push_back(unit_or_zero(normal));
+    made.corner_normal.assign(faces.corners.size(), kAbsentIndex);
+    made.corner_texcoord.assign(faces.corners.size(), kAbsentIndex);
+    for (std::uint32_t f = 0; f < faces.faces.size(); ++f) builder.add_face(f);
+    return std::move(builder.made);
+}
+
+}  // namespace crevice

@@ -1,0 +1,104 @@
+#include "rasterizer/obj/obj_write.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <initializer_list>
+#include <utility>
+
+#include "rasterizer/base/error.h"
+#include "rasterizer/base/write_file.h"
+
+namespace crevice {
+
+namespace {
+
+// Appends one line after the other.
+struct ObjText {
+    std::string text;
+
+    template <class Number>
+    void add_number(Number value) {
+        char digits[32];
+        const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value);
+        text.append(digits, end);
+    }
+
+    // "keyword 1 2 3". `index` tells a number that is not finite from others, counted from 1 as in the file.
+    void add_values(const char* keyword, std::size_t index, std::initializer_list<float> values) {
+        text += keyword;
+        for (const float value : values) {
+            if (!std::isfinite(value))
+                throw InputError("OBJ: `" + std::string(keyword) + "` " + std::to_string(index + 1) +
+                                 " holds a number that is not finite (" + std::to_string(value) +
+                                 "); leave its triangles out");
+            text += ' ';
+            add_number(value);
+        }
+        text += '\n';
+    }
+
+    // Position, texture coordinate and normal of one corner; they share their index.
+    void add_corner(std::uint32_t vertex, bool with_texcoord, bool with_normal) {
+        const std::uint64_t index = std::uint64_t{vertex} + 1;
+        text += ' ';
+        add_number(index);
+        if (!with_texcoord && !with_normal) return;
+        text += '/';
+        if (with_texcoord) add_number(index);
+        if (!with_normal) return;
+        text += '/';
+        add_number(index);
+    }
+};
+
+void check_colours(const Mesh& mesh, std::size_t colours) {
+    if (colours != 0 && colours != mesh.positions.size())
+        throw InputError("OBJ: " + std::to_string(colours) + " colours for " +
+                         std::to_string(mesh.positions.size()) + " vertices; give one a vertex");
+}
+
+void add_comment(ObjText& obj, std::string_view comment) {
+    while (!comment.empty()) {
+        const std::size_t end = std::min(comment.find('\n'), comment.size());
+        obj.text += "# ";
+        obj.text += comment.substr(0, end);
+        obj.text += '\n';
+        comment.remove_prefix(std::min(end + 1, comment.size()));
+    }
+}
+
+}  // namespace
+
+std::string obj_text(const Mesh& mesh, std::span<const glm::vec3> colours, std::string_view comment) {
+    check_colours(mesh, colours.size());
+    ObjText obj;
+    add_comment(obj, comment);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        const glm::vec3& p = mesh.positions[i];
+        if (colours.empty()) {
+            obj.add_values("v", i, {p.x, p.y, -p.z});
+        } else {
+            obj.add_values("v", i, {p.x, p.y, -p.z, colours[i].x, colours[i].y, colours[i].z});
+        }
+    }
+    for (std::size_t i = 0; i < mesh.texcoords.size(); ++i)
+        obj.add_values("vt", i, {mesh.texcoords[i].x, 1 - mesh.texcoords[i].y});
+    for (std::size_t i = 0; i < mesh.normals.size(); ++i)
+        obj.add_values("vn", i, {mesh.normals[i].x, mesh.normals[i].y, -mesh.normals[i].z});
+    const bool with_texcoords = !mesh.texcoords.empty(), with_normals = !mesh.normals.empty();
+    for (const auto& triangle : mesh.triangles) {
+        obj.text += 'f';
+        for (const std::size_t corner : {0u, 2u, 1u})
+            obj.add_corner(triangle[corner], with_texcoords, with_normals);
+        obj.text += '\n';
+    }
+    return std::move(obj.text);
+}
+
+void write_obj(const std::filesystem::path& path, const Mesh& mesh, std::span<const glm::vec3> colours,
+               std::string_view comment) {
+    write_file_atomically(path, obj_text(mesh, colours, comment));
+}
+
+}  // namespace crevice

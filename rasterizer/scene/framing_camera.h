@@ -1,0 +1,16 @@
+// A camera for a scene that comes without one.
+#pragma once
+
+#include "rasterizer/scene/camera.h"
+#include "rasterizer/scene/scene.h"
+
+namespace crevice {
+
+// Looks at the middle of `bounds` (world space) from the front, slightly above and to the right, as an OBJ's
+// author sees it (an OBJ's front, its +z, is the world's -z), with a vertical field of view of 45 degrees.
+// The sphere around the box is wholly visible in every picture that is at least as wide as high. near and far
+// leave room around the sphere and are as close to it as that allows, for depth precision. Empty bounds give
+// the default camera.
+Camera framing_camera(const Bounds& bounds);
+
+}  // namespace crevice

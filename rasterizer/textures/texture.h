@@ -1,0 +1,73 @@
+// A texture with its mip chain: colours in linear light, or the values of a normal map; alpha where there is
+// any.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include <glm/vec4.hpp>
+
+#include "rasterizer/base/image.h"
+
+namespace crevice {
+
+// All levels lie in one block, texel by texel as four floats RGBA, so that a filter fetches a texel with
+// one load. RGB in [0,1], linear light; alpha in [0,1], linear: 0 is not there, 1 is (everywhere if there
+// is none).
+class Texture {
+ public:
+    // Where a level lies in texels(), counted in floats.
+    struct Level {
+        Size size;
+        std::int32_t first = 0;   // its texel (0, 0)
+        std::int32_t stride = 0;  // from a texel to the one below
+    };
+
+    // Adds the next level: [0] is the full size, each next max(1, half) of the one before. Throws
+    // UsageError when it is empty or has another size, when `alpha` is neither empty nor of its size, when
+    // it has alpha and the levels before have none (or the other way round), or when the texels become
+    // more than an index counts.
+    void add_level(const Image3& colour, const Image<float>& alpha = {});
+
+    const std::vector<Level>& levels() const { return levels_; }
+    Size size() const { return levels_.front().size; }  // of the full size; at least one level
+    const float* texels() const { return texels_.data(); }
+    bool has_alpha() const { return has_alpha_; }
+
+    glm::vec4 texel(std::size_t level, int x, int y) const;
+    // A level as pictures of their own. Alpha is empty where the texture has none.
+    Image3 colour(std::size_t level) const;
+    Image<float> alpha(std::size_t level) const;
+
+ private:
+    std::vector<Level> levels_;
+    std::vector<float, UninitializedAllocator<float>> texels_;
+    bool has_alpha_ = false;
+};
+
+// The mip chain of a linear-light image: each level is max(1, half) of the one above and its box-filtered
+// mean (odd sizes weigh by area), down to 1x1. Alpha likewise, if given; colours are not weighted by it,
+// since it may mean anything (in a normal map it is the shininess), so a cut-out's colours must go on
+// beyond its outline. Under an alpha test the mean of alpha keeps its sum, not its coverage: see
+// keep_coverage. Throws UsageError as Texture::add_level does.
+Texture build_texture(Image3 base, Image<float> alpha = {});
+
+// What the codes of a file mean. Alpha is linear in both.
+enum class TextureEncoding {
+    srgb,    // colours
+    linear,  // data, such as normals: code / 255
+};
+
+// Reads PNG, JPEG or TGA (8-bit). Alpha is kept where a file has it (of a TGA: where its header counts alpha
+// bits) and where it is not 1 everywhere. Throws InputError when the file is missing, not a regular file,
+// damaged, or larger than kMaxTextureSide on a side.
+inline constexpr int kMaxTextureSide = 16384;
+Texture load_texture(const std::filesystem::path& path, TextureEncoding encoding = TextureEncoding::srgb);
+
+// The stored values k/255, k in 0..255, as the file encodes them (sRGB); grey is spread to three components.
+// Goes through load_texture and back from linear light, rounded to the nearest k. Throws InputError as
+// load_texture does.
+Image3 read_png8(const std::filesystem::path& path);
+
+}  // namespace crevice

@@ -1,0 +1,140 @@
+// The kernel of texture filtering: where each pixel probes a texture, and the mean of what its probes see.
+#pragma once
+
+#include "rasterizer/textures/rgba.h"
+#include "rasterizer/textures/texture_footprint.h"
+#include "rasterizer/textures/texture_taps.h"
+
+namespace crevice {
+
+// Where pixels lie in a texture: computed once for all textures of a material.
+template <class F>
+struct TextureCoordinates {
+    Vec2<F> uv;
+    Vec2<F> duv_dx, duv_dy;  // from the pixel to the next one in x, in y
+    Mask<F> wanted;          // where not, nothing is sampled
+};
+
+// How each lane covers its pixel.
+template <class F>
+struct Probes {
+    Int<F> count;     // of equal weight
+    Vec2<F> axis;     // uv, from end to end of the row of probes
+    Int<F> finer;     // mip level
+    F coarser_share;  // of the level after that, [0,1)
+
+    CREVICE_INLINE Vec2<F> uv(const TextureCoordinates<F>& at, int number) const {
+        const F along = (F(static_cast<float>(number)) + F(0.5f)) / from_int<F>(count) - F(0.5f);
+        return {at.uv.x + along * axis.x, at.uv.y + along * axis.y};
+    }
+};
+
+template <class F>
+CREVICE_INLINE Probes<F> probes_of(const Texture& texture, const Sampler& sampler,
+                                   const TextureCoordinates<F>& at) {
+    const F width(static_cast<float>(texture.size().width)),
+        height(static_cast<float>(texture.size().height));
+    const Vec2<F> dx{at.duv_dx.x * width, at.duv_dx.y * height},
+        dy{at.duv_dy.x * width, at.duv_dy.y * height};
+    const bool anisotropic = sampler.filter == TextureFilter::anisotropic;
+    const Footprint<F> footprint = footprint_of(dx, dy, anisotropic ? sampler.max_anisotropy : 1);
+    const F exact = level_of(footprint.squared_width, static_cast<int>(texture.levels().size()) - 1);
+    const bool nearest = sampler.filter == TextureFilter::point || sampler.filter == TextureFilter::bilinear;
+    const F level = nearest ? exact + F(0.5f) : exact;
+    const Int<F> finer = to_int(level);
+    return {footprint.probes,
+            {footprint.axis.x / width, footprint.axis.y / height},
+            finer,
+            nearest ? F(0) : level - from_int<F>(finer)};
+}
+
+// A texture and what the lanes see of it: the mean of their probes, 0 where nothing is wanted.
+template <class F>
+struct SeenTexture {
+    const Texture* texture;
+    Rgba<F> mean[kRgbas<F>];
+
+    CREVICE_INLINE explicit SeenTexture(const Texture& t) : texture(&t) { spread_to_channels(F(0), mean); }
+
+    // One probe more, which counts in the mean by `share`; one level, or two mixed.
+    CREVICE_INLINE void add(const Rgba<F> (&share)[kRgbas<F>], const LevelTaps<F>& only,
+                            const float* border) {
+        for (int k = 0; k < kRgbas<F>; ++k) {
+            mean[k] = mix(mean[k], only.mixed(texture->texels(), border, k), share[k]);
+        }
+    }
+    CREVICE_INLINE void add(const Rgba<F> (&share)[kRgbas<F>], const LevelTaps<F>& finer,
+                            const LevelTaps<F>& coarser, const Rgba<F> (&coarser_share)[kRgbas<F>],
+                            const float* border) {
+        for (int k = 0; k < kRgbas<F>; ++k) {
+            const Rgba<F> probe = mix(finer.mixed(texture->texels(), border, k),
+                                      coarser.mixed(texture->texels(), border, k), coarser_share[k]);
+            mean[k] = mix(mean[k], probe, share[k]);
+        }
+    }
+    // Of a 1x1 texture.
+    CREVICE_INLINE void add_only_texel(const Rgba<F> (&share)[kRgbas<F>]) {
+        constexpr std::int32_t first[kLanes<F>] = {};
+        const Rgba<F> texel = gather_rgba<F>(texture->texels(), first, nullptr);
+        for (int k = 0; k < kRgbas<F>; ++k) mean[k] = mix(mean[k], texel, share[k]);
+    }
+};
+
+// Adds all probes to `seen`: `count` textures of one size that have seen nothing yet.
+template <class F>
+CREVICE_INLINE void add_probes(SeenTexture<F>* seen, int count, const Sampler& sampler, Addressing addressing,
+                               const TextureCoordinates<F>& at, const Probes<F>& probes) {
+    const bool in_a_row = sampler.filter == TextureFilter::anisotropic;
+    const float border_rgba[4] = {sampler.border.x, sampler.border.y, sampler.border.z, sampler.border.w};
+    const float* border = addressing.has_border() ? border_rgba : nullptr;
+    Rgba<F> coarser_share[kRgbas<F>], share[kRgbas<F>];
+    spread_to_channels(probes.coarser_share, coarser_share);
+    std::int32_t finer[kLanes<F>];
+    store(finer, probes.finer);
+    // One level after the other, until every lane has had its own: as a rule all have the same.
+    Mask<F> left = at.wanted;
+    for (int lane = 0; lane < kLanes<F> && any(left); ++lane) {
+        const Mask<F> lanes = left & (probes.finer == Int<F>(finer[lane]));
+        if (!any(lanes)) continue;
+        left = left & !lanes;
+        const Texture::Level* level = &seen->texture->levels()[static_cast<std::size_t>(finer[lane])];
+        const bool two_levels = any(select(lanes, probes.coarser_share, F(0)) > F(0));
+        const Int<F> wanted = select(lanes, probes.count, Int<F>(0));
+        const int most = in_a_row ? largest_of(wanted) : 1;
+        for (int i = 0; i < most; ++i) {
+            const Vec2<F> uv = in_range(in_a_row ? probes.uv(at, i) : at.uv, addressing);
+            // Not a sum that is divided: so the mean of equal values is exactly that value.
+            spread_to_channels(select(Int<F>(i) < wanted, F(1 / static_cast<float>(i + 1)), F(0)), share);
+            const LevelTaps<F> fine(level[0], uv, addressing);
+            if (two_levels) {
+                const LevelTaps<F> coarse(level[1], uv, addressing);
+                for (int t = 0; t < count; ++t) seen[t].add(share, fine, coarse, coarser_share, border);
+            } else {
+                for (int t = 0; t < count; ++t) seen[t].add(share, fine, border);
+            }
+        }
+    }
+}
+
+// `seen` are `count` textures of one size that have seen nothing yet.
+template <class F>
+CREVICE_INLINE void look_at(SeenTexture<F>* seen, int count, const Sampler& sampler,
+                            const TextureCoordinates<F>& at) {
+    const Addressing addressing{sampler.address_u, sampler.address_v, sampler.filter == TextureFilter::point};
+    if (seen->texture->size() == Size{1, 1} && !addressing.has_border()) {
+        // The mean of equal texels is exactly that texel.
+        Rgba<F> share[kRgbas<F>];
+        spread_to_channels(select(at.wanted, F(1), F(0)), share);
+        for (int t = 0; t < count; ++t) seen[t].add_only_texel(share);
+        return;
+    }
+    const Probes<F> probes = probes_of(*seen->texture, sampler, at);
+    // The usual case as a constant: the compiler drops every question about it.
+    if (addressing == Addressing{}) {
+        add_probes(seen, count, sampler, Addressing{}, at, probes);
+    } else {
+        add_probes(seen, count, sampler, addressing, at, probes);
+    }
+}
+
+}  // namespace crevice

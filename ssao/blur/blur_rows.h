@@ -1,0 +1,180 @@
+// What the bilateral blur does to one row of texels, in either direction: decide which taps count, then
+// average those that do. How the rows of all passes follow each other is in blur_band.h.
+#pragma once
+
+#include <array>
+#include <utility>
+
+#include "ssao/blur/blur_edges.h"
+
+namespace crevice {
+
+inline constexpr int kBlurTaps = 2 * kBlurRadius + 1;
+
+// Which taps of a texel count, in one word: tap k across is bit k, tap k down is bit kDownShift + k. The
+// centre always counts and has no bit.
+inline constexpr int kAcrossShift = 0, kDownShift = 16;
+constexpr std::int32_t tap_bit(int shift, int k) { return std::int32_t{1} << (shift + k); }
+constexpr std::int32_t tap_bits(int shift, int first, int end) {
+    std::int32_t bits = 0;
+    for (int k = first; k < end; ++k) bits |= k == kBlurRadius ? 0 : tap_bit(shift, k);
+    return bits;
+}
+constexpr std::int32_t all_taps(int shift) { return tap_bits(shift, 0, kBlurTaps); }
+
+// Texels are blurred, or left as they are, in groups of this many, whatever the number of lanes.
+inline constexpr int kBlurGroup = kRowAlignment;
+
+// What counts in a group of texels in one direction.
+enum class GroupTaps : std::uint8_t {
+    none,  // the group keeps its values
+    some,
+    all,  // all taps of all its texels
+};
+
+// Calls body(k) for every tap but the centre, in order. k is a compile-time constant: the calls are unrolled.
+template <class Body>
+CREVICE_INLINE void each_tap(const Body& body) {
+    const auto call = [&](auto k) __attribute__((always_inline)) {
+        if constexpr (k != kBlurRadius) body(k);
+    };
+    const auto unrolled = [&]<int... k>(std::integer_sequence<int, k...>) __attribute__((always_inline)) {
+        (call(std::integral_constant<int, k>{}), ...);
+    };
+    unrolled(std::make_integer_sequence<int, kBlurTaps>{});
+}
+
+// `value` where bit `bit` is set, else 0. Shifts and `and` need no comparison, and no constant in a register.
+template <class F>
+CREVICE_INLINE F where_bit(Int<F> bits, int bit, F value) {
+    return float_from_bits(float_bits(value) & ((bits << (31 - bit)) >> 31));
+}
+
+// ---- which taps count
+
+// Counting is mutual, to the last bit, so each pair of texels is decided once: by the left or the upper one,
+// for both the tap of one, 5 + j, and that of the other, 5 - j.
+constexpr std::int32_t pair_bits(int shift, int j) {
+    return tap_bit(shift, kBlurRadius - j) | tap_bit(shift, kBlurRadius + j);
+}
+
+// The pair bits of some texels, each with its five neighbours to the right and below, of which the map has
+// `rows_below`: across(j) and down(j) are whether they and their j-th neighbours count for each other. j is a
+// compile-time constant.
+template <class F, class Across, class Down>
+CREVICE_INLINE Int<F> pairs_where(const Across& across, const Down& down, int rows_below) {
+    Int<F> bits(0);
+    each_tap([&](auto k) __attribute__((always_inline)) {
+        if constexpr (k > kBlurRadius) {
+            constexpr std::integral_constant<int, k - kBlurRadius> j;
+            bits = bits | select(across(j), Int<F>(pair_bits(kAcrossShift, j)), Int<F>(0));
+            if (j <= rows_below) bits = bits | select(down(j), Int<F>(pair_bits(kDownShift, j)), Int<F>(0));
+        }
+    });
+    return bits;
+}
+
+// Pair bits of this row and the five above it.
+using PairRows = std::array<const std::int32_t*, kBlurRadius + 1>;
+
+// The tap bits of the group of texels from `group` on: later taps from their own pairs, earlier ones from
+// their neighbours'.
+template <class F>
+CREVICE_INLINE void decide_bits(const PairRows& pairs, std::int32_t* result, int group) {
+    constexpr int kLater = kBlurRadius + 1;
+    constexpr std::int32_t later =
+        tap_bits(kAcrossShift, kLater, kBlurTaps) | tap_bits(kDownShift, kLater, kBlurTaps);
+    for (int x = group; x < group + kBlurGroup; x += kLanes<F>) {
+        Int<F> bits = load<F>(pairs[0] + x) & Int<F>(later);
+        each_tap([&](auto k) __attribute__((always_inline)) {
+            constexpr int j = kBlurRadius - k;
+            if constexpr (j > 0) {
+                bits = bits | (load<F>(pairs[0] + x - j) & Int<F>(tap_bit(kAcrossShift, k)));
+                bits = bits | (load<F>(pairs[j] + x) & Int<F>(tap_bit(kDownShift, k)));
+            }
+        });
+        store(result + x, bits);
+    }
+}
+
+// What is decided of one row in one direction; `bits` holds both directions.
+struct TapRow {
+    std::int32_t* bits;
+    float* total_weight;  // of the taps that count and the centre
+    GroupTaps* group;
+};
+
+// Weights add up in the order of blur_row(): where all values are 1, sum and total are the same and their
+// quotient is exactly 1.
+template <class F>
+CREVICE_INLINE F total_weight(Int<F> bits, int shift, const BlurWeights& weights) {
+    F total = F(weights[kBlurRadius]);
+    each_tap([&](auto k) __attribute__((always_inline)) {
+        total = total + where_bit<F>(bits, shift + k, F(weights[k]));
+    });
+    return total;
+}
+
+// What follows from the bits of the group of texels from `group` on, in the direction of `shift`. Without
+// `may_keep` no group counts as one that keeps its values.
+template <class F>
+CREVICE_INLINE void decide_group(const TapRow& taps, int group, int shift, const BlurWeights& weights,
+                                 F total_of_all, bool may_keep) {
+    const Int<F> every = Int<F>(all_taps(shift));
+    bool all_count = true, any_counts = false;
+    for (int x = group; x < group + kBlurGroup; x += kLanes<F>) {
+        const Int<F> bits = load<F>(taps.bits + x) & every;
+        all_count = all_count && all(bits == every);
+        any_counts = any_counts || all_count || any(bits != Int<F>(0));
+    }
+    const GroupTaps result = all_count                 ? GroupTaps::all
+                             : any_counts || !may_keep ? GroupTaps::some
+                                                       : GroupTaps::none;
+    taps.group[group / kBlurGroup] = result;
+    if (result == GroupTaps::none) return;
+    for (int x = group; x < group + kBlurGroup; x += kLanes<F>)
+        store(taps.total_weight + x,
+              all_count ? total_of_all : total_weight<F>(load<F>(taps.bits + x), shift, weights));
+}
+
+// ---- the average
+
+// `row_of_tap(k)` is the row that texel x reads at x for tap k; k is a compile-time constant.
+template <class F, class RowOfTap>
+CREVICE_INLINE void blur_row(const RowOfTap& row_of_tap, const TapRow& taps, int shift,
+                             const BlurSettings& settings, float* result, int width) {
+    using Centre = std::integral_constant<int, kBlurRadius>;
+    const BlurWeights weights = settings.weights;
+    const BufferFormat format = settings.format;
+    const auto sum_at = [&](int x, const auto& counting) __attribute__((always_inline)) {
+        F sum = F(weights[kBlurRadius]) * load<F>(row_of_tap(Centre{}) + x);
+        each_tap([&](auto k) __attribute__((always_inline)) {
+            sum = sum + counting(shift + k, F(weights[k]) * load<F>(row_of_tap(k) + x));
+        });
+        return sum;
+    };
+    for (int group = 0; group < width; group += kBlurGroup) {
+        const GroupTaps counting = taps.group[group / kBlurGroup];
+        for (int x = group; x < group + kBlurGroup; x += kLanes<F>) {
+            const F centre = load<F>(row_of_tap(Centre{}) + x);
+            if (counting == GroupTaps::none) {
+                store(result + x, centre);
+            } else if (counting == GroupTaps::all) {
+                const F sum = sum_at(
+                    x, [](int, F value) __attribute__((always_inline)) { return value; });
+                store(result + x, stored_as(sum / load<F>(taps.total_weight + x), format));
+            } else {
+                const Int<F> bits = load<F>(taps.bits + x);
+                const F sum = sum_at(
+                    x, [&](int bit, F value)
+                           __attribute__((always_inline)) { return where_bit<F>(bits, bit, value); });
+                const F mean = stored_as(sum / load<F>(taps.total_weight + x), format);
+                // A texel that has only itself keeps its value: w * a / w may round, and is not stored anew.
+                const auto alone = (bits & Int<F>(all_taps(shift))) == Int<F>(0);
+                store(result + x, select(alone, centre, mean));
+            }
+        }
+    }
+}
+
+}  // namespace crevice

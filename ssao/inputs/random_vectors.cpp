@@ -1,0 +1,62 @@
+#include "ssao/inputs/random_vectors.h"
+
+#include <cmath>
+
+namespace crevice {
+
+namespace {
+
+// Streams of the hash that must not meet.
+constexpr std::uint32_t kOffsetStream = 0x0ff5e7u, kMapStream = 0x3a9u;
+
+constexpr glm::vec3 kCubeDirections[kCubeVectors] = {
+    {+1, +1, +1}, {-1, -1, -1}, {-1, +1, +1}, {+1, -1, -1}, {+1, +1, -1}, {-1, -1, +1}, {-1, +1, -1},
+    {+1, -1, +1}, {-1, 0, 0},   {+1, 0, 0},   {0, -1, 0},   {0, +1, 0},   {0, 0, -1},   {0, 0, +1}};
+
+}  // namespace
+
+std::uint32_t hash_of(std::uint32_t seed, std::uint32_t a, std::uint32_t b) {
+    constexpr std::uint32_t kMultiplier = 1664525u, kIncrement = 1013904223u;
+    std::uint32_t x = seed * kMultiplier + kIncrement, y = a * kMultiplier + kIncrement,
+                  z = b * kMultiplier + kIncrement;
+    for (int round = 0; round < 2; ++round) {
+        x += y * z;
+        y += z * x;
+        z += x * y;
+        if (round == 0) {
+            x ^= x >> 16;
+            y ^= y >> 16;
+            z ^= z >> 16;
+        }
+    }
+    return x;
+}
+
+std::array<glm::vec3, kCubeVectors> cube_offsets(std::uint32_t seed) {
+    std::array<glm::vec3, kCubeVectors> offsets;
+    for (std::uint32_t i = 0; i < kCubeVectors; ++i) {
+        const glm::vec3 d = kCubeDirections[i];
+        const float unit = static_cast<float>(hash_of(seed, kOffsetStream, i) >> 8) * (1.0f / 16777216.0f);
+        const float length = kShortestOffset + (1 - kShortestOffset) * unit;
+        offsets[i] = length / std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z) * d;
+    }
+    return offsets;
+}
+
+RandomMap random_map(std::uint32_t seed) {
+    constexpr std::uint32_t kTexels = kRandomMapSide * kRandomMapSide;
+    RandomMap map;
+    for (std::vector<float>* plane : {&map.x, &map.y, &map.z}) plane->resize(kTexels);
+    std::array<float, 256> signed_unit;
+    for (std::size_t byte = 0; byte < 256; ++byte)
+        signed_unit[byte] = 2 * (static_cast<float>(byte) / 255) - 1;
+    for (std::uint32_t texel = 0; texel < kTexels; ++texel) {
+        const std::uint32_t bits = hash_of(seed, kMapStream, texel);
+        map.x[texel] = signed_unit[bits >> 24];
+        map.y[texel] = signed_unit[bits >> 16 & 0xff];
+        map.z[texel] = signed_unit[bits >> 8 & 0xff];
+    }
+    return map;
+}
+
+}  // namespace crevice

@@ -1,0 +1,113 @@
+// Lights the pixels of a tile when it is known what they show: eight at a time, whatever the size of the
+// triangles.
+#pragma once
+
+#include "rasterizer/draw/fragment.h"
+#include "ssao/light/cube_reflection.h"
+#include "ssao/light/lighting.h"
+#include "ssao/light/shadow_factor.h"
+#include "ssao/light/widened_ao.h"
+
+namespace crevice {
+
+inline constexpr std::int32_t kSkyMaterial = -1;
+
+// What a group of pixels shows.
+template <class F>
+struct ShownSurface {
+    Int<F> material;  // index into Scene::materials, or kSkyMaterial
+    Vec3<F> n_view;   // unit
+    Vec3<F> texture;  // colour
+    F gloss;          // of the normal map, times the shininess
+    F view_depth;     // read only where there is a shadow
+};
+
+struct TileLighting {
+    const Scene& scene;
+    const std::vector<float>& no_highlight_below;  // of each material
+    const ScreenGeometry& geometry;
+    const ViewLights& lights;
+    const AoTaps& ao;
+    const ShadowLookup* shadow;  // of the light that casts one; null: every light arrives
+    const Surroundings* around;  // mirrored by blinn_schlick surfaces; null: none
+    Image3& lit;
+
+    // surface_at(x, y) gives the ShownSurface of the pixels from (x, y) on.
+    template <class F, class SurfaceAt>
+    CREVICE_INLINE void light_tile(PixelRect tile, const SurfaceAt& surface_at) const {
+        if (shadow == nullptr && around == nullptr) {
+            light_tile_with<F, Effects::none>(tile, surface_at);
+        } else {
+            light_tile_with<F, Effects::any>(tile, surface_at);
+        }
+    }
+
+    void fill_with_sky(PixelRect tile) const {
+        fill_tile(lit.x, tile, scene.sky.x);
+        fill_tile(lit.y, tile, scene.sky.y);
+        fill_tile(lit.z, tile, scene.sky.z);
+    }
+
+ private:
+    // Shadow and reflections; without them the kernel is smaller, and faster.
+    enum class Effects { none, any };
+
+    template <class F, Effects kEffects, class SurfaceAt>
+    CREVICE_INLINE void light_tile_with(PixelRect tile, const SurfaceAt& surface_at) const {
+        WidenedAo<F> accessibility(ao, tile.x0, tile.x1);
+        for (int y = tile.y0; y < tile.y1; ++y) {
+            accessibility.go_to_row(y);
+            for (int x = tile.x0; x < tile.x1; x += kLanes<F>) {
+                const ShownSurface<F> surface = surface_at(x, y);
+                const Vec3<F> colour = colour_of<F, kEffects>(surface, accessibility.at(x), x, y);
+                store(lit.x.row(y) + x, colour.x);
+                store(lit.y.row(y) + x, colour.y);
+                store(lit.z.row(y) + x, colour.z);
+            }
+        }
+    }
+
+    // One material after the other, until every lane has had its own.
+    template <class F, Effects kEffects>
+    CREVICE_INLINE Vec3<F> colour_of(const ShownSurface<F>& surface, F accessibility, int x, int y) const {
+        Vec3<F> colour = spread<F>(scene.sky);
+        auto left = surface.material != Int<F>(kSkyMaterial);
+        if (!any(left)) return colour;
+        const Vec3<F> ray = view_ray_at<F>(geometry, x, y);
+        const Vec3<F> to_eye = normalize_or<F>({F(0) - ray.x, F(0) - ray.y, F(0) - ray.z}, ray);
+        const LitPoint<F> point{surface.n_view, to_eye,        surface.texture,
+                                surface.gloss,  accessibility, shadow_on<F, kEffects>(surface, left, x, y)};
+        do {
+            const std::int32_t index = scene.materials.size() == 1
+                                           ? 0
+                                           : largest_of(select(left, surface.material, Int<F>(kSkyMaterial)));
+            const auto lanes = surface.material == Int<F>(index);
+            colour = select<F>(lanes, lit_by<F, kEffects>(point, static_cast<std::size_t>(index)), colour);
+            left = left & !lanes;
+        } while (any(left));
+        return colour;
+    }
+
+    template <class F, Effects kEffects>
+    CREVICE_INLINE Vec3<F> lit_by(const LitPoint<F>& point, std::size_t index) const {
+        const Material& material = scene.materials[index];
+        if (scene.lighting == LightingModel::phong) return phong(point, material, lights);
+        const Vec3<F> colour =
+            blinn_schlick(point, material, lights, scene.ambient_light, no_highlight_below[index]);
+        if (kEffects == Effects::none || around == nullptr) return colour;
+        const F smoothness = point.gloss * F(material.shininess / kFullShininess);
+        return colour + reflected_colour(*around, point.n, point.to_eye, spread<F>(material.specular),
+                                         smoothness, F(0));
+    }
+
+    // How much arrives of the light that casts a shadow; not looked up where it could light nothing.
+    template <class F, Effects kEffects>
+    CREVICE_INLINE F shadow_on(const ShownSurface<F>& surface, Mask<F> shown, int x, int y) const {
+        if (kEffects == Effects::none || shadow == nullptr || lights.empty()) return F(1);
+        const auto facing = shown & (dot(surface.n_view, spread<F>(-lights.front().direction)) > F(0));
+        if (!any(facing)) return F(1);
+        return shadow_factor(*shadow, p_view_at(geometry, x, y, select(shown, surface.view_depth, F(1))));
+    }
+};
+
+}  // namespace crevice

@@ -1,0 +1,100 @@
+// The two tutorials' lighting models, for one pixel or eight. All vectors in view space, all colours in
+// linear light.
+#pragma once
+
+#include <vector>
+
+#include <glm/common.hpp>
+
+#include "rasterizer/lanes/approx_math.h"
+#include "rasterizer/scene/scene.h"
+#include "ssao/light/fresnel.h"
+
+namespace crevice {
+
+// A point to be lit.
+template <class F>
+struct LitPoint {
+    Vec3<F> n, to_eye;       // unit
+    Vec3<F> texture_colour;  // multiplies diffuse and ambient reflectance
+    F gloss;                 // [0,1], of a normal map; multiplies the shininess of blinn_schlick
+    F accessibility;         // multiplies every ambient term
+    F shadow;                // [0,1], of the light that casts one: 0 nothing of it arrives, 1 all
+};
+
+// Those that shine, directions in view space.
+struct ViewLight : DirectionalLight {
+    bool casts_shadow = false;  // the first at most
+};
+using ViewLights = std::vector<ViewLight>;
+
+// Material::shininess of a surface with no roughness (seed 002).
+inline constexpr float kFullShininess = 256;
+
+// Seed 000: ambient, diffuse and Phong specular of each light; the texture multiplies the first two.
+template <class F>
+CREVICE_INLINE Vec3<F> phong(const LitPoint<F>& s, const Material& material, const ViewLights& lights) {
+    const F zero = F(0);
+    Vec3<F> ambient{zero, zero, zero}, diffuse = ambient, specular = ambient;
+    for (const ViewLight& light : lights) {
+        const Vec3<F> to_light = spread<F>(-light.direction);
+        const F facing = dot(s.n, to_light), arriving = light.casts_shadow ? s.shadow : F(1);
+        ambient = ambient + spread<F>(light.ambient * material.ambient);
+        if (!any(facing > zero)) continue;  // would add zero
+        diffuse = diffuse + (arriving * max_of(facing, zero)) * spread<F>(light.diffuse * material.diffuse);
+        const Vec3<F> mirrored = F(2) * facing * s.n - to_light;
+        const F highlight = power(max_of(dot(mirrored, s.to_eye), zero), F(material.shininess));
+        specular = specular + (arriving * select(facing > zero, highlight, zero)) *
+                                  spread<F>(light.specular * material.specular);
+    }
+    return s.texture_colour * (s.accessibility * ambient + diffuse) + specular;
+}
+
+// Up to this cosine between normal and half vector a highlight of blinn_schlick cannot be seen: added to the
+// albedo of an untextured surface it changes no bit. The highlight is at most its roughness term
+// (m + 8) / 8 cosine^m, and less than 2^-26 of every channel of the albedo rounds away.
+inline float invisible_highlight(const Material& material) {
+    const glm::vec3& albedo = material.diffuse;
+    const float m = material.shininess, smallest = glm::min(albedo.x, glm::min(albedo.y, albedo.z));
+    // With a specular reflectance above 1 so may be the Fresnel term, and a highlight is more than its
+    // roughness.
+    const bool bounded =
+        glm::max(material.specular.x, glm::max(material.specular.y, material.specular.z)) <= 1;
+    if (!(smallest > 0) || !(m > 0) || !bounded) return 0;
+    const float log2_highest = log2_of(smallest) - 26 - log2_of((m + 8) / 8);
+    if (log2_highest < -125) return 0;  // power() ends at 2^-126
+    constexpr float margin = 0.999f;    // of the approximations above and of power()
+    return margin * exp2_of(log2_highest / m);
+}
+
+// Seed 002: one ambient term; each light's diffuse albedo plus a Blinn-Phong highlight, normalised, times
+// Schlick's Fresnel term and brought into [0,1) for a low dynamic range. Highlights up to
+// `no_highlight_below` (0, or invisible_highlight of an untextured surface) are left out.
+template <class F>
+CREVICE_INLINE Vec3<F> blinn_schlick(const LitPoint<F>& s, const Material& material, const ViewLights& lights,
+                                     const glm::vec3& ambient_light, float no_highlight_below) {
+    const F zero = F(0), one = F(1);
+    const Vec3<F> albedo = s.texture_colour * spread<F>(material.diffuse);
+    const Vec3<F> r0 = spread<F>(material.specular);
+    Vec3<F> colour = s.accessibility * (spread<F>(ambient_light) * albedo);
+    for (const ViewLight& light : lights) {
+        const Vec3<F> to_light = spread<F>(-light.direction);
+        F facing = max_of(dot(s.n, to_light), zero);
+        if (light.casts_shadow) facing = facing * s.shadow;
+        if (!any(facing > zero)) continue;  // would add zero
+        const Vec3<F> half = normalize_or<F>(to_light + s.to_eye, s.n);
+        const F m = s.gloss * F(material.shininess), cosine = max_of(dot(s.n, half), zero);
+        if (!any(cosine > F(no_highlight_below))) {
+            colour = colour + facing * (spread<F>(light.diffuse) * albedo);
+            continue;
+        }
+        const F roughness = (m + F(8)) * power(cosine, m) * F(0.125f);
+        const Vec3<F> highlight = roughness * schlick_fresnel(r0, dot(half, to_light));
+        const Vec3<F> bounded{highlight.x / (highlight.x + one), highlight.y / (highlight.y + one),
+                              highlight.z / (highlight.z + one)};
+        colour = colour + facing * (spread<F>(light.diffuse) * (albedo + bounded));
+    }
+    return colour;
+}
+
+}  // namespace crevice

@@ -1,0 +1,53 @@
+// The last pass of both tutorials: the scene drawn again with its lights, depth test EQUAL and no depth
+// write, the ambient terms multiplied by accessibility, and the sky behind.
+// Source: seed 000 (Phong, Lighting.hlsl of its series), seed 002 (Default.hlsl: Blinn-Phong with the Schlick
+//         approximation)
+// In:     a scene, its camera; the depth buffer of the first pass; an AO map of any size (empty: all open);
+//         the shadow map of the scene's first light (null: all of it arrives)
+// Out:    RGB in linear light, >= 0, may exceed 1; sky colour where no fragment passed
+// Reads:  the AO map linear, clamped, at the pixel's centre
+// Differs from the tutorials: accessibility multiplies every ambient term (seed 000's text: the directional
+//         lights' only); given the G-buffer, tiles of which it knows everything are lit
+//         from it and not drawn again, with the same bits.
+#pragma once
+
+#include "rasterizer/base/tile_map.h"
+#include "rasterizer/draw/depth_buffer.h"
+#include "rasterizer/draw/normal_depth.h"
+#include "ssao/light/shadow_map.h"
+
+namespace crevice {
+
+struct ShadeSettings {
+    DepthFunction depth_function = DepthFunction::equal;
+    PositionOrder position_order = PositionOrder::relative;
+    DepthBias depth_bias;
+    bool cutouts = true;  // false: what the first pass cut out is drawn whole here
+    NormalMatrix normal_matrix = NormalMatrix::inverse_transpose;
+    bool operator==(const ShadeSettings&) const = default;
+};
+
+Image3 shade(const Scene& scene, const Camera& camera, const DepthBuffer& depth, const Image<float>& ao,
+             const Run& run = {});
+Image3 shade(const Scene& scene, const Camera& camera, const DepthBuffer& depth, const Image<float>& ao,
+             const ShadeSettings& settings, const Run& run = {}, const ShadowMap* shadow = nullptr);
+
+// The same from geometry that another pass of this view shares.
+Image3 shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geometry,
+             const DepthBuffer& depth, const Image<float>& ao, const ShadeSettings& settings = {},
+             const Run& run = {}, const ShadowMap* shadow = nullptr);
+
+// The same with EQUAL, from the geometry and what the first pass made of it.
+Image3 shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geometry, const GBuffer& gbuffer,
+             const Image<float>& ao, const Run& run = {}, const ShadowMap* shadow = nullptr);
+
+// Which of the geometry's tiles that pass draws again, in part or as a whole (done), lights from the G-buffer
+// (lit_once), or leaves to the sky (background). A tile is drawn again
+// - around pixels where two fragments may have had the same depth: LESS keeps the first, EQUAL lights
+//   the last;
+// - when it shows a texture or a normal map: its coordinates are not in the G-buffer;
+// - when the G-buffer's normals are rounded to 16 bits, or it holds no normals or no materials.
+TileMap lit_tiles(const Scene& scene, const ScreenGeometry& geometry, const GBuffer& gbuffer,
+                  const Run& run = {});
+
+}  // namespace crevice

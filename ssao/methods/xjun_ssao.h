@@ -1,0 +1,20 @@
+// SSAO as the D3D11 tutorial computes it (X_Jun, seed 000, chapter 32; corrected notes in seed 003).
+// In:     GBuffer, its camera
+// Out:    accessibility, AO map size (half the picture unless ao_scale = 1), 1 = open; background 1
+// Reads:  normals and view depth linear (the mean normal is not renormalised), border depth 100 far
+// More:   luna_occlusion.h (formula, reach, differences, cost), ao_inputs.h (fetches)
+#pragma once
+
+#include "ssao/methods/luna_occlusion.h"
+
+namespace crevice {
+
+// Seed 000's parameters.
+inline constexpr LunaSettings kXjunSettings{};
+
+AoFetch xjun_fetch(const LunaSettings& settings);
+
+Image<float> xjun_ssao(const GBuffer& gbuffer, const Camera& camera,
+                       const LunaSettings& settings = kXjunSettings, const Run& run = {});
+
+}  // namespace crevice

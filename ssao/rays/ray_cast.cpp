@@ -1,0 +1,120 @@
+#include "ssao/rays/ray_cast.h"
+
+#include <algorithm>
+#include <atomic>
+#include <string>
+
+#include <glm/geometric.hpp>
+
+#include "rasterizer/base/error.h"
+#include "rasterizer/base/parallel.h"
+#include "rasterizer/base/run.h"
+#include "ssao/rays/ray_packet.h"
+
+namespace crevice {
+
+namespace {
+
+// Rays are handed out in pieces of this many.
+constexpr std::size_t kPiece = 1024;
+
+std::string text_of(const glm::vec3& v) {
+    return std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z);
+}
+
+void validate(float max_distance) {
+    if (!(max_distance > 0))
+        throw UsageError("max_distance: must lie in (0, inf] (" + std::to_string(max_distance) +
+                         "); choose another value");
+}
+
+void validate(const Ray& ray) {
+    if (usable(ray)) return;
+    throw UsageError(
+        "ray: direction must be finite and not 0, its largest component in [2^-36, 2^36], origin within "
+        "2^36 units (origin " +
+        text_of(ray.origin) + "; direction " + text_of(ray.direction) + "); leave this ray out");
+}
+
+std::size_t count_unusable(std::span<const Ray> rays) {
+    return static_cast<std::size_t>(
+        std::count_if(rays.begin(), rays.end(), [](const Ray& ray) { return !usable(ray); }));
+}
+
+// Calls trace(Lanes<F>{}, first, end) for pieces of `count` rays, on all threads.
+template <class Trace>
+void trace_all(std::size_t count, const Run& run, const Trace& trace) {
+    parallel_for(static_cast<int>((count + kPiece - 1) / kPiece), run, [&](int piece) {
+        const std::size_t first = static_cast<std::size_t>(piece) * kPiece;
+        run_kernel(run,
+                   [&]<class F>(Lanes<F> lanes) { trace(lanes, first, std::min(first + kPiece, count)); });
+    });
+}
+
+// As bits. Rays that are not usable() meet nothing.
+template <class F>
+CREVICE_INLINE std::uint32_t which_are_occluded(const RayScene& scene, std::span<const Ray> rays,
+                                                float max_distance) {
+    if (!scene.holes.any()) return which_meet_any<F>(scene.bvh, rays, max_distance);
+    std::uint32_t met = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (usable(rays[i]) && nearest_solid_hit<F>(scene, rays[i], max_distance).triangle >= 0)
+            met |= 1u << i;
+    }
+    return met;
+}
+
+}  // namespace
+
+OccludedRays occluded(const RayScene& scene, std::span<const Ray> rays, float max_distance, const Run& run) {
+    validate(run);
+    validate(max_distance);
+    OccludedRays result{std::vector<std::uint8_t>(rays.size()), 0};
+    std::atomic<std::size_t> refused = 0;
+    trace_all(rays.size(), run, [&]<class F>(Lanes<F>, std::size_t first, std::size_t end) {
+        refused += count_unusable(rays.subspan(first, end - first));
+        for (std::size_t i = first; i < end; i += kLanes<F>) {
+            const std::size_t count = std::min<std::size_t>(kLanes<F>, end - i);
+            const std::uint32_t met = which_are_occluded<F>(scene, rays.subspan(i, count), max_distance);
+            for (std::size_t lane = 0; lane < count; ++lane)
+                result.occluded[i + lane] = static_cast<std::uint8_t>(met >> lane & 1);
+        }
+    });
+    result.refused = refused;
+    return result;
+}
+
+ClosestHits closest_hits(const RayScene& scene, std::span<const Ray> rays, float max_distance,
+                         const Run& run) {
+    validate(run);
+    validate(max_distance);
+    ClosestHits result{std::vector<RayHit>(rays.size()), 0};
+    std::atomic<std::size_t> refused = 0;
+    trace_all(rays.size(), run, [&]<class F>(Lanes<F>, std::size_t first, std::size_t end) {
+        refused += count_unusable(rays.subspan(first, end - first));
+        for (std::size_t i = first; i < end; ++i) {
+            if (usable(rays[i])) result.hits[i] = nearest_solid_hit<F>(scene, rays[i], max_distance);
+        }
+    });
+    result.refused = refused;
+    return result;
+}
+
+bool occluded(const RayScene& scene, const Ray& ray, float max_distance, const Run& run) {
+    validate(ray);
+    return occluded(scene, std::span(&ray, 1), max_distance, run).occluded[0] != 0;
+}
+
+RayHit closest_hit(const RayScene& scene, const Ray& ray, float max_distance, const Run& run) {
+    validate(ray);
+    return closest_hits(scene, std::span(&ray, 1), max_distance, run).hits[0];
+}
+
+LiftedOrigin offset_origin(glm::vec3 p, glm::vec3 geometric_normal, glm::vec3 direction) {
+    const glm::vec3 size = glm::abs(p);
+    const float offset = kOriginOffset * std::max(size.x, std::max(size.y, size.z));
+    const bool front = glm::dot(geometric_normal, direction) >= 0;
+    return {front ? p + offset * geometric_normal : p - offset * geometric_normal, offset};
+}
+
+}  // namespace crevice

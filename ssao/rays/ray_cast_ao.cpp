@@ -1,0 +1,216 @@
+#include "ssao/rays/ray_cast_ao.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <glm/geometric.hpp>
+
+#include "rasterizer/base/error.h"
+#include "rasterizer/base/parallel.h"
+#include "rasterizer/base/run.h"
+#include "ssao/rays/ray_packet.h"
+
+namespace crevice {
+
+namespace {
+
+constexpr int kMostRays = 1 << 20;
+// Points are handed out in pieces of this many.
+constexpr int kPiece = 16;
+constexpr std::size_t kOctants = 8;
+
+// The rays of one point and one replicate, those that point into the same octant together: they go through
+// the same boxes. Kept from point to point so that it is allocated once a piece.
+struct PointRays {
+    std::vector<float> u, v, x, y, z;
+    std::vector<Ray> rays;  // that leave the surface
+
+    explicit PointRays(int count) {
+        const auto padded = static_cast<std::size_t>(round_up(count, kPointGroup));
+        for (auto* values : {&u, &v, &x, &y, &z}) values->resize(padded);
+        rays.reserve(static_cast<std::size_t>(count));
+    }
+};
+
+std::size_t octant_of(float x, float y, float z) {
+    return (x < 0 ? 1u : 0u) | (y < 0 ? 2u : 0u) | (z < 0 ? 4u : 0u);
+}
+
+// Sets on.rays.
+template <class F>
+CREVICE_INLINE void aim_rays(const SurfacePoint& point, const SquarePoints& square,
+                             const RayAoSettings& settings, std::uint32_t stream, PointRays& on) {
+    const bool interpolated = settings.hemisphere == Hemisphere::interpolated;
+    const TangentFrame frame = tangent_frame(interpolated ? point.normal : point.geometric_normal);
+    const glm::vec3& up = point.geometric_normal;
+    const auto count = static_cast<std::size_t>(square.count());
+    square.fill(settings.seed, stream, on.u.data(), on.v.data());
+    for (std::size_t i = 0; i < count; i += kLanes<F>) {
+        const F u = load<F>(on.u.data() + i), v = load<F>(on.v.data() + i);
+        const Vec3<F> d = in_frame<F>(frame, hemisphere_direction<F>(settings.weight, u, v));
+        store(on.x.data() + i, d.x);
+        store(on.y.data() + i, d.y);
+        store(on.z.data() + i, d.z);
+    }
+    // With the geometric normal every direction is above the plane, but for its rounding.
+    const auto above = [&](std::size_t i) {
+        return !interpolated || up.x * on.x[i] + up.y * on.y[i] + up.z * on.z[i] > 0;
+    };
+    std::array<std::size_t, kOctants + 1> first{};
+    for (std::size_t i = 0; i < count; ++i)
+        first[octant_of(on.x[i], on.y[i], on.z[i]) + 1] += above(i) ? 1 : 0;
+    for (std::size_t octant = 1; octant <= kOctants; ++octant) first[octant] += first[octant - 1];
+    on.rays.resize(first[kOctants]);
+    const glm::vec3 origin = offset_origin(point.position, up, up).origin;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (above(i))
+            on.rays[first[octant_of(on.x[i], on.y[i], on.z[i])]++] = {origin, {on.x[i], on.y[i], on.z[i]}};
+    }
+}
+
+// How many of the rays meet nothing.
+template <class F>
+CREVICE_INLINE int open_rays(const RayScene& scene, std::span<const Ray> rays, float radius) {
+    const Bvh& bvh = scene.bvh;
+    int met = 0;
+    if (scene.holes.any()) {
+        for (const Ray& ray : rays) met += nearest_solid_hit<F>(scene, ray, radius).triangle >= 0 ? 1 : 0;
+        return static_cast<int>(rays.size()) - met;
+    }
+    for (std::size_t i = 0; i < rays.size(); i += kPointGroup) {
+        const auto group = rays.subspan(i, std::min<std::size_t>(kPointGroup, rays.size() - i));
+        if constexpr (kLanes<F> == 1) {
+            for (const Ray& ray : group) met += meets_any<F>(bvh, ray, radius) ? 1 : 0;
+        } else {
+            met += __builtin_popcount(which_meet_any<F>(bvh, group, radius));
+        }
+    }
+    return static_cast<int>(rays.size()) - met;
+}
+
+// What the rays of a point leave open, rays below the surface counted as closed.
+struct OpenShare {
+    double hard = 1, soft = 1;
+};
+
+template <class F>
+CREVICE_INLINE OpenShare open_share(const RayScene& scene, const PointRays& on, const RayAoSettings& settings,
+                                    const Fade* fade, int count) {
+    if (fade == nullptr) return {open_rays<F>(scene, on.rays, settings.radius) / double(count), 1};
+    int open = 0;
+    double soft = 0;
+    for (const Ray& ray : on.rays) {
+        const RayHit hit = nearest_solid_hit<F>(scene, ray, settings.radius);
+        open += hit.triangle < 0 ? 1 : 0;
+        soft += hit.triangle < 0 ? 1.0 : 1.0 - fade->occlusion(hit.distance);
+    }
+    return {open / double(count), soft / count};
+}
+
+// Calls body(Lanes<F>{}, first point, end) for pieces of the points, on all threads.
+template <class Body>
+void for_pieces(std::size_t points, const Run& run, const Body& body) {
+    const int count = static_cast<int>(points);
+    parallel_for((count + kPiece - 1) / kPiece, run, [&](int piece) {
+        run_kernel(run, [&]<class F>(Lanes<F> lanes) {
+            body(lanes, piece * kPiece, std::min(count, (piece + 1) * kPiece));
+        });
+    });
+}
+
+}  // namespace
+
+void validate(const RayAoSettings& s) {
+    if (s.rays < 1 || s.rays > kMostRays)
+        throw UsageError("rays: must lie in 1.." + std::to_string(kMostRays) + " (" + std::to_string(s.rays) +
+                         "); choose another number");
+    if (!(s.radius > 0))
+        throw UsageError("radius: must lie in (0, inf] (" + std::to_string(s.radius) +
+                         "); choose how far an occluder may be, scene units");
+    if (s.fade && !(s.fade->start >= 0 && s.fade->end >= s.fade->start))
+        throw UsageError("fade: must have 0 <= start <= end (" + std::to_string(s.fade->start) + ", " +
+                         std::to_string(s.fade->end) + "); choose other distances");
+}
+
+std::vector<float> ray_cast_ao(const RayScene& scene, std::span<const SurfacePoint> points,
+                               const RayAoSettings& settings, const Run& run) {
+    validate(settings);
+    validate(run);
+    const SquarePoints square(settings.rays, settings.sequence);
+    const Fade* const fade = settings.fade ? &*settings.fade : nullptr;
+    std::vector<float> open(points.size());
+    for_pieces(points.size(), run, [&]<class F>(Lanes<F>, int first, int end) {
+        PointRays on(settings.rays);
+        for (int i = first; i < end; ++i) {
+            const auto index = static_cast<std::size_t>(i);
+            aim_rays<F>(points[index], square, settings, static_cast<std::uint32_t>(i), on);
+            const OpenShare share = open_share<F>(scene, on, settings, fade, settings.rays);
+            open[index] = static_cast<float>(fade == nullptr ? share.hard : share.soft);
+        }
+    });
+    return open;
+}
+
+AoEstimate estimate_of(const std::array<double, kReplicates>& means) {
+    double sum = 0, half[2] = {0, 0};
+    for (std::size_t i = 0; i < kReplicates; ++i) {
+        sum += means[i];
+        half[i % 2] += means[i];
+    }
+    const double mean = sum / kReplicates;
+    double squares = 0;
+    for (const double m : means) squares += (m - mean) * (m - mean);
+    return {
+        static_cast<float>(mean),
+        static_cast<float>(std::sqrt(squares / (kReplicates * (kReplicates - 1)))),
+        {static_cast<float>(half[0] / (kReplicates / 2)), static_cast<float>(half[1] / (kReplicates / 2))}};
+}
+
+std::size_t lifted_far(std::span<const SurfacePoint> points, float radius) {
+    return static_cast<std::size_t>(std::count_if(points.begin(), points.end(), [&](const SurfacePoint& p) {
+        return offset_origin(p.position, p.geometric_normal, p.geometric_normal).offset > radius / 100;
+    }));
+}
+
+RayAoReference ray_cast_reference(const RayScene& scene, std::span<const SurfacePoint> points,
+                                  const RayAoSettings& settings, const Fade* fade, const Run& run,
+                                  const std::function<void(long long)>& on_progress) {
+    validate(settings);
+    validate(run);
+    const int rays = (settings.rays + kReplicates - 1) / kReplicates;
+    const SquarePoints square(rays, settings.sequence);
+    RayAoReference reference;
+    reference.hard.resize(points.size());
+    if (fade != nullptr) reference.soft.resize(points.size());
+    reference.rays = static_cast<long long>(points.size()) * rays * kReplicates;
+    reference.lifted_far = lifted_far(points, settings.radius);
+    for_pieces(points.size(), run, [&]<class F>(Lanes<F>, int first, int end) {
+        PointRays on(rays);
+        for (int i = first; i < end; ++i) {
+            const auto index = static_cast<std::size_t>(i);
+            std::array<double, kReplicates> hard, soft;
+            for (std::size_t replicate = 0; replicate < kReplicates; ++replicate) {
+                const auto stream = static_cast<std::uint32_t>(index * kReplicates + replicate);
+                aim_rays<F>(points[index], square, settings, stream, on);
+                const OpenShare open = open_share<F>(scene, on, settings, fade, rays);
+                hard[replicate] = open.hard;
+                soft[replicate] = open.soft;
+            }
+            reference.hard[index] = estimate_of(hard);
+            if (fade != nullptr) reference.soft[index] = estimate_of(soft);
+        }
+        if (on_progress) on_progress(end - first);
+    });
+    return reference;
+}
+
+std::vector<Ray> hemisphere_rays(const SurfacePoint& point, std::uint32_t index,
+                                 const RayAoSettings& settings) {
+    validate(settings);
+    PointRays on(settings.rays);
+    aim_rays<float>(point, SquarePoints(settings.rays, settings.sequence), settings, index, on);
+    return on.rays;
+}
+
+}  // namespace crevice

@@ -1,0 +1,103 @@
+#include "chapters/commands/chapter_command.h"
+
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <sstream>
+
+#include <doctest/doctest.h>
+
+#include "rasterizer/base/error.h"
+#include "tests/tools/scratch_directory.h"
+
+using namespace crevice;
+
+namespace {
+
+std::string bytes_in(const std::filesystem::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+NotebookOptions options_in(const ScratchDirectory& scratch) {
+    NotebookOptions options;
+    options.out = scratch.path();
+    return options;
+}
+
+void passing(Notebook& book) { book.check("one is one", true); }
+void failing(Notebook& book) { book.check("one is two", false, "1 and 2"); }
+void throwing(Notebook& book) {
+    book.text("before");
+    throw InputError("scene.obj:3: no such vertex (9); check it");
+}
+void silent(Notebook&) {}
+
+// A Chapter registers itself, so these have numbers that no real chapter has.
+const Chapter kPassing("95", "passing", "Passing & good", passing);
+const Chapter kThrowing("96", "throwing", "Throwing", throwing);
+const Chapter kFailing("97", "failing", "Failing", failing);
+const Chapter kSilent("98", "silent", "Silent", silent);
+
+// What `call` prints to std::cout.
+template <class Call>
+std::string printed(Call call) {
+    std::ostringstream text;
+    std::streambuf* const before = std::cout.rdbuf(text.rdbuf());
+    call();
+    std::cout.rdbuf(before);
+    return text.str();
+}
+
+}  // namespace
+
+TEST_CASE("chapters: one that throws is a failed check, the others go on, the last line is the page") {
+    const ScratchDirectory scratch;
+    const NotebookOptions options = options_in(scratch);
+    int code = -1;
+    const Chapter* const all[] = {&kPassing, &kThrowing, &kFailing, &kSilent};
+    const std::string text = printed([&] { code = run_chapters(all, options); });
+    CHECK(code == 1);
+    CHECK(contains(text,
+                   "✗ chapter 96_throwing runs to its end  (scene.obj:3: no such vertex (9); check it)\n"));
+    CHECK(contains(text, "✗ one is two  (1 and 2)\n"));
+    CHECK(contains(text, "✗ chapter 98_silent writes something\n"));
+    CHECK(contains(text, "failed: 96_throwing (1) 97_failing (1) 98_silent (1)\n"));
+    CHECK(text.ends_with((scratch / "index.html").string() + "\n"));
+    const std::string page = bytes_in(scratch / "index.html");
+    CHECK(contains(page, "Passing &amp; good"));
+    CHECK(contains(page, "id=\"97_failing\""));
+    const Chapter* const good[] = {&kPassing};
+    printed([&] { code = run_chapters(good, options); });
+    CHECK(code == 0);
+    const Chapter* const bad[] = {&kPassing, &kFailing};
+    printed([&] { code = run_chapters(bad, options); });
+    CHECK(code == 1);
+}
+
+TEST_CASE("chapters: chosen by number, topic or name; an unknown one lists what there is") {
+    for (const char* which : {"95", "passing", "95_passing"}) {
+        CAPTURE(which);
+        const auto chosen = chosen_chapters(which);
+        REQUIRE(chosen.size() == 1);
+        CHECK(chosen[0] == &kPassing);
+    }
+    const auto all = chosen_chapters("all");
+    CHECK(all.size() >= 4);
+    for (std::size_t i = 1; i < all.size(); ++i) CHECK(all[i - 1]->name() < all[i]->name());
+    for (const char* which : {"", "42", "90", "95x", "ALL"}) {
+        CAPTURE(which);
+        std::string message;
+        try {
+            chosen_chapters(which);
+        } catch (const UsageError& error) {
+            message = error.what();
+        }
+        CHECK(contains(message, std::string("(") + which + ")"));
+        CHECK(contains(message, "95_passing"));
+    }
+}

@@ -1,0 +1,180 @@
+#include "chapters/commands/compare.h"
+
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <sstream>
+
+#include <doctest/doctest.h>
+
+#include "chapters/commands/difference_page.h"
+#include "chapters/notebook/picture.h"
+#include "rasterizer/base/error.h"
+#include "rasterizer/textures/texture.h"
+#include "tests/tools/scratch_directory.h"
+
+using namespace crevice;
+namespace fs = std::filesystem;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+std::string bytes_in(const fs::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+struct Outcome {
+    int code = -1;
+    std::string report;
+};
+
+Outcome compare(const CompareOptions& options) {
+    std::ostringstream report;
+    const int code = compare_command(options, report);
+    return {code, report.str()};
+}
+
+Image<float> ramp(Size size) {
+    Image<float> image(size, 0.0f);
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) image.at(x, y) = static_cast<float>(x + y) / 64;
+    }
+    return image;
+}
+
+}  // namespace
+
+TEST_CASE("identical files: exit code 0, and no error image is left lying about") {
+    const ScratchDirectory scratch;
+    write_npy(scratch / "a.npy", ramp({20, 15}));
+    write_npy(scratch / "b.npy", ramp({20, 15}));
+    const Outcome outcome = compare({scratch / "a.npy", scratch / "b.npy", {}, scratch.path()});
+    CHECK(outcome.code == 0);
+    CHECK(contains(outcome.report, "identical"));
+    CHECK(contains(outcome.report, "SSIM              1\n"));
+    CHECK(contains(outcome.report, "differing pixels  0 of 300\n"));
+    CHECK(!fs::exists(scratch / "error.png"));
+}
+
+TEST_CASE("one pixel off: exit code 1, numbers, and the signed error image") {
+    const ScratchDirectory scratch;
+    Image<float> a = ramp({20, 15});
+    write_npy(scratch / "b.npy", a);
+    a.at(3, 2) += 0.5f;
+    write_npy(scratch / "a.npy", a);
+    const Outcome outcome = compare({scratch / "a.npy", scratch / "b.npy", {}, scratch.path()});
+    CHECK(outcome.code == 1);
+    CHECK(contains(outcome.report, "max               0.5\n"));
+    CHECK(contains(outcome.report, "signed bias       0.00166667\n"));
+    CHECK(contains(outcome.report, "differing pixels  1 of 300\n"));
+    CHECK(contains(outcome.report, "NaN or infinite   0 of 300\n"));
+    const Planes error = read_npy(scratch / "error.npy");
+    CHECK(error[0].at(3, 2) == 0.5f);
+    CHECK(error[0].at(2, 3) == 0);
+    const Image3 picture = read_png8(scratch / "error.png");
+    CHECK(picture.at(0, 0) == glm::vec3(1));
+    CHECK(picture.at(3, 2).x > picture.at(3, 2).z);  // red: A is larger
+}
+
+TEST_CASE("a NaN on both sides is a failure") {
+    const ScratchDirectory scratch;
+    Image<float> a = ramp({12, 12});
+    a.at(0, 0) = std::numeric_limits<float>::quiet_NaN();
+    write_npy(scratch / "a.npy", a);
+    const Outcome outcome = compare({scratch / "a.npy", scratch / "a.npy", {}, scratch.path()});
+    CHECK(outcome.code == 1);
+    CHECK(contains(outcome.report, "NaN or infinite   1 of 144\n"));
+}
+
+TEST_CASE("png files compare by their stored values") {
+    const ScratchDirectory scratch;
+    write_picture(scratch / "a.png", ao_picture(Image<float>({4, 4}, 100.0f / 255)));
+    write_picture(scratch / "b.png", ao_picture(Image<float>({4, 4}, 101.0f / 255)));
+    CHECK(compare({scratch / "a.png", scratch / "a.png", {}, scratch.path()}).code == 0);
+    const Outcome outcome = compare({scratch / "b.png", scratch / "a.png", {}, scratch.path()});
+    CHECK(outcome.code == 1);
+    CHECK(contains(outcome.report, "signed bias       0.00392157\n"));
+}
+
+TEST_CASE("directories: all common files, and those on one side only count") {
+    const ScratchDirectory scratch;
+    for (const char* side : {"a", "b"}) {
+        fs::create_directory(scratch / side);
+        write_npy(scratch / side / "same.npy", ramp({9, 9}));
+        write_npy(scratch / side / "other.npy", Image<float>({9, 9}, side[0] == 'a' ? 0.0f : 1.0f));
+        write_npy(scratch / side / "shape.npy", Image<float>({side[0] == 'a' ? 9 : 8, 9}, 0.0f));
+    }
+    write_npy(scratch / "a" / "alone.npy", ramp({9, 9}));
+    write_npy(scratch / "b" / "new.npy", ramp({9, 9}));
+    std::ofstream(scratch / "b" / "passes.json") << "{}";
+    const Outcome outcome = compare({scratch / "a", scratch / "b", scratch / "page.html", scratch.path()});
+    CHECK(outcome.code == 1);
+    CHECK(contains(outcome.report, "same.npy: identical\n"));
+    CHECK(contains(outcome.report, "other.npy: differs\n"));
+    CHECK(contains(outcome.report, "alone.npy: only in " + (scratch / "a").string() + "\n"));
+    CHECK(contains(outcome.report, "new.npy: only in " + (scratch / "b").string() + "\n"));
+    CHECK(contains(outcome.report, "shape.npy: shapes differ: 9x9x1 and 8x9x1\n"));
+    CHECK(contains(outcome.report, "4 of 5 differ\n"));
+    CHECK(fs::exists(scratch / "other_error.png"));
+    CHECK(!fs::exists(scratch / "same_error.png"));
+    const std::string page = bytes_in(scratch / "page.html");
+    CHECK(page.find("other.npy") < page.find("same.npy"));
+    CHECK(page.find("shape.npy") < page.find("same.npy"));
+}
+
+TEST_CASE("what cannot be compared is named") {
+    const ScratchDirectory scratch;
+    write_npy(scratch / "a.npy", Image<float>({4, 4}, 0.0f));
+    write_npy(scratch / "b.npy", Image<float>({4, 5}, 0.0f));
+    write_npy(scratch / "c.npy", Image3({4, 4}, {0, 0, 0}));
+    std::ofstream(scratch / "a.txt") << "text";
+    const auto message = [&](const fs::path& a, const fs::path& b) -> std::string {
+        try {
+            compare({a, b, {}, scratch.path()});
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    CHECK(contains(message(scratch / "a.npy", scratch / "b.npy"), "(4x5x1 and 4x4x1,"));
+    CHECK(contains(message(scratch / "a.npy", scratch / "c.npy"), "(4x4x3 and 4x4x1,"));
+    CHECK(contains(message(scratch / "a.npy", scratch / "none.npy"), "none.npy"));
+    CHECK(contains(message(scratch / "a.txt", scratch / "a.npy"), "a.txt"));
+    CHECK(contains(message(scratch / "a.npy", scratch.path()), "is none"));
+    fs::create_directory(scratch / "empty");
+    CHECK(contains(message(scratch / "empty", scratch / "empty"), "holds a .npy"));
+    CHECK_THROWS_AS(
+        compare({scratch / "a.npy", scratch / "a.npy", scratch / "none" / "p.html", scratch.path()}),
+        OutputError);
+}
+
+TEST_CASE("the page: failures first, first pixels with their values, offline, the same bytes twice") {
+    Image<float> actual = ramp({20, 15});
+    actual.at(3, 2) = 0.625f;
+    actual.at(4, 2) = std::numeric_limits<float>::quiet_NaN();
+    const DifferenceEntry entries[] = {
+        {"alike", planes_of(ramp({20, 15})), planes_of(ramp({20, 15})), "", false},
+        {"a<b", planes_of(actual), planes_of(ramp({20, 15})), "see <here>", false},
+        {"no golden", planes_of(actual), {}, "run with --bless", false},
+        {"colour", planes_of(Image3({3, 2}, {0.5f, 0, -0.5f})), planes_of(Image3({3, 2}, {0.5f, 0, 0.5f})),
+         "", false}};
+    const std::string page = difference_page(entries, {"Golden images", "actual", "expected"});
+    CHECK(page == difference_page(entries, {"Golden images", "actual", "expected"}));
+    CHECK(contains(page, "3 of 4 differ."));
+    CHECK(page.find("<h2>a&lt;b") < page.find("<h2>alike"));
+    CHECK(page.find("<h2>no golden") < page.find("<h2>alike"));
+    CHECK(contains(page, "see &lt;here&gt;"));
+    CHECK(contains(page,
+                   "<td class=\"number\">3</td><td class=\"number\">2</td><td class=\"number\">0.625</td>"
+                   "<td class=\"number\">0.078125</td><td class=\"number\">0.546875</td>"));
+    CHECK(contains(page, "<td class=\"number\">0.5 0 -0.5</td><td class=\"number\">0.5 0 0.5</td>"));
+    CHECK(contains(page, "differing pixels</td><td class=\"number\">2 of 300</td>"));
+    for (const char* outside : {"http:", "https:", "url(", "@import", "<script"}) {
+        CAPTURE(outside);
+        CHECK(!contains(page, outside));
+    }
+}

@@ -1,0 +1,109 @@
+#include "rasterizer/base/write_file.h"
+
+#include <cerrno>
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <doctest/doctest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "rasterizer/base/error.h"
+#include "tests/tools/scratch_directory.h"
+
+using namespace crevice;
+namespace fs = std::filesystem;
+
+namespace {
+
+// The message of the error of type E that `call` throws, or "" when it throws none.
+template <class E, class Call>
+std::string message_of(Call call) {
+    try {
+        call();
+    } catch (const E& error) {
+        return error.what();
+    }
+    return "";
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+std::string bytes_in(const fs::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+}  // namespace
+
+TEST_CASE("a file that cannot be written completely is an error and leaves nothing") {
+    const ScratchDirectory scratch;
+    const std::string bytes(100000, 'x');
+    SUBCASE("a full disk") {
+        if (!fs::exists("/dev/full")) {
+            MESSAGE("skipped: this system has no /dev/full");
+            return;
+        }
+        const std::string message =
+            message_of<OutputError>([&] { write_file_atomically("/dev/full", bytes); });
+        CHECK(contains(message, "/dev/full"));
+        CHECK(contains(message, std::generic_category().message(ENOSPC)));
+        // Small enough for the buffer of stdio: only fflush can tell.
+        CHECK_THROWS_AS(write_file_atomically("/dev/full", "x"), OutputError);
+        CHECK(fs::is_character_file("/dev/full"));
+    }
+    SUBCASE("a file that may not grow") {
+        // Past the limit write() fails as on a full disk, once the signal that would end the program is
+        // ignored.
+        struct rlimit before = {};
+        getrlimit(RLIMIT_FSIZE, &before);
+        struct rlimit small = before;
+        small.rlim_cur = 4096;
+        const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+        setrlimit(RLIMIT_FSIZE, &small);
+        const std::string message =
+            message_of<OutputError>([&] { write_file_atomically(scratch / "a.npy", bytes); });
+        setrlimit(RLIMIT_FSIZE, &before);
+        std::signal(SIGXFSZ, handler);
+        CHECK(contains(message, std::generic_category().message(EFBIG)));
+    }
+    SUBCASE("a missing directory") {
+        const std::string message =
+            message_of<OutputError>([&] { write_file_atomically(scratch / "none" / "a.npy", bytes); });
+        CHECK(contains(message, "none/a.npy"));
+        CHECK(contains(message, std::generic_category().message(ENOENT)));
+    }
+    SUBCASE("a directory in the file's place") {
+        fs::create_directory(scratch / "a.npy");
+        CHECK(contains(message_of<OutputError>([&] { write_file_atomically(scratch / "a.npy", bytes); }),
+                       "directory"));
+        CHECK(fs::is_directory(scratch / "a.npy"));
+        fs::remove(scratch / "a.npy");
+    }
+    SUBCASE("a read-only directory") {
+        if (geteuid() == 0) {
+            MESSAGE("skipped: root may write into a read-only directory");
+            return;
+        }
+        fs::permissions(scratch.path(), fs::perms::owner_read | fs::perms::owner_exec);
+        CHECK_THROWS_AS(write_file_atomically(scratch / "a.npy", bytes), OutputError);
+        fs::permissions(scratch.path(), fs::perms::owner_all);
+    }
+    CHECK(scratch.empty());
+}
+
+TEST_CASE("a file is replaced whole, its partial form is gone, and a symbolic link is followed") {
+    const ScratchDirectory scratch;
+    write_file_atomically(scratch / "a", "a longer first text");
+    write_file_atomically(scratch / "a", "second");
+    CHECK(bytes_in(scratch / "a") == "second");
+    fs::create_symlink("a", scratch / "link");
+    write_file_atomically(scratch / "link", "third");
+    CHECK(fs::is_symlink(scratch / "link"));
+    CHECK(bytes_in(scratch / "a") == "third");
+    CHECK(std::distance(fs::directory_iterator(scratch.path()), fs::directory_iterator()) == 2);
+}

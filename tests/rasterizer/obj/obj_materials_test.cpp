@@ -1,0 +1,104 @@
+#include "rasterizer/obj/obj_materials.h"
+
+#include <cstdint>
+
+#include <doctest/doctest.h>
+
+#include "rasterizer/base/image_io.h"
+#include "tests/tools/loaded_obj.h"
+
+using namespace crevice;
+namespace fs = std::filesystem;
+
+namespace {
+
+// A directory with an OBJ's directory in it, and files that lie inside and outside of that.
+struct Models {
+    ScratchDirectory scratch;
+
+    Models() {
+        fs::create_directories(scratch / "models/maps");
+        const std::vector<std::uint8_t> white(3, 255);
+        const std::string png = png_bytes({1, 1}, 3, white);
+        write_text(scratch / "models/maps/white.png", png);
+        write_text(scratch / "outside.png", png);
+        write_text(scratch / "outside.mtl", "newmtl red\nKd 1 0 0\n");
+        write_text(scratch / "models/cut.png", png.substr(0, png.size() / 2));
+    }
+
+    // One triangle of material `red`; `head` comes before it, `mtl` is the text of `a b.mtl`.
+    LoadedObj load(const std::string& head, const std::string& mtl, const ObjOptions& options = {}) const {
+        write_text(scratch / "models/a b.mtl", mtl);
+        write_text(scratch / "models/a.obj", head + kCorners + "vt 0 0\nusemtl red\nf 1/1 2/1 3/1\n");
+        LoadedObj loaded = load_obj(scratch / "models/a.obj", options);
+        check_whole(loaded);
+        return loaded;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("load_obj: material values as they stand; names with blanks and with Windows slashes") {
+    const Models models;
+    const LoadedObj loaded =
+        models.load("mtllib a b.mtl\n",
+                    "\xEF\xBB\xBFnewmtl red\r\nKd 0.5 0.25 0\r\nKa 0.1 0.2 0.3\r\nKs 0.04 0.04 0.05\r\n"
+                    "Ns 90\r\nmap_Kd maps\\white.png\r\n");
+    CHECK(loaded.report.warnings == std::vector<std::string>{});
+    const Material& red = loaded.scene.materials[0];
+    CHECK(red.name == "red");
+    CHECK(red.diffuse == glm::vec3(0.5f, 0.25f, 0));
+    CHECK(red.ambient == glm::vec3(0.1f, 0.2f, 0.3f));
+    CHECK(red.specular == glm::vec3(0.04f, 0.04f, 0.05f));
+    CHECK(red.shininess == 90);
+    REQUIRE(red.texture);
+    CHECK(red.texture->colour(0).at(0, 0) == glm::vec3(1));
+}
+
+TEST_CASE("load_obj: no texture is read that nobody wants") {
+    const Models models;
+    const LoadedObj loaded =
+        models.load("mtllib a b.mtl\n", "newmtl red\nmap_Kd cut.png\n", {.want_textures = false});
+    CHECK_FALSE(loaded.report.any());
+    CHECK_FALSE(loaded.scene.materials[0].texture);
+}
+
+TEST_CASE("load_obj: a material that is missing, damaged or outside is a warning and the default") {
+    const Models models;
+    struct Row {
+        std::string what, head, mtl, warning;
+    };
+    const std::string lib = "mtllib a b.mtl\n";
+    const std::string absolute = (models.scratch / "outside.png").string();
+    const std::vector<Row> rows = {
+        {"no mtllib", "", "", "a.obj:6: no library has the material (red)"},
+        {"mtllib missing", "mtllib none.mtl\n", "", "a.obj:1: the material library cannot be read"},
+        {"mtllib outside", "mtllib ../outside.mtl\n", "", "a.obj:1: the material library is outside"},
+        {"material missing", lib, "newmtl green\nKd 0 1 0\n", "a.obj:7: no library has the material (red)"},
+        {"empty library", lib, "", "no library has the material (red)"},
+        {"texture missing", lib, "newmtl red\nKd .8 .8 .8\nmap_Kd none.png\n", "there is no such file"},
+        {"texture damaged", lib, "newmtl red\nKd .8 .8 .8\nmap_Kd cut.png\n",
+         "cut.png: the picture is damaged"},
+        {"texture outside", lib, "newmtl red\nKd .8 .8 .8\nmap_Kd ../outside.png\n",
+         "is outside the OBJ's directory"},
+        {"texture by absolute path", lib, "newmtl red\nKd .8 .8 .8\nmap_Kd " + absolute + "\n", "is outside"},
+        {"texture by detour", lib, "newmtl red\nKd .8 .8 .8\nmap_Kd maps/../../outside.png\n", "is outside"},
+        {"texture is a directory", lib, "newmtl red\nKd .8 .8 .8\nmap_Kd maps\n", "is a directory"},
+        {"reflectance out of range", lib, "newmtl red\nKd 7 0 0\n", "has a Kd outside [0, 1]"},
+    };
+    for (const Row& row : rows) {
+        CAPTURE(row.what);
+        const LoadedObj loaded = models.load(row.head, row.mtl);
+        CHECK(has_warning(loaded.report, row.warning));
+        CHECK(triangle_count(loaded.scene) == 1);
+        CHECK(loaded.scene.materials[0].diffuse == Material{}.diffuse);
+        CHECK_FALSE(loaded.scene.materials[0].texture);
+    }
+}
+
+TEST_CASE("load_obj: a link does not lead out of the directory") {
+    const Models models;
+    fs::create_symlink(models.scratch / "outside.png", models.scratch / "models/link.png");
+    const LoadedObj loaded = models.load("mtllib a b.mtl\n", "newmtl red\nmap_Kd link.png\n");
+    CHECK(has_warning(loaded.report, "is outside the OBJ's directory (link.png)"));
+}

@@ -1,0 +1,115 @@
+#include "rasterizer/obj/obj_write.h"
+
+#include <bit>
+#include <limits>
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "rasterizer/scene/world_mesh.h"
+#include "scenes/builtin_scenes.h"
+#include "tests/tools/cube_scene.h"
+#include "tests/tools/loaded_obj.h"
+
+using namespace crevice;
+
+namespace {
+
+bool same_bits(glm::vec3 a, glm::vec3 b) {
+    for (int i = 0; i < 3; ++i) {
+        if (std::bit_cast<std::uint32_t>(a[i]) != std::bit_cast<std::uint32_t>(b[i])) return false;
+    }
+    return true;
+}
+
+// The mesh with positions and normals of awkward bits: denormal, huge, -0, one third.
+Mesh awkward() {
+    Mesh mesh;
+    mesh.positions = {{0x1p-149f, -0.0f, 1.0f / 3}, {3.4e38f, 0, -1.0f / 3}, {0.1f, 16777217, 0.0f}};
+    mesh.normals.assign(3, {0, 0, 1});
+    mesh.triangles = {{0, 1, 2}};
+    mesh.parts = {{0, 1, 0}};
+    return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("obj_text: what stands in the file") {
+    Mesh mesh;
+    mesh.positions = {{0, 0, 5}, {0, 2, 7}, {1, 0, 6.5f}};
+    mesh.normals.assign(3, {0, 0, -1});
+    mesh.triangles = {{0, 1, 2}};
+    mesh.parts = {{0, 1, 0}};
+    CHECK(obj_text(mesh) ==
+          "v 0 0 -5\nv 0 2 -7\nv 1 0 -6.5\nvn 0 0 1\nvn 0 0 1\nvn 0 0 1\nf 1//1 3//3 2//2\n");
+    mesh.texcoords = {{0, 0}, {0.25f, 1}, {1, 0.5f}};
+    const std::vector<glm::vec3> colours = {{1, 0, 0}, {0.5f, 0.5f, 0.5f}, {0.1f, 0, 1}};
+    CHECK(obj_text(mesh, colours, "one\ntwo") ==
+          "# one\n# two\nv 0 0 -5 1 0 0\nv 0 2 -7 0.5 0.5 0.5\nv 1 0 -6.5 0.1 0 1\n"
+          "vt 0 1\nvt 0.25 0\nvt 1 0.5\nvn 0 0 1\nvn 0 0 1\nvn 0 0 1\nf 1/1/1 3/3/3 2/2/2\n");
+    mesh.normals.clear();
+    CHECK(obj_text(mesh, {}, "").find("f 1/1 3/3 2/2\n") != std::string::npos);
+    mesh.texcoords.clear();
+    CHECK(obj_text(mesh).find("f 1 3 2\n") != std::string::npos);
+}
+
+TEST_CASE("write_obj: loading the file gives the same positions to the bit") {
+    const ScratchDirectory scratch;
+    const Mesh mesh = awkward();
+    write_obj(scratch / "a.obj", mesh);
+    const LoadedObj loaded = load_obj(scratch / "a.obj");
+    CHECK_FALSE(loaded.report.any());
+    const Mesh& read = mesh_of(loaded);
+    REQUIRE(read.triangles.size() == 1);
+    for (std::size_t k = 0; k < 3; ++k) {
+        CAPTURE(k);
+        CHECK(same_bits(read.positions[read.triangles[0][k]], mesh.positions[mesh.triangles[0][k]]));
+    }
+}
+
+TEST_CASE("write_obj: a whole scene comes back: corners to the bit, normals to the last one, texture too") {
+    for (const char* name : {"columns_luna", "cornell"}) {
+        CAPTURE(name);
+        Mesh mesh = world_mesh(find_builtin_scene(name)->make());
+        for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+            mesh.texcoords.emplace_back(static_cast<float>(i % 64) / 64, static_cast<float>(i % 7) / 8);
+        const std::vector<glm::vec3> colours(mesh.positions.size(), glm::vec3(0.3f));
+        const ScratchDirectory scratch;
+        write_obj(scratch / "a.obj", mesh, colours, "a scene");
+        const LoadedObj loaded = load_obj(scratch / "a.obj");
+        CHECK_FALSE(loaded.report.any());
+        const Mesh& read = mesh_of(loaded);
+        REQUIRE(read.triangles.size() == mesh.triangles.size());
+        std::size_t moved = 0, turned = 0, shifted = 0;
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t a = mesh.triangles[t][k], b = read.triangles[t][k];
+                moved += !same_bits(mesh.positions[a], read.positions[b]);
+                turned += !(glm::length(mesh.normals[a] - read.normals[b]) < 2e-7f);
+                shifted += mesh.texcoords[a] != read.texcoords[b];
+            }
+        }
+        CHECK(moved == 0);
+        CHECK(turned == 0);
+        CHECK(shifted == 0);
+    }
+}
+
+TEST_CASE("obj_text: numbers that are not finite are refused by name, and colours that do not fit") {
+    Mesh mesh = awkward();
+    const std::vector<glm::vec3> two(2, glm::vec3(1));
+    CHECK_THROWS_AS(obj_text(mesh, two), InputError);
+    mesh.positions[1].y = std::numeric_limits<float>::quiet_NaN();
+    try {
+        obj_text(mesh);
+        FAIL_CHECK("a NaN was written");
+    } catch (const InputError& error) {
+        CHECK(std::string(error.what()).find("`v` 2 holds a number that is not finite (nan)") !=
+              std::string::npos);
+    }
+    const ScratchDirectory scratch;
+    CHECK_THROWS_AS(write_obj(scratch / "a.obj", mesh), InputError);
+    CHECK_FALSE(std::filesystem::exists(scratch / "a.obj"));
+    CHECK_THROWS_AS(write_obj(scratch / "no/such/a.obj", awkward()), OutputError);
+}

@@ -1,0 +1,212 @@
+#include "scenes/procedural_textures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "rasterizer/base/error.h"
+#include "rasterizer/base/image_summary.h"
+
+using namespace crevice;
+
+namespace {
+
+struct NamedSurface {
+    const char* name;
+    SurfaceTextures (*make)(int side);
+};
+constexpr NamedSurface kSurfaces[] = {
+    {"floor tiles", floor_tile_textures}, {"bricks", brick_textures}, {"rough stone", rough_stone_textures}};
+
+float at(const Image<float>& image, int x, int y) {
+    const int side = image.size.width;
+    return image.at((x + side) % side, (y + side) % side);
+}
+
+// The difference across the line to the left of a column, or above a row: its mean, which tells of outlines,
+// and its median, which tells of the faint grain between them.
+struct Jump {
+    double mean = 0, median = 0;
+};
+Jump jump(const Image<float>& plane, int line, bool of_columns) {
+    const int side = plane.size.width;
+    std::vector<double> differences;
+    Jump result;
+    for (int i = 0; i < side; ++i) {
+        const float across = of_columns ? at(plane, line, i) - at(plane, line - 1, i)
+                                        : at(plane, i, line) - at(plane, i, line - 1);
+        differences.push_back(std::abs(static_cast<double>(across)));
+        result.mean += differences.back() / side;
+    }
+    std::nth_element(differences.begin(), differences.begin() + side / 2, differences.end());
+    result.median = differences[static_cast<std::size_t>(side / 2)];
+    return result;
+}
+
+// The texture's edges against the lines in it where the pattern of four repeats: the same things meet there.
+void check_that_it_continues(const Image<float>& plane, int repeats_down) {
+    const int side = plane.size.width;
+    for (const bool of_columns : {true, false}) {
+        const int repeats = of_columns ? 4 : repeats_down;
+        Jump inside;
+        for (int line = 1; line < repeats; ++line) {
+            const Jump here = jump(plane, line * side / repeats, of_columns);
+            inside = {std::max(inside.mean, here.mean), std::max(inside.median, here.median)};
+        }
+        CAPTURE(of_columns);
+        CHECK(jump(plane, 0, of_columns).mean <= 1.35 * inside.mean + 1e-7);
+        CHECK(jump(plane, 0, of_columns).median <= 1.35 * inside.median + 1e-7);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("procedural textures: opposite edges continue each other") {
+    for (const NamedSurface& surface : kSurfaces) {
+        const std::string name = surface.name;
+        CAPTURE(name);
+        const SurfaceTextures textures = surface.make(160);
+        const int repeats_down = name == "bricks" ? 5 : 4;  // every second course
+        check_that_it_continues(textures.height, repeats_down);
+        check_that_it_continues(textures.colour.colour(0).x, repeats_down);
+        check_that_it_continues(textures.normal.colour(0).x, repeats_down);
+        check_that_it_continues(textures.normal.alpha(0), repeats_down);
+    }
+    const Texture fence = fence_texture(160);
+    check_that_it_continues(fence.colour(0).x, 4);
+    check_that_it_continues(fence.alpha(0), 4);
+}
+
+TEST_CASE("procedural textures: normals are those of the height field, across the edges too") {
+    for (const NamedSurface& surface : kSurfaces) {
+        const SurfaceTextures textures = surface.make(48);
+        const Image3& normals = textures.normal.colour(0);
+        for (int y = 0; y < 48; ++y) {
+            for (int x = 0; x < 48; ++x) {
+                CAPTURE(surface.name);
+                CAPTURE(x);
+                CAPTURE(y);
+                const glm::vec3 n = 2.0f * normals.at(x, y) - 1.0f;
+                const float du = at(textures.height, x + 1, y) - at(textures.height, x - 1, y),
+                            dv = at(textures.height, x, y + 1) - at(textures.height, x, y - 1);
+                CHECK(std::abs(glm::length(n) - 1) < 1e-6f);
+                CHECK(glm::length(n - glm::normalize(glm::vec3(-24 * du, -24 * dv, 1))) < 1e-6f);
+            }
+        }
+    }
+}
+
+TEST_CASE("procedural textures: colours and factors in [0,1], neither black nor burnt out, bumps of use") {
+    for (const NamedSurface& surface : kSurfaces) {
+        CAPTURE(surface.name);
+        const SurfaceTextures textures = surface.make(64);
+        CHECK(textures.colour.levels().size() == 7);
+        CHECK(textures.normal.has_alpha());
+        CHECK(!textures.colour.has_alpha());
+        const BufferStatistics colour = buffer_statistics(textures.colour.colour(0)),
+                               factor = buffer_statistics(textures.normal.alpha(0)),
+                               height = buffer_statistics(textures.height);
+        CHECK(colour.min > 0);
+        CHECK(colour.max < 0.9f);
+        CHECK(colour.mean > 0.1);
+        CHECK(factor.min >= 0);
+        CHECK(factor.max <= 1);
+        CHECK(factor.max > factor.min + 0.1f);
+        CHECK(height.max - height.min > 0.005f);
+        CHECK(height.max - height.min < 0.1f);
+        CHECK(buffer_statistics(textures.normal.colour(0).z).min > 0.6f);  // nothing steeper than 78 degrees
+    }
+}
+
+TEST_CASE("procedural textures: another side is the same surface sampled otherwise") {
+    for (const NamedSurface& surface : kSurfaces) {
+        const SurfaceTextures coarse = surface.make(16), fine = surface.make(48);
+        for (int y = 0; y < 16; ++y) {
+            for (int x = 0; x < 16; ++x) {
+                CAPTURE(surface.name);
+                CAPTURE(x);
+                CAPTURE(y);
+                CHECK(std::abs(coarse.height.at(x, y) - fine.height.at(3 * x + 1, 3 * y + 1)) < 1e-6f);
+                CHECK(glm::length(glm::vec3(coarse.colour.texel(0, x, y)) -
+                                  glm::vec3(fine.colour.texel(0, 3 * x + 1, 3 * y + 1))) < 1e-5f);
+            }
+        }
+    }
+}
+
+TEST_CASE("procedural textures: the leaf has a free rim, a midrib and no foreign colour outside") {
+    const Texture leaf = leaf_texture(96);
+    const Image<float>& alpha = leaf.alpha(0);
+    const BufferStatistics statistics = buffer_statistics(alpha);
+    CHECK(statistics.min == 0);
+    CHECK(statistics.max == 1);
+    CHECK(statistics.mean > 0.25);
+    CHECK(statistics.mean < 0.6);
+    for (int i = 0; i < 96; ++i) {
+        CAPTURE(i);
+        CHECK(alpha.at(i, 0) == 0);
+        CHECK(alpha.at(i, 95) == 0);
+        CHECK(alpha.at(0, i) == 0);
+        CHECK(alpha.at(95, i) == 0);
+    }
+    for (int y = 8; y < 70; ++y) {
+        CAPTURE(y);
+        CHECK(alpha.at(48, y) == 1);  // from below the tip down the middle
+        for (int x = 0; x < 96; ++x) {
+            const glm::vec3 c = glm::vec3(leaf.texel(0, x, y));
+            CHECK((c.y > c.x && c.x > c.z));  // green, also where alpha is 0
+        }
+    }
+    CHECK(alpha.at(48, 88) > 0);  // the stalk
+}
+
+TEST_CASE("procedural textures: the fence is wire with holes in every diamond") {
+    const Texture fence = fence_texture(128);
+    const Image<float>& alpha = fence.alpha(0);
+    // Two families of wires, 0.15 of a spacing wide, that cross: 1 - 0.85^2.
+    CHECK(std::abs(buffer_statistics(alpha).mean - 0.2775) < 0.005);
+    // Wires lie where u + v is (k + 1/2) / 4 and where u - v is k / 4: crossings and holes alternate.
+    for (int row = 0; row < 8; ++row) {
+        for (int column = 0; column < 8; ++column) {
+            CAPTURE(row);
+            CAPTURE(column);
+            CHECK(alpha.at(16 * column + 8, 16 * row + 8) == ((row + column) % 2 == 0 ? 1 : 0));
+        }
+    }
+    const BufferStatistics colour = buffer_statistics(fence.colour(0));
+    CHECK(colour.min > 0);
+    CHECK(colour.max <= 1);
+}
+
+TEST_CASE("procedural textures: the same bits everywhere") {
+    const auto hashes = [](const SurfaceTextures& textures) {
+        return content_hash(textures.colour.colour(0)) + " " + content_hash(textures.normal.colour(1)) + " " +
+               content_hash(textures.normal.alpha(0)) + " " + content_hash(textures.height);
+    };
+    CHECK(hashes(floor_tile_textures(64)) ==
+          "0e094be5f7f8513b 96867ca34f31a35d 4b9078eda1bf4bae 4e337e3a71f7560f");
+    CHECK(hashes(brick_textures(64)) ==
+          "208e18d7ad9f5c69 ef8ba403d3937493 9031e0e88d044a7c 8e8999c635724d7e");
+    CHECK(hashes(rough_stone_textures(64)) ==
+          "dc48d28336654222 87615050d65eff33 f0b49de78eb089fe 1654f0074373f90a");
+    const Texture leaf = leaf_texture(64), fence = fence_texture(64);
+    CHECK(content_hash(leaf.colour(0)) + " " + content_hash(leaf.alpha(2)) ==
+          "78f2ee60d3bdc136 3d5b69593213906c");
+    CHECK(content_hash(fence.colour(0)) + " " + content_hash(fence.alpha(2)) ==
+          "e815bbf553be34ff 2fcb890b1317f524");
+}
+
+TEST_CASE("procedural textures: a side out of range is named") {
+    for (const int side : {-1, 0, 7, 4097}) {
+        CAPTURE(side);
+        CHECK_THROWS_WITH_AS(brick_textures(side), doctest::Contains("8 to 4096"), UsageError);
+        CHECK_THROWS_WITH_AS(leaf_texture(side), doctest::Contains("8 to 4096"), UsageError);
+    }
+    CHECK(fence_texture(8).colour(0).size() == Size{8, 8});
+    CHECK(rough_stone_textures(9).height.size == Size{9, 9});
+}

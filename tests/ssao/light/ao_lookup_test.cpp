@@ -1,0 +1,42 @@
+#include "ssao/light/ao_lookup.h"
+
+#include <algorithm>
+
+#include <doctest/doctest.h>
+
+#include "rasterizer/base/image_summary.h"
+#include "ssao/light/widened_ao.h"
+#include "tests/tools/test_scenes.h"
+
+using namespace crevice;
+
+namespace {
+
+constexpr Size kSize{64, 32};
+
+}  // namespace
+
+TEST_CASE("an AO map at the pixels: clamped it is what the lit pass reads; wrapped, first and last row mix") {
+    const Image<float> ao = noise_image({33, 17}, 3);
+    const Image<float> clamped = map_at_pixels(ao, kSize, AddressMode::clamp, 0),
+                       wrapped = map_at_pixels(ao, kSize, AddressMode::wrap, 0);
+    CHECK(further_apart_than(1e-5, clamped, ao_at_picture_size(ao, kSize)) == "");
+    for (int y = 0; y < kSize.height; ++y) {
+        CAPTURE(y);
+        int unlike = 0;  // the outermost columns mix too
+        for (int x = 1; x + 1 < kSize.width; ++x) unlike += clamped.at(x, y) != wrapped.at(x, y) ? 1 : 0;
+        CHECK((unlike > 0) == (y == 0 || y == kSize.height - 1));
+    }
+}
+
+TEST_CASE("an AO map at v - 1: the same bits with wrap where v - 1 is a float, the top row with clamp") {
+    const Image<float> ao = noise_image({33, 17}, 4);
+    CHECK(content_hash(looked_up(ao, kSize, AoLookup::slip_wrap)) ==
+          content_hash(map_at_pixels(ao, kSize, AddressMode::wrap, 0)));
+    const Image<float> top = looked_up(ao, kSize, AoLookup::slip_clamp),
+                       right = map_at_pixels(ao, kSize, AddressMode::clamp, 0);
+    for (int y = 0; y < kSize.height; ++y)
+        CHECK(std::equal(top.row(y), top.row(y) + kSize.width, right.row(0)));
+    CHECK(content_hash(looked_up(ao, kSize, AoLookup::exact)) == content_hash(ao));
+    CHECK(buffer_statistics(looked_up({}, kSize, AoLookup::slip_clamp)).min == 1);
+}

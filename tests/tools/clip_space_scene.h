@@ -1,0 +1,159 @@
+// Triangles given on the screen or in clip space, drawn with a shader that only counts, for tests of exact
+// coverage.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include "rasterizer/draw/raster_tile.h"
+
+namespace crevice {
+
+// Reproducible numbers in tests: a 64-bit linear congruential sequence, its high bits. Two of them in one
+// expression need braces: the order in which arguments in parentheses are evaluated is the compiler's own.
+class RandomSequence {
+ public:
+    explicit RandomSequence(std::uint64_t seed) : state_(seed * 0x9e3779b97f4a7c15u + 1) {}
+
+    std::uint32_t bits() {
+        state_ = state_ * 6364136223846793005u + 1442695040888963407u;
+        return static_cast<std::uint32_t>(state_ >> 32);
+    }
+    double between(double low, double high) { return low + (high - low) * (bits() / 4294967296.0); }
+    int whole(int low, int high) {  // inclusive
+        return low + static_cast<int>(bits() % static_cast<std::uint32_t>(high - low + 1));
+    }
+
+ private:
+    std::uint64_t state_;
+};
+
+struct ClipSpaceScene {
+    Size size;
+    std::vector<glm::vec4> p_clip;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+
+    std::uint32_t add(glm::vec4 p) {
+        p_clip.push_back(p);
+        return static_cast<std::uint32_t>(p_clip.size() - 1);
+    }
+    // Three new vertices.
+    void add_triangle(glm::vec4 a, glm::vec4 b, glm::vec4 c) {
+        triangles.push_back({add(a), add(b), add(c)});
+    }
+    // A quad of two triangles abc and acd that share vertices a and c.
+    void add_quad(glm::vec4 a, glm::vec4 b, glm::vec4 c, glm::vec4 d) {
+        const std::uint32_t i = add(a), j = add(b), k = add(c), l = add(d);
+        triangles.push_back({i, j, k});
+        triangles.push_back({i, k, l});
+    }
+
+    // The clip-space position that lands on a screen position. Without a rounding error when the sides of the
+    // picture and w are powers of two and the position is a whole number of 1/256 pixels.
+    glm::vec4 at_screen(double x_px, double y_px, double z_ndc = 0.5, double w = 1) const {
+        const double x_ndc = x_px / (size.width * 0.5) - 1, y_ndc = 1 - y_px / (size.height * 0.5);
+        return glm::vec4(x_ndc * w, y_ndc * w, z_ndc * w, w);
+    }
+    glm::vec4 at_screen(glm::dvec2 p_px, double z_ndc = 0.5, double w = 1) const {
+        return at_screen(p_px.x, p_px.y, z_ndc, w);
+    }
+};
+
+struct CountedDrawing {
+    Image<std::int32_t> count;  // how many fragments passed at each pixel
+    DepthBuffer depth;
+};
+
+// One thread, so that a failing test is easy to step through.
+inline const Run kPlainRun = {.threads = 1};
+
+// Adds 1 wherever a fragment passes.
+struct CountingShader {
+    Image<std::int32_t>& count;
+
+    PixelRect wanted_part(int, PixelRect tile) const { return tile; }
+    void empty_tile(PixelRect) const {}
+    void begin_tile(PixelRect) const {}
+    template <class F>
+    CREVICE_INLINE void fragment(const ScreenTriangle&, const Fragment<F>& f) const {
+        std::int32_t* row = count.row(f.y);
+        store_where_passed(row, f, load<F>(row + f.x) + Int<F>(1));
+    }
+    template <class F>
+    CREVICE_INLINE void finish_tile(PixelRect) const {}
+};
+
+// How often each pixel of `geometry` passes `test` against `depth`, which is written unless const.
+template <class Depth>
+Image<std::int32_t> count_passing(const ScreenGeometry& geometry, DepthFunction test, Depth& depth,
+                                  const Run& run = kPlainRun) {
+    Image<std::int32_t> count(geometry.size, 0);
+    rasterize(geometry, test, depth, CountingShader{count}, run);
+    return count;
+}
+
+inline ScreenGeometry geometry_of(const ClipSpaceScene& scene,
+                                  const SetupSettings& setup = {.cull_back_faces = false},
+                                  const Run& run = kPlainRun) {
+    return screen_geometry_from_clip(scene.p_clip, scene.triangles, scene.size, setup, run);
+}
+
+inline CountedDrawing draw(const ClipSpaceScene& scene, DepthFunction test = DepthFunction::always,
+                           const SetupSettings& setup = {.cull_back_faces = false},
+                           const Run& run = kPlainRun) {
+    CountedDrawing drawing{Image<std::int32_t>(), cleared_depth(scene.size, setup.format, false)};
+    drawing.count = count_passing(geometry_of(scene, setup, run), test, drawing.depth, run);
+    return drawing;
+}
+
+inline std::int64_t total(const Image<std::int32_t>& image) {
+    std::int64_t sum = 0;
+    for (int y = 0; y < image.size.height; ++y) {
+        for (int x = 0; x < image.size.width; ++x) sum += image.at(x, y);
+    }
+    return sum;
+}
+
+// "" when two pictures agree, else how many pixels differ and the first of them.
+inline std::string differences(const Image<std::int32_t>& actual, const Image<std::int32_t>& expected) {
+    std::string first;
+    int count = 0;
+    for (int y = 0; y < expected.size.height; ++y) {
+        for (int x = 0; x < expected.size.width; ++x) {
+            if (actual.at(x, y) == expected.at(x, y)) continue;
+            if (count++ > 0) continue;
+            first = "(" + std::to_string(x) + "," + std::to_string(y) + ") is " +
+                    std::to_string(actual.at(x, y)) + ", expected " + std::to_string(expected.at(x, y));
+        }
+    }
+    return count == 0 ? "" : std::to_string(count) + " pixels differ, the first: " + first;
+}
+inline std::string differences(const Image<std::int32_t>& actual, std::int32_t expected) {
+    return differences(actual, Image<std::int32_t>(actual.size, expected));
+}
+
+// Whether a triangle of corners in 1/256 pixel covers a pixel, in either winding: its centre, moved right by
+// an infinitely small amount and down by a still smaller one, lies inside. That is the top-left rule in other
+// words.
+inline bool covers_by_definition(const std::array<glm::ivec2, 3>& corners, int column, int row) {
+    const std::int64_t x = column * kSubpixelSteps + kSubpixelSteps / 2,
+                       y = row * kSubpixelSteps + kSubpixelSteps / 2;
+    int positive = 0, negative = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::ivec2 a = corners[i], b = corners[(i + 1) % 3];
+        const std::int64_t dx = b.x - a.x, dy = b.y - a.y;
+        const std::int64_t side = dx * (y - a.y) - dy * (x - a.x);
+        const std::int64_t decides = side != 0 ? side : (dy != 0 ? -dy : dx);
+        positive += decides > 0;
+        negative += decides < 0;
+    }
+    return positive == 3 || negative == 3;
+}
+
+}  // namespace crevice

@@ -1,0 +1,175 @@
+#include "tests/whole/golden_buffers.h"
+
+#include <algorithm>
+
+#include "chapters/commands/difference_page.h"
+#include "chapters/frame/frame.h"
+#include "chapters/frame/presets.h"
+#include "chapters/study/references.h"
+#include "rasterizer/base/error.h"
+#include "scenes/builtin_scenes.h"
+
+namespace crevice {
+
+namespace {
+
+constexpr Size kGoldenSize = {160, 90};
+
+// The scenes of the presets are drawn as these are.
+std::string words_of(const BuiltinScene& scene, const std::string& method) {
+    for (const Preset& preset : presets()) {
+        if (preset.scene == std::string(scene.name)) return std::string("--preset ") + preset.name;
+    }
+    return std::string(scene.name) + " --ao " + method;
+}
+
+Frame frame_of(const Scene& scene, Size size, const std::string& method,
+               const std::vector<std::string>& params) {
+    FrameRequest request;
+    request.size = size;
+    request.method = &find_method(method);
+    request.settings = settings_of(*request.method, params, scene.length_unit);
+    return render_frame(scene, scene.camera, request);
+}
+
+Planes planes_named(const Frame& frame, const std::string& buffer) {
+    if (buffer == "normal") return planes_of(frame.gbuffer.normal);
+    if (buffer == "view_depth") return planes_of(frame.gbuffer.view_depth);
+    if (buffer == "ndc_depth") return planes_of(ndc_depth(frame.gbuffer.depth));
+    if (buffer == "ao_raw") return planes_of(frame.ao_raw);
+    if (buffer == "ao_blurred") return planes_of(frame.ao_blurred);
+    return planes_of(frame.lit);
+}
+
+std::vector<GoldenBuffer> rendered_scenes() {
+    std::vector<GoldenBuffer> buffers;
+    for (const BuiltinScene& builtin : builtin_scenes()) {
+        const Scene scene = builtin.make(SceneDetail::surfaces);
+        const std::string method = builtin.name == std::string("columns_luna") ? "luna" : "xjun";
+        const Frame frame = frame_of(scene, kGoldenSize, method, {});
+        for (const char* buffer : kBufferNames) {
+            buffers.push_back({builtin.name, buffer,
+                               "render " + words_of(builtin, method) + " --size 160x90 --only " + buffer,
+                               planes_named(frame, buffer)});
+        }
+    }
+    return buffers;
+}
+
+// Each artifact on purpose: what is not the default, and the buffer that shows it.
+struct Artifact {
+    const char* scene;
+    const char* method;
+    std::vector<std::string> params;
+    const char* buffer;
+
+    std::string name() const {
+        std::string name;
+        for (const std::string& word : params) name += word + ".";
+        std::replace(name.begin(), name.end(), '=', '_');
+        return name + buffer;
+    }
+    std::string command() const {
+        std::string words =
+            std::string("render ") + scene + " --ao " + method + " --size 80x45 --only " + buffer;
+        for (const std::string& word : params) words += " --param " + word;
+        return words;
+    }
+};
+
+std::vector<Artifact> artifacts() {
+    const char *const columns = "columns", *const luna = "columns_luna", *const xjun = "xjun";
+    std::vector<Artifact> all;
+    for (const char* word :
+         {"as_published=true", "random_vectors=raw", "random_vectors=none", "self_occlusion_test=false",
+          "depth_source=ndc_depth", "texel_centre=off", "edge_texels=mixed", "epsilon=0", "epsilon=0.5",
+          "fade_end=1", "exponent=6", "buffer_format=float16", "normal_matrix=with_translation"})
+        all.push_back({columns, xjun, {word}, "ao_raw"});
+    for (const char* word :
+         {"blur_edges=slope", "blur_edges=none", "blur_iterations=1", "blur_weights=luna", "blur_normal=-1",
+          "blur_depth=10", "ao_format=float16", "ao_format=float16_nearest"})
+        all.push_back({columns, xjun, {word}, "ao_blurred"});
+    for (const char* word : {"lit_position=premultiplied", "lit_depth_bias=65536", "ao_lookup=slip_wrap",
+                             "ao_lookup=slip_clamp"})
+        all.push_back({columns, xjun, {word}, "lit"});
+    all.push_back({columns, xjun, {"fade_start=1e6", "fade_end=1e6"}, "ao_raw"});  // no range check
+    all.push_back({columns,
+                   xjun,
+                   {"buffer_format=float16_nearest", "edge_texels=mixed", "sky_depth=as_stored"},
+                   "ao_raw"});
+    all.push_back({columns, xjun, {"depth_position=view_first", "lit_position=premultiplied"}, "lit"});
+    all.push_back({columns, xjun, {"lit_position=premultiplied", "lit_depth_test=less_equal"}, "lit"});
+    for (const char* word : {"depth_format=d16", "depth_format=d32f_reversed", "depth_source=view_depth",
+                             "texel_centre=off", "ao_normals=mapped"})
+        all.push_back({luna, "luna", {word}, "ao_raw"});
+    all.push_back({luna, "luna", {"ao_normals=mapped"}, "normal"});
+    for (const char* word : {"border=edge", "border=wrap"})
+        all.push_back({"noise_wall", xjun, {word}, "ao_raw"});
+    all.push_back({"cornell", xjun, {"random_vectors=none", "sign_of_zero=zero"}, "ao_raw"});
+    all.push_back({"cornell", xjun, {"texel_centre=off"}, "ao_raw"});
+    all.push_back({"field", xjun, {"normal_matrix=world"}, "normal"});
+    all.push_back({"leaves", xjun, {"depth_cutouts=false"}, "lit"});
+    all.push_back({"leaves", xjun, {"lit_cutouts=false", "lit_depth_test=less_equal"}, "lit"});
+    return all;
+}
+
+constexpr Size kArtifactSize = {80, 45};
+
+// Throws when an artifact changes nothing: it would be no test of its switch.
+std::vector<GoldenBuffer> rendered_artifacts() {
+    std::vector<GoldenBuffer> buffers;
+    std::string made;
+    Scene scene;
+    Frame without;
+    for (const Artifact& artifact : artifacts()) {
+        if (made != artifact.scene) {
+            scene = find_builtin_scene(artifact.scene)->make(SceneDetail::surfaces);
+            without = frame_of(scene, kArtifactSize, artifact.method, {});
+        }
+        made = artifact.scene;
+        const Frame frame = frame_of(scene, kArtifactSize, artifact.method, artifact.params);
+        Planes shown = planes_named(frame, artifact.buffer);
+        if (first_differing_pixels(shown, planes_named(without, artifact.buffer), 1).empty())
+            throw InputError(artifact.command() + ": shows nothing; choose another view");
+        buffers.push_back({std::string("artifacts_of_") + artifact.scene, artifact.name(), artifact.command(),
+                           std::move(shown)});
+    }
+    return buffers;
+}
+
+// The references, smaller: what they are made of is seen in few pixels.
+std::vector<GoldenBuffer> referenced_scenes() {
+    std::vector<GoldenBuffer> buffers;
+    for (const BuiltinScene& builtin : builtin_scenes()) {
+        const Scene scene = builtin.make();
+        ReferenceRequest request;
+        request.size = {80, 45};
+        request.method = &find_method("xjun");
+        request.ao = settings_of(*request.method, {}, scene.length_unit).ao;
+        request.rays.rays = 64;
+        request.rays.radius = request.ao.radius;
+        request.limit_seeds = 16;
+        const References r = make_references(scene, scene.camera, request);
+        const auto add = [&](const char* buffer, const Reference& reference) {
+            buffers.push_back({builtin.name, buffer,
+                               "truth " + scene.name + " --size 80x45 --rays 64 --limit-seeds 16 --no-cache",
+                               planes_of(reference.image.mean)});
+        };
+        add("truth_hard", r.hard);
+        add("truth_soft", r.soft);
+        add("truth_screen", r.screen);
+        add("truth_limit", r.limit);
+    }
+    return buffers;
+}
+
+}  // namespace
+
+std::vector<GoldenBuffer> golden_buffers() {
+    std::vector<GoldenBuffer> buffers = rendered_scenes();
+    for (GoldenBuffer& buffer : rendered_artifacts()) buffers.push_back(std::move(buffer));
+    for (GoldenBuffer& buffer : referenced_scenes()) buffers.push_back(std::move(buffer));
+    return buffers;
+}
+
+}  // namespace crevice
