@@ -4,7 +4,7 @@
 // one material get one colour and the term cannot show shape. Accessibility, 1 where the surroundings are
 // open and 0 where they are closed, gives each point its share of that light.
 //
-// Source: seed 000, foreword and the formula at the start of "Screen-space ambient occlusion".
+// Source: X_Jun, foreword and the formula at the start of "Screen-space ambient occlusion".
 // Look for: the first picture, which is all silhouette; then the feet of the columns before and after.
 // Run: crevice chapter 01
 #include <array>
@@ -68,10 +68,10 @@ void explain(Notebook& book) {
 void remarks(Notebook& book, const Scene& scene) {
     const Material& ground = scene.materials[0];
     book.errata({
-        "*Seed 000, first formula:* multiplies ambient light by the diffuse reflectance. The series' own "
+        "*X_Jun, first formula:* multiplies ambient light by the diffuse reflectance. The series' own "
         "Phong code has an ambient reflectance for it: the red of this ground is " +
             exact_text(ground.ambient.x) + ", not " + exact_text(ground.diffuse.x) + ".",
-        "*Seed 000, ray casting:* the hit of a ray is called q, then p, which is where the ray starts. What "
+        "*X_Jun, ray casting:* the hit of a ray is called q, then p, which is where the ray starts. What "
         "must be near for the hit to count is q.",
     });
     book.try_it({

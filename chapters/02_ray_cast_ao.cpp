@@ -2,7 +2,7 @@
 //
 // The one idea: of N random rays into the hemisphere over p, h meet something; accessibility is 1 - h / N.
 //
-// Source: seed 000, "ray casting"; seed 002, BuildVertexAmbientOcclusion.
+// Source: X_Jun, "ray casting"; Luna, BuildVertexAmbientOcclusion.
 // Look for: sockets and teeth that are dark though no light shines; the slope of -1/2; dots on the curves.
 // Run: crevice chapter 02
 #include <cmath>
@@ -135,12 +135,12 @@ void ray_cast_occlusion(Notebook& book) {
         "Give `placed` of the head `{0, 1, 0}`: it floats, and the floor below it grows lighter.",
     });
     book.errata({
-        "*Seed 002:* a hit counts at any distance, as its comment admits; seed 000 asks for one below d.",
-        "*Seed 002:* rays are uniform: not the sky's light on p, which needs the cosine. See the plots.",
-        "*Seed 002:* the triangles of a vertex count the same, the smallest as much as the largest.",
-        "*Seed 002:* rays start .001 above: too much for a small mesh, too little for a huge one.",
-        "*Seed 002:* a vertex without triangles is divided 0 / 0. Here it is open.",
-        "*Seed 000:* fewer than 10 tests a ray. The octree needs more, as the check above says.",
+        "*Luna:* a hit counts at any distance, as its comment admits; X_Jun asks for one below d.",
+        "*Luna:* rays are uniform: not the sky's light on p, which needs the cosine. See the plots.",
+        "*Luna:* the triangles of a vertex count the same, the smallest as much as the largest.",
+        "*Luna:* rays start .001 above: too much for a small mesh, too little for a huge one.",
+        "*Luna:* a vertex without triangles is divided 0 / 0. Here it is open.",
+        "*X_Jun:* fewer than 10 tests a ray. The octree needs more, as the check above says.",
     });
 }
 

@@ -3,7 +3,7 @@
 // The one idea: for each pixel, the normal and the depth of the nearest surface are enough to rebuild the
 // visible side of the scene. Both are in view space: x right, y up, z into the picture.
 //
-// Source: seed 000, "Rendering normals and depths", "Transforming normals"; seeds 002 and 003, the same pass.
+// Source: X_Jun, "Rendering normals and depths", "Transforming normals"; Luna and SSAO explored, the same pass.
 // Look for: how little of the range of ndc depth the scene uses; a floor that faces away from you because a
 //           translation has crept into its direction; a slanted box shaded as if it stood straight.
 // Run: crevice chapter 03
@@ -67,8 +67,8 @@ ComparedNormals side_by_side(Notebook& book, const std::string& name, const Scen
     const ComparedNormals both = compare_normals(scene, matrix, book.size());
     book.show_row(caption, {{name + "_right", normal_picture(both.right)},
                             {name + "_wrong", normal_picture(both.wrong)}});
-    book.show_row("Seed 000's AO from the normals above.", {{name + "_ao_right", ao_picture(both.ao_right)},
-                                                            {name + "_ao_wrong", ao_picture(both.ao_wrong)}});
+    book.show_row("X_Jun's AO from the normals above.", {{name + "_ao_right", ao_picture(both.ao_right)},
+                                                         {name + "_ao_wrong", ao_picture(both.ao_wrong)}});
     book.table({name, "largest angle off, degrees", "pixels off by over 1 degree", "shade lost", "invented"},
                {{"wrong", text(both.off.most_deg), percent(both.off.share), percent(both.shade_lost),
                  percent(both.shade_invented)}});
@@ -77,7 +77,7 @@ ComparedNormals side_by_side(Notebook& book, const std::string& name, const Scen
 
 void wrong_matrices(Notebook& book, const Scene& columns) {
     book.text(R"(
-        Normals stay perpendicular under the inverse transpose of W, then turn with the view V. Seed 000
+        Normals stay perpendicular under the inverse transpose of W, then turn with the view V. X_Jun
         warns: W's translation must be erased first, or the 4x4 product mixes V's into the 3x3 part. Where W
         only moves by t, and V by v, the normal becomes `n - (n . t) v`.
 
@@ -90,7 +90,7 @@ void wrong_matrices(Notebook& book, const Scene& columns) {
                moved.off.share > 0.5 && moved.off.most_deg > 120);
     book.check("the shade at the columns' feet is lost", moved.shade_lost > 2 * moved.shade_invented);
     book.text(R"(
-        Seed 002 uses W itself, and its box, stretched by (2, 1, 2), looks right: its faces lie along the axes
+        Luna uses W itself, and its box, stretched by (2, 1, 2), looks right: its faces lie along the axes
         of the stretch. What is turned before it is stretched, or round, does not:
 
             crevice render field --param normal_matrix=world
@@ -98,16 +98,16 @@ void wrong_matrices(Notebook& book, const Scene& columns) {
     Scene boxes = stretched_scene();
     const ComparedNormals shown =
         side_by_side(book, "stretch", boxes, NormalMatrix::world,
-                     "By the inverse transpose; by W: seed 002's box, one turned before, a ball.");
+                     "By the inverse transpose; by W: Luna's box, one turned before, a ball.");
     boxes.instances.resize(2);
     const ComparedNormals hidden = compare_normals(boxes, NormalMatrix::world, book.size());
-    book.check("W is right for seed 002's box, not for the others",
+    book.check("W is right for Luna's box, not for the others",
                hidden.off.most_deg < 0.01 && shown.off.most_deg > 30 && shown.off.share > 0.03);
     book.check("their tops take themselves for something in the way",
                shown.shade_invented > shown.shade_lost);
 }
 
-// Seed 003 multiplies float4(n, 0), so that no translation should matter.
+// SSAO explored multiplies float4(n, 0), so that no translation should matter.
 void float4_claim(Notebook& book, const Scene& scene) {
     std::vector<std::vector<std::string>> rows;
     std::vector<double> most;
@@ -156,11 +156,11 @@ void normals_and_depth(Notebook& book) {
         "Give `wrong_matrices` a scene whose `camera.eye` is 0: V moves nothing, and the leak is gone.",
     });
     book.errata({
-        "*Seed 003:* float4(n, 0) times all of (W^-1)^T V. The 0 skips the product's last row, but V's "
+        "*SSAO explored:* float4(n, 0) times all of (W^-1)^T V. The 0 skips the product's last row, but V's "
         "translation is in its first three by then: last table.",
-        "*Seed 002, shader comment:* takes nonuniform scaling as the case where W will do. Uniform is meant; "
+        "*Luna, shader comment:* takes nonuniform scaling as the case where W will do. Uniform is meant; "
         "its box hides the slip: `stretch`.",
-        "*Seed 000, prose:* alpha is the depth in screen space. The shader writes view-space z.",
+        "*X_Jun, prose:* alpha is the depth in screen space. The shader writes view-space z.",
     });
 }
 

@@ -3,7 +3,7 @@
 // The one idea: p lies on the eye's ray v through the pixel, so p = (p_z / v_z) v for any v on it. Its error
 // is that of p_z, and a depth buffer's grows with z^2.
 //
-// Source: seed 000, "Reconstructing the position"; seed 002, Ssao.hlsl, NdcDepthToViewDepth; seed 003,
+// Source: X_Jun, "Reconstructing the position"; Luna, Ssao.hlsl, NdcDepthToViewDepth; SSAO explored,
 //         SSAOVS.
 // Look for: unit cubes, whose edges must follow walls and floor; dots below their lines; stripes on bare
 //           walls.
@@ -49,8 +49,7 @@ void compare_positions(Notebook& book, const Scene& scene) {
     }
     book.show_row("Unit cubes by `far_plane`, which is right; `unit_ray`; `unit_corners`; `full_size`.",
                   cubes);
-    book.show_row("Seed 000's AO of each: shade leaves its place, or comes where nothing is near.",
-                  occlusion);
+    book.show_row("X_Jun's AO of each: shade leaves its place, or comes where nothing is near.", occlusion);
     book.table({"p by", "off by, units, mean", "at most"}, rows);
     book.check("rays to the far and to the near plane give p to the last bits",
                std::max(worst[0], worst[1]) < 1e-4, text(worst[0]) + " and " + text(worst[1]));
@@ -73,8 +72,8 @@ void compare_storages(Notebook& book, const Scene& scene) {
             pictures.push_back({"stored_" + std::to_string(errors.size()), difference_picture(e.off, 0.01f)});
     }
     book.show_row(
-        "Rebuilt minus drawn view depth, 0.01 too near blue, too far red: a 16-bit float of z (seed 000), "
-        "D16, D24 (seed 002).",
+        "Rebuilt minus drawn view depth, 0.01 too near blue, too far red: a 16-bit float of z (X_Jun), "
+        "D16, D24 (Luna).",
         pictures);
     book.table({"stored", "off by at most, units", "over z", "over z^2"}, rows);
     book.check(
@@ -152,8 +151,8 @@ void position_from_depth(Notebook& book) {
     book.text(R"(
         # 04 Position from depth
 
-        A ray through the pixel and a view depth: `p = (p_z / v_z) v`. Seed 000 takes a ray to the far plane
-        and stores `p_z`; seed 002 takes one to the near plane and rebuilds `p_z = B / (d - A)` from ndc depth
+        A ray through the pixel and a view depth: `p = (p_z / v_z) v`. X_Jun takes a ray to the far plane
+        and stores `p_z`; Luna takes one to the near plane and rebuilds `p_z = B / (d - A)` from ndc depth
         d. An error e of d is then one of `e z^2 / |B|` in `p_z`.
 
             crevice render columns --param depth_format=d16 --param buffer_format=float16
@@ -173,12 +172,13 @@ void position_from_depth(Notebook& book) {
         "Add `BufferFormat::float32` to the loop of `half_floats`: 1e5 fits, and no texel of the sky is NaN.",
     });
     book.errata({
-        "*Seed 002:* `p=(p.z/v/z)v` is printed for `p = (p.z / v.z) v`: see the check.",
-        "*Seed 003:* multiplies x and y in -1 to 1 by the size of the far plane. Half of it is meant: "
+        "*Luna:* `p=(p.z/v/z)v` is printed for `p = (p.z / v.z) v`: see the check.",
+        "*SSAO explored:* multiplies x and y in -1 to 1 by the size of the far plane. Half of it is meant: "
         "`full_size`.",
-        "*Seed 000:* calls the depth it keeps in alpha screen depth. It is view-space z, not distance: "
+        "*X_Jun:* calls the depth it keeps in alpha screen depth. It is view-space z, not distance: "
         "`unit_ray`.",
-        "*Seeds 000, 003:* border and clear depth are 1e5, which 16 bits cannot hold; only D3D's rounding "
+        "*X_Jun, SSAO explored:* border and clear depth are 1e5, which 16 bits cannot hold; only D3D's "
+        "rounding "
         "helps.",
     });
 }

@@ -3,7 +3,7 @@
 // The one idea: keep 14 fixed vectors that are spread evenly, and mirror them all at the plane of a random
 // vector, another at each pixel. Mirroring keeps lengths and angles, but only a unit vector makes a mirror.
 //
-// Source: seed 000, "Generating random samples"; seed 002, BuildOffsetVectors and BuildRandomVectorTexture.
+// Source: X_Jun, "Generating random samples"; Luna, BuildOffsetVectors and BuildRandomVectorTexture.
 // Look for: the third drawing, pulled out of shape; the histogram, which should be one bar; the bright spots.
 // Run: crevice chapter 05
 #include <algorithm>
@@ -164,11 +164,11 @@ void sample_vectors(Notebook& book) {
         "Run with `--seed 2`: other lengths and another map, but the same statistics.",
     });
     book.errata({
-        "*Seed 000, shader:* `r` is used as fetched: `reflect` does not reflect (histogram, last row).",
-        "*Seed 000:* mirrored vectors are certain to be uniform. One pixel's are, all together are not.",
-        "*Seed 000:* opposite neighbours spread fewer than 14 samples. Flipping makes them one direction.",
-        "*Seed 002, prose:* 14 vectors in the hemisphere. They fill the sphere; the shader flips them.",
-        "*Seed 000:* `random_device` seeds both tables: no two runs give the same picture.",
+        "*X_Jun, shader:* `r` is used as fetched: `reflect` does not reflect (histogram, last row).",
+        "*X_Jun:* mirrored vectors are certain to be uniform. One pixel's are, all together are not.",
+        "*X_Jun:* opposite neighbours spread fewer than 14 samples. Flipping makes them one direction.",
+        "*Luna, prose:* 14 vectors in the hemisphere. They fill the sphere; the shader flips them.",
+        "*X_Jun:* `random_device` seeds both tables: no two runs give the same picture.",
     });
 }
 

@@ -3,7 +3,7 @@
 // The one idea: two factors. How far r is in front of p in depth, on a curve that starts at epsilon and fades
 // out; and dp, the cosine between the normal and the way to r, which is 0 for a neighbour in the same plane.
 //
-// Source: seed 000, "Finding potential occluders", "The occlusion test" and exercise 3; seed 002, Ssao.hlsl.
+// Source: X_Jun, "Finding potential occluders", "The occlusion test" and exercise 3; Luna, Ssao.hlsl.
 // Look for: dz and dp in the table, which must both be large; the bare plane that shades itself without dp.
 // Run: crevice chapter 06
 #include <algorithm>
@@ -78,7 +78,7 @@ void tell_one_texel(Notebook& book, const LunaKernel& kernel, const Image<float>
                std::fabs(told - ao.at(x, y)) < 1e-6f, "mean " + text(sum / kCubeVectors) + ", " + text(told));
 }
 
-// Exercise 3 of seed 000: without dp.
+// Exercise 3 of X_Jun: without dp.
 void remove_dp(Notebook& book, const SwitchedView& view) {
     Scene scene = empty_scene();
     scene.instances = {placed(add_mesh(scene, grid_mesh(400, 400, 2, 2)), {0, 0, 0})};
@@ -134,7 +134,7 @@ void turn_the_numbers(Notebook& book, const SwitchedView& view) {
     book.check(
         "a larger epsilon only ever opens", epsilon[0] < epsilon[1] && epsilon[1] < epsilon[2],
         "means " + four_digits(epsilon[0]) + ", " + four_digits(epsilon[1]) + ", " + four_digits(epsilon[2]));
-    const auto fade = row("Fade end 1 (seed 002), 2 (seed 000), and no range check: halos grow.",
+    const auto fade = row("Fade end 1 (Luna), 2 (X_Jun), and no range check: halos grow.",
                           {{"fade_end=1"}, {"fade_end=2"}, {"fade_end=1e30"}});
     book.check("a wider range only ever closes; without one, columns shade the ground far behind them",
                fade[0] > fade[1] && fade[1] > fade[2],
@@ -177,8 +177,8 @@ void occlusion_test(Notebook& book) {
     const SwitchedView view = column_foot(book.size());
     const SwitchedAo shown = view.ao();
     const LunaKernel xjun(shown.inputs, kXjunSettings), luna(shown.inputs, kLunaSettings);
-    book.show("curves", curves(xjun, luna), "occlusion(dz), dz to 2.5: seed 000 all, seed 002 violet only.");
-    book.show("ao", ao_picture(shown.raw), "Seed 000's AO: dark where something near stands in front.");
+    book.show("curves", curves(xjun, luna), "occlusion(dz), dz to 2.5: X_Jun all, Luna violet only.");
+    book.show("ao", ao_picture(shown.raw), "X_Jun's AO: dark where something near stands in front.");
     tell_one_texel(book, xjun, shown.raw);
     remove_dp(book, view);
     turn_the_numbers(book, view);
@@ -189,12 +189,12 @@ void occlusion_test(Notebook& book) {
         "In `tell_one_texel`, add up `s.occlusion` alone: the texel of exercise 3.",
     });
     book.errata({
-        "*Seed 000, prose:* r occludes q. It occludes **p**; q only says where to look (table).",
-        "*Seed 000, prose:* p is the intersection with the eye's ray. r is; the ray goes through **q**.",
-        "*Seed 000, prose:* |p_z - r_z|. The shader's is signed: what lies behind p does not occlude it.",
-        "*Seed 002, prose:* |q - r| is tested against epsilon. The shader tests p_z - r_z.",
-        "*Seed 000:* fade start may equal fade end in its demo: 0 / 0. Here that is a step.",
-        "*Seed 000, shader comment:* depth(q) is too close to depth(p). It tests depth(r).",
+        "*X_Jun, prose:* r occludes q. It occludes **p**; q only says where to look (table).",
+        "*X_Jun, prose:* p is the intersection with the eye's ray. r is; the ray goes through **q**.",
+        "*X_Jun, prose:* |p_z - r_z|. The shader's is signed: what lies behind p does not occlude it.",
+        "*Luna, prose:* |q - r| is tested against epsilon. The shader tests p_z - r_z.",
+        "*X_Jun:* fade start may equal fade end in its demo: 0 / 0. Here that is a step.",
+        "*X_Jun, shader comment:* depth(q) is too close to depth(p). It tests depth(r).",
     });
 }
 

@@ -3,7 +3,7 @@
 // The one idea: 14 samples a texel are far too few. A random vector per texel turns their error from bands
 // into fine grain, which an average over neighbours can remove.
 //
-// Source: seed 000, "Finishing the computation" and the full listing; seed 002, Ssao.hlsl.
+// Source: X_Jun, "Finishing the computation" and the full listing; Luna, Ssao.hlsl.
 // Look for: the bands where no random vector breaks them up; the step from 1 to 2 samples, which gains next
 //           to nothing; how the exponent alone makes shade out of hints; the picture's rim under three
 //           borders.
@@ -27,11 +27,11 @@ namespace {
 constexpr int kSeeds = 32;
 
 void both_tutorials(Notebook& book, const Image<float>& ao, const AoInputs& inputs) {
-    book.show("xjun", ao_picture(ao), "Seed 000's raw AO, half the picture's size: grain in the shade.");
+    book.show("xjun", ao_picture(ao), "X_Jun's raw AO, half the picture's size: grain in the shade.");
     const Scene luna = find_builtin_scene("columns_luna")->make();
     const GBuffer luna_gbuffer = normal_depth(luna, luna.camera, book.size());
     book.show("luna", ao_picture(luna_ssao(luna_gbuffer, luna.camera)),
-              "Seed 002's: occluders fade by 1.0 instead of 2.0 units, and the exponent is 6 instead of 4.");
+              "Luna's: occluders fade by 1.0 instead of 2.0 units, and the exponent is 6 instead of 4.");
 
     int sky = 0, darkened = 0;
     for (std::size_t i = 0; i < ao.pixels.size(); ++i) {
@@ -210,7 +210,7 @@ void raw_ao(Notebook& book) {
         powers.push_back({std::string("exponent_") + exponent, ao_picture(ao)});
         means.push_back(1 - buffer_statistics(ao).mean);
     }
-    book.show_row("Exponents 1, 2, 4 (seed 000) and 6 (seed 002): contrast by taste, not physics. " +
+    book.show_row("Exponents 1, 2, 4 (X_Jun) and 6 (Luna): contrast by taste, not physics. " +
                       view.command({"exponent=6"}),
                   powers);
     book.check("6 instead of 4 takes at least a sixth more light away", means[3] > 7 * means[2] / 6,
@@ -222,10 +222,10 @@ void raw_ao(Notebook& book) {
         "Run with `--seed 2`: other grain at the same places.",
     });
     book.errata({
-        "*Seed 000:* a snippet divides by `g_SampleCount`; what the listing has is `sampleCount`.",
-        "*Seed 000:* half size hardly matters, as AO is of low frequency. Thin contacts are not: the roof.",
-        "*Seed 000:* 1e5 as clear value of a 16-bit float. D3D keeps 65504, others infinity (above).",
-        "*Seed 002:* the exponent is 4 in the prose and 6 in the listing.",
+        "*X_Jun:* a snippet divides by `g_SampleCount`; what the listing has is `sampleCount`.",
+        "*X_Jun:* half size hardly matters, as AO is of low frequency. Thin contacts are not: the roof.",
+        "*X_Jun:* 1e5 as clear value of a 16-bit float. D3D keeps 65504, others infinity (above).",
+        "*Luna:* the exponent is 4 in the prose and 6 in the listing.",
         "*Both:* `sign(0)` is 0: then q = r = p and `normalize(0)` is NaN, which HLSL's `max` hides.",
     });
 }

@@ -3,7 +3,7 @@
 // The one idea: average only over neighbours on the same surface: their normal must be nearly the centre's
 // (n . n >= 0.8), and their depth too (|z - z| <= 0.2). The weights of the others leave the divisor as well.
 //
-// Source: seed 000, "The blur (bilateral)" and exercise 1; seed 002, SsaoBlur.hlsl; seed 003.
+// Source: X_Jun, "The blur (bilateral)" and exercise 1; Luna, SsaoBlur.hlsl; SSAO explored.
 // Look for: shade that the plain blur carries over silhouettes; the far floor in the last row, black without
 //           the cure.
 // Run: crevice chapter 08
@@ -130,7 +130,7 @@ void blur(Notebook& book) {
     book.text(R"(
         # 08 The bilateral blur
 
-        Over 5 texels to each side, horizontally, then vertically; seed 000 does both four times. Normals and
+        Over 5 texels to each side, horizontally, then vertically; X_Jun does both four times. Normals and
         depths stay the same meanwhile, so this lab decides only once which neighbours count.
     )");
     const SwitchedView view("columns", book.size());
@@ -162,13 +162,14 @@ void blur(Notebook& book) {
     grazing_floor(book, view, bilateral);
     book.try_it({
         "Add `\"blur_depth=10\"`: only normals hold shade back; floors get soft, parallel walls leak.",
-        "Add `\"blur_weights=luna\"` and 3 iterations: seed 002's blur, a little less detail lost.",
+        "Add `\"blur_weights=luna\"` and 3 iterations: Luna's blur, a little less detail lost.",
         "Add `\"blur_normal=-1\"`: shade turns corners; roof lines and steps fade.",
     });
     book.errata({
-        "*Seed 003:* vertical first. Seeds 000 and 002 go horizontally first; the order changes the result.",
-        "*Seeds 000, 002, 003:* a fixed 0.2 makes the blur one-dimensional on far floors (last row).",
-        "*Seed 002, UpdateSsaoCB:* the weights are read as 12 floats; radius 5 has only 11 of them.",
+        "*SSAO explored:* vertical first. X_Jun and Luna go horizontally first; the order changes the "
+        "result.",
+        "*X_Jun, Luna, SSAO explored:* a fixed 0.2 makes the blur one-dimensional on far floors (last row).",
+        "*Luna, UpdateSsaoCB:* the weights are read as 12 floats; radius 5 has only 11 of them.",
     });
 }
 

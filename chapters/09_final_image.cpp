@@ -4,7 +4,7 @@
 // multiply the ambient term by it. The first pass has left the depth of the nearest surface behind, so with
 // the test EQUAL each pixel is lit exactly once, by the surface that is seen.
 //
-// Source: seed 000, "Using the ambient map"; seed 002, Default.hlsl; seed 003, "Applying SSAO".
+// Source: X_Jun, "Using the ambient map"; Luna, Default.hlsl; SSAO explored, "Applying SSAO".
 // Look for: the feet of the columns, the house under its eaves, the eyes of the head; the joints between the
 //           bricks, which the tutorials' AO does not see.
 // Run: crevice chapter 09
@@ -101,7 +101,7 @@ void pipeline(Notebook& book, const Tutorial& tutorial) {
                    {name + "_shadow", lit_picture(d.lit(bumpy, true, false))}});
     std::vector<Notebook::Named> last = {{name + "_with_ao", lit_picture(with_ao)},
                                          {name, lit_picture(finished)}};
-    const bool mirrors = d.scene.lighting == LightingModel::blinn_schlick;  // seed 000 has none
+    const bool mirrors = d.scene.lighting == LightingModel::blinn_schlick;  // X_Jun has none
     if (mirrors) last.insert(last.begin(), {name + "_mirrored", lit_picture(shadowed)});
     book.show_row(mirrors ? "What is mirrored; the ambient term times AO; the sky."
                           : "The ambient term times AO; the sky.",
@@ -165,12 +165,12 @@ void final_image(Notebook& book) {
         "Multiply the whole colour by AO instead of the ambient term: lit corners look dirty.",
     });
     book.errata({
-        "*Seed 000, vertex shader:* adds (w, w) to clip x, y before scaling by (0.5, -0.5), not (w, -w): v "
+        "*X_Jun, vertex shader:* adds (w, w) to clip x, y before scaling by (0.5, -0.5), not (w, -w): v "
         "is "
         "too small by 1, which WRAP hides. Chapter 11 shows it, and `--param ao_lookup=slip_clamp`.",
-        "*Seed 000, pixel shader:* multiplies only the ambient terms of directional lights. Those of other "
+        "*X_Jun, pixel shader:* multiplies only the ambient terms of directional lights. Those of other "
         "lights would shine into every crevice; this lab multiplies each ambient term.",
-        "*Seed 002's repository:* what the mirror spheres reflect is not scaled by AO, here neither: a "
+        "*Luna's repository:* what the mirror spheres reflect is not scaled by AO, here neither: a "
         "mirror in a niche shows a sky that it cannot see.",
     });
 }

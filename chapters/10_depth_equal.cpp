@@ -3,7 +3,7 @@
 // The one idea: floats round after every step, so x(WVP) and (x(WV))P differ in the last bits. EQUAL forgives
 // none of them: where the passes disagree, no surface is lit and the background shows through.
 //
-// Source: seed 000, "Different computations make depths unequal", whose two passes do exactly this.
+// Source: X_Jun, "Different computations make depths unequal", whose two passes do exactly this.
 // Look for: magenta, which is what the background is painted in here; the bars, most of which are not at 0; a
 //           lattice that closes, and one that lets the background through.
 // Run: crevice chapter 10
@@ -97,7 +97,7 @@ void cutouts(Notebook& book) {
     lit_with(true, false, DepthFunction::less_equal);
     lit_with(false, true, DepthFunction::equal);
     book.text(R"(
-        A lattice is cut out of a rectangle by its texture's alpha, seed 000's `clip`. Both passes and the
+        A lattice is cut out of a rectangle by its texture's alpha, X_Jun's `clip`. Both passes and the
         shadow map must cut alike: EQUAL lights whatever surface the first pass left, and nothing else.
     )");
     book.show_row("Cut in both passes; only in the first, with LESS_EQUAL; only in the second.", pictures);
@@ -114,7 +114,7 @@ void depth_equal(Notebook& book) {
     book.text(R"(
         # 10 Equal depths
 
-        Seed 000's first pass computes `(x (W V)) P`, as it needs the view position; its second `x (W V P)`,
+        X_Jun's first pass computes `(x (W V)) P`, as it needs the view position; its second `x (W V P)`,
         one product less. Both are right. Here is its scene under a magenta sky.
 
             crevice render columns --param depth_position=view_first --param lit_position=premultiplied
@@ -135,9 +135,9 @@ void depth_equal(Notebook& book) {
         "Set the small bias to -16: a few holes are back.",
     });
     book.errata({
-        "*Seed 000:* names no cure: one function for positions, and no fused multiply-add in one pass only. "
+        "*X_Jun:* names no cure: one function for positions, and no fused multiply-add in one pass only. "
         "`one_formula`.",
-        "*Seed 000:* repeats its clip in the lit pass. EQUAL does not need it there, the first pass does: "
+        "*X_Jun:* repeats its clip in the lit pass. EQUAL does not need it there, the first pass does: "
         "last table.",
     });
 }

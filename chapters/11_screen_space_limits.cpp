@@ -4,7 +4,7 @@
 // and how thick things are is not in it, so the same point's AO changes with the camera, and the truth does
 // not.
 //
-// Source: seed 000, "Flaws of SSAO" (its last picture), "Multisampling", "Using the ambient map"; seed 002,
+// Source: X_Jun, "Flaws of SSAO" (its last picture), "Multisampling", "Using the ambient map"; Luna,
 //         the samplers' border.
 // Look for: the column's top, lighter as soon as the sphere over it leaves the picture; red rims; a plate's
 //           halo; rows that run down the whole picture.
@@ -71,7 +71,7 @@ void border(Notebook& book) {
     book.check("outside counts as far: the outermost 4 pixels are too bright, the middle hardly differs",
                gain.rim > 0.01 && gain.rim > 3 * gain.inside, text(gain.rim) + " and " + text(gain.inside));
     book.text(R"(
-        A sampler's address mode says what lies beyond: `far`, nothing (seeds 000 and 002, above); `edge`, the
+        A sampler's address mode says what lies beyond: `far`, nothing (X_Jun and Luna, above); `edge`, the
         border pixel again, so that a wall goes on; `wrap`, the opposite side, which belongs to other things.
 
             crevice render noise_wall --param border=edge
@@ -99,9 +99,8 @@ void thin_plate(Notebook& book) {
                         {"fade_end_1", ao_picture(one)},
                         {"plate_rays", ao_picture(rays)}};
     }
-    book.show_row(
-        "A plate 0.05 thin, 1.4 before a wall: fade end 2.0 (seed 000), 1.0 (seed 002), by rays of 0.5.",
-        pictures);
+    book.show_row("A plate 0.05 thin, 1.4 before a wall: fade end 2.0 (X_Jun), 1.0 (Luna), by rays of 0.5.",
+                  pictures);
     book.table({"plate before the wall by", "fade end 2.0", "fade end 1.0", "rays"}, rows);
     book.check("1.4 away it shades nothing; fade end 2.0 gives it a halo, 1.0 does not",
                darkest[2][0] < darkest[2][2] - 0.05 && darkest[2][1] > darkest[2][2] - 0.02);
@@ -174,15 +173,15 @@ void screen_space_limits(Notebook& book) {
         "Set the eye's height in `seen_from` to 2: the shelf hides the point from more sides.",
     });
     book.errata({
-        "*Seed 000:* half size hardly matters. On grazing planes it does, unless depth and ray are of one "
+        "*X_Jun:* half size hardly matters. On grazing planes it does, unless depth and ray are of one "
         "place: `floor_misplaced`.",
-        "*Seed 000:* blames odd places and angles for the flaw. Rims, halos and hidden layers are in every "
+        "*X_Jun:* blames odd places and angles for the flaw. Rims, halos and hidden layers are in every "
         "picture: `rim`, `fade_end_2`, `one_layer_minus_all`.",
-        "*Seed 000:* turns MSAA off because all targets must have equal samples. They could; one AO for four "
+        "*X_Jun:* turns MSAA off because all targets must have equal samples. They could; one AO for four "
         "samples is what goes wrong: `mismatch`.",
-        "*Seed 000, vertex shader:* adds (w, w) to the clip position where (w, -w) is meant, so v is "
+        "*X_Jun, vertex shader:* adds (w, w) to the clip position where (w, -w) is meant, so v is "
         "too small by 1; a sampler that wraps hides it: `wrap_off_by_one`.",
-        "*Seed 002:* its depth border is the far plane: nothing outside occludes, hence the rim.",
+        "*Luna:* its depth border is the far plane: nothing outside occludes, hence the rim.",
     });
 }
 

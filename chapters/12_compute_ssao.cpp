@@ -4,7 +4,7 @@
 // into a small memory of its own, with an apron around; only what lies beyond is read from the map. No bit
 // changes.
 //
-// Source: seed 000, exercise 2; seed 000, SSAO.hlsl; groupshared memory after Direct3D 11.3, chapter 18.
+// Source: X_Jun, exercise 2; X_Jun, SSAO.hlsl; groupshared memory after Direct3D 11.3, chapter 18.
 // Look for: orange, where samples leave their group's apron (one is drawn blue): near the eye, where half a
 //           unit is many pixels; the table's reads, least in the middle.
 // Run: crevice chapter 12
@@ -84,7 +84,7 @@ void compare_bits(Notebook& book, const Scene& scene) {
                unlike == 0, std::to_string(compared) + " maps compared");
 }
 
-// Of seed 000's scene at 640 x 360, whatever the size of this notebook.
+// Of X_Jun's scene at 640 x 360, whatever the size of this notebook.
 void count_reads(Notebook& book, const Scene& scene) {
     const GBuffer gbuffer = normal_depth(scene, scene.camera, {640, 360});
     const AoInputs inputs = ao_inputs(gbuffer, scene.camera, xjun_fetch(kXjunSettings));
@@ -117,7 +117,7 @@ void compute_ssao(Notebook& book) {
     book.text(R"(
         # 12 SSAO as a compute shader
 
-        Exercise 2 of seed 000. AO: a group of 16 x 16 threads copies the depths of its pixels and of an apron
+        Exercise 2 of X_Jun. AO: a group of 16 x 16 threads copies the depths of its pixels and of an apron
         around them, waits until all have arrived, and samples the copy; beyond the apron it reads the map.
         Blur: a group is 128 texels of a row, then of a column, with five more at either end, its reach.
     )");
@@ -128,7 +128,7 @@ void compute_ssao(Notebook& book) {
     const auto [ao, pixel_ms] = timed([&] { return luna_occlusion(inputs, kXjunSettings, {}); });
     const auto [grouped, grouped_ms] =
         timed([&] { return luna_occlusion_in_groups(inputs, kXjunSettings, kApron_px); });
-    book.show("ao_by_pixels", ao_picture(ao), "Seed 000's raw AO, pixel by pixel.", pixel_ms);
+    book.show("ao_by_pixels", ao_picture(ao), "X_Jun's raw AO, pixel by pixel.", pixel_ms);
     book.show("ao_in_groups", ao_picture(grouped.ao), "The same in groups.", grouped_ms);
     book.show("groups", groups(grouped, inputs, kApron_px),
               "Groups of 16 x 16 texels, one with its apron of 8 pixels in blue; orange: samples that left "
@@ -150,8 +150,8 @@ void compute_ssao(Notebook& book) {
         "Move the table's `camera.eye` to `{0, 0, -30}`: all reaches shrink with distance.",
     });
     book.errata({
-        "*Seed 000:* blurs with a clamping sampler, so a map's edge texel counts up to six times. A segment "
-        "ends with nothing, as in seeds 002 and 003.",
+        "*X_Jun:* blurs with a clamping sampler, so a map's edge texel counts up to six times. A segment "
+        "ends with nothing, as in Luna and SSAO explored.",
     });
 }
 

@@ -3,7 +3,7 @@
 // The one idea: cast them once and keep the answer with the mesh, at its vertices or in a map. What the store
 // is too coarse for is lost, and whatever moves leaves its shade behind.
 //
-// Source: seed 002, BuildVertexAmbientOcclusion; seed 004, baked AO (lightmaps).
+// Source: Luna, BuildVertexAmbientOcclusion; the Unity notes, baked AO (lightmaps).
 // Look for: the shade on walls, which four vertices cannot hold; the black foot of the sunk box; the lines
 //           along edges without dilation; the shade of a box that has left.
 // Run: crevice chapter 20
@@ -98,7 +98,7 @@ double vertices_and_map(Notebook& book, const Scene& scene, const View& view, co
     add("corners", joined(corners).size(), looked_up(scene, view.rays, corners, view.hits));
     add("map", map.rays_cast / settings.rays, looked_up(charts, map.ao, view.hits));
     add("map_without_edges", map.count(TexelKind::centre), looked_up(charts, bare, view.hits));
-    book.show_row("Vertices by seed 002's rule and from corners; the map; each minus truth.", pictures);
+    book.show_row("Vertices by Luna's rule and from corners; the map; each minus truth.", pictures);
     book.table({"baked", "values", "RMSE", "bias", "largest"}, rows);
     book.check("the map errs less than a third as much", 3 * rmse[2] < std::min(rmse[0], rmse[1]));
     book.check("texels at edges and dilation take the seams away", rmse[3] > 1.5 * rmse[2]);
@@ -109,8 +109,8 @@ void baked_ao(Notebook& book) {
     book.text(R"(
         # 20 Baked ambient occlusion
 
-        Rays once; a frame looks the answer up. Seed 002 keeps it in vertices: 32 rays from the middle of
-        each triangle, a vertex takes its triangles' mean. Engines (seed 004) keep it in a lightmap: a second
+        Rays once; a frame looks the answer up. Luna keeps it in vertices: 32 rays from the middle of
+        each triangle, a vertex takes its triangles' mean. Engines (the Unity notes) keep it in a lightmap: a second
         set of texture coordinates, rays up to a maximum distance, static objects, indirect light only.
     )");
     Scene scene = cornell_scene();
@@ -139,8 +139,9 @@ void baked_ao(Notebook& book) {
         "Set `.radius = 100`: wider, smoother shade; the vertices at corners come much nearer to it.",
     });
     book.errata({
-        "*Seed 002:* a vertex without triangles gets 0 / 0; slivers count like large triangles.",
-        "*Seed 004:* AO on direct light is, as its text says, not physically right; hence its default.",
+        "*Luna:* a vertex without triangles gets 0 / 0; slivers count like large triangles.",
+        "*The Unity notes:* AO on direct light is, as its text says, not physically right; hence its "
+        "default.",
     });
 }
 

@@ -155,7 +155,7 @@ void error_against_time(Notebook& book) {
         "Take `cornell` for `columns`: more creases, so a larger part is the method's definition.",
     });
     book.errata({
-        "*Seed 000:* half resolution and blur are said to cost little in quality: the table gives the price "
+        "*X_Jun:* half resolution and blur are said to cost little in quality: the table gives the price "
         "of each.",
         "*Both:* more samples are said to be better. Better against C: against T the error stops falling.",
     });

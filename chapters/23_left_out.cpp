@@ -4,7 +4,7 @@
 // of these lies in front, no surface, nothing near enough to occlude. Never from a promise of the caller.
 //
 // Source: hierarchical Z (Greene, Kass and Miller 1993, "Hierarchical Z-Buffer Visibility"); pass culling (O'Donnell
-// 2017, "FrameGraph"); the bounds of the tutorials' own formulas (seeds 000 and 002).
+// 2017, "FrameGraph"); the bounds of the tutorials' own formulas (X_Jun and Luna).
 // Look for: which tiles keep their colours. Only those were computed.
 // Run: crevice chapter 23
 #include <algorithm>

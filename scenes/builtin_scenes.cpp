@@ -12,11 +12,10 @@ Scene plain(SceneDetail, const Run&) {
 }
 
 constexpr std::array<BuiltinScene, 12> kScenes = {{
-    {"columns", "the scene of seed 000: columns, spheres and a house with niches and eaves", "the tutorial's",
+    {"columns", "the scene of X_Jun: columns, spheres and a house with niches and eaves", "the tutorial's",
      columns_scene},
     {"columns_2022", "the same, lit as the code of 2022 does", "the tutorial's", columns_2022_scene},
-    {"columns_luna",
-     "the scene of seed 002: tapered columns, a carved head of 60,492 triangles on a pedestal",
+    {"columns_luna", "the scene of Luna: tapered columns, a carved head of 60,492 triangles on a pedestal",
      "the tutorial's", columns_luna_scene},
     {"sphere_on_plane", "closed form: the shade under a resting sphere", "the sphere's radius",
      plain<sphere_on_plane_scene>},

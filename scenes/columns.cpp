@@ -1,4 +1,4 @@
-// The scene of seed 000 (MKXJun, chapter 32), as its text of 2020 and as its code of 2022 light it: window
+// The scene of X_Jun (MKXJun, chapter 32), as its text of 2020 and as its code of 2022 light it: window
 // 1280x720. Positions, lights and reflectances are the tutorial's, its textures and its desert are not ours
 // to ship. Of the shapes alone, each material's reflectances are multiplied by the mean colour that such a
 // texture would have; of the surfaces, our own textures and sky stand in the place of the tutorial's. Neither

@@ -1,4 +1,4 @@
-// The scene of seed 002 (F. Luna, 3D Game Programming with DirectX 12, chapter 21), window 800x600.
+// The scene of Luna (F. Luna, Introduction to 3D Game Programming with DirectX 12, chapter 21), window 800x600.
 // Positions, lights and materials are the book's. Of the shapes alone nothing has a texture and there is no
 // cube map to reflect, so the mirror spheres, whose albedo is 0, show highlights only; of the surfaces, our
 // own textures and sky stand in the place of the book's. Its skull and spheres have a white texture and a

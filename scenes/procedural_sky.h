@@ -26,7 +26,7 @@ struct SkyLook {
     std::uint32_t seed;
 };
 
-// Seed 000's desertcube1024 and seed 002's sunsetcube1024, by their mood: pale blue over sand, and a low
+// X_Jun's desertcube1024 and Luna's sunsetcube1024, by their mood: pale blue over sand, and a low
 // orange sun under purple. The suns stand where the scenes' first lights come from, the sunset's lower.
 SkyLook desert_look();
 SkyLook sunset_look();

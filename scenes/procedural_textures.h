@@ -12,7 +12,7 @@ inline constexpr int kSmallestTextureSide = 8, kLargestTextureSide = 4096;
 struct SurfaceTextures {
     Texture colour;  // albedo, linear light
     // RGB = n / 2 + 1/2: red along u (right), green along v (down), blue out of the surface. Alpha: the
-    // factor of the material's shininess, as in seed 002.
+    // factor of the material's shininess, as in Luna.
     Texture normal;
     Image<float> height;  // what the normals are of, in widths of the texture; texel centres
 };

@@ -1,6 +1,6 @@
 // Whether ours and the peer's pictures are the same picture: only then do their times compare.
 //
-// The peer takes the plain mean of an AO texel's four pixels, as seed 000 does. What is compared with it
+// The peer takes the plain mean of an AO texel's four pixels, as X_Jun does. What is compared with it
 // tightly is therefore our AO with that fetch, blurred and lit; ours as it was timed resolves texels that
 // show several surfaces, and is compared loosely.
 #pragma once

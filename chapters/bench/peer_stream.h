@@ -36,7 +36,7 @@ struct PeerFrame {
     std::int32_t width = 0, height = 0;  // of the picture, pixels
     std::int32_t ao_width = 0, ao_height = 0;
     std::int32_t two_sided = 0;  // 0: back faces are culled
-    std::int32_t phong = 0;      // 1: seed 000's lighting, 0: seed 002's
+    std::int32_t phong = 0;      // 1: X_Jun's lighting, 0: Luna's
     std::int32_t perspective = 1;
     std::int32_t samples = 0, blur_iterations = 0;
     std::int32_t light_count = 0;  // of `lights`, those that are on

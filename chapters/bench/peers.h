@@ -1,5 +1,5 @@
 // `crevice bench --peers`: our passes against the same passes on Mesa's llvmpipe, in one run.
-// How:  the same triangles, matrices, parameters and random numbers on both sides, seed 000's method (xjun)
+// How:  the same triangles, matrices, parameters and random numbers on both sides, X_Jun's method (xjun)
 //       with its 4 blur iterations at half resolution. Frames take turns (ours, peer, ours, peer ...), so
 //       that what else the machine does meets both; the first pair is thrown away.
 // Says: medians, and the median of the paired ratios with its order-statistic interval. Ours against ours

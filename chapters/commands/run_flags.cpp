@@ -49,7 +49,8 @@ Run run_of(const RunWords& words) {
         run = with_lanes(run, static_cast<int>(parse_whole("--lanes", words.lanes, 1, kMostLanes)),
                          !words.isa.empty());
     }
-    validate(run);
+    named_as("--isa", [&] { validate(Run{.isa = run.isa}); });
+    named_as("--tile", [&] { validate(Run{.tile_size = run.tile_size}); });
     return run;
 }
 

@@ -7,7 +7,7 @@
 namespace crevice {
 
 // The lit image of a frame that has one; with `inset` the blurred AO map lies over it (raw where it is not
-// blurred, white where there is none), nearest texels: the debug quad of seeds 000 and 002.
+// blurred, white where there is none), nearest texels: the debug quad of X_Jun and Luna.
 Picture demo_view(const Frame& frame, bool inset);
 
 }  // namespace crevice

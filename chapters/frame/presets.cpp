@@ -7,9 +7,9 @@ namespace crevice {
 namespace {
 
 const Preset kPresets[] = {
-    {"xjun2020", "seed 000 as its text has it", "columns", "xjun"},
-    {"xjun2022", "seed 000 as its repository had it two years later", "columns_2022", "xjun"},
-    {"luna", "seed 002", "columns_luna", "luna"},
+    {"xjun2020", "X_Jun as its text has it", "columns", "xjun"},
+    {"xjun2022", "X_Jun as its repository had it two years later", "columns_2022", "xjun"},
+    {"luna", "Luna", "columns_luna", "luna"},
 };
 
 }  // namespace

@@ -26,7 +26,7 @@ std::vector<double> depth_differences(const Scene& scene, const Camera& camera, 
 // A bar for each, 0 light; half the surface fills the height.
 Picture bars_picture(const std::vector<double>& shares);
 
-// Seed 000's scene behind a lattice with holes.
+// X_Jun's scene behind a lattice with holes.
 Scene lattice_scene();
 // The same scene with nothing cut out of its surfaces.
 Scene without_cutouts(Scene scene);

@@ -7,7 +7,7 @@
 
 namespace crevice {
 
-// Seed 000's column at (6, 0, 0) from one eye, and the front of its top, all under the sphere.
+// X_Jun's column at (6, 0, 0) from one eye, and the front of its top, all under the sphere.
 struct DownwardViews {
     Camera with_sphere, without_sphere;  // the sphere in the picture; all but its foot above it
     Camera larger;  // without_sphere's picture in the middle of one twice as high and wide

@@ -57,7 +57,7 @@ void multisampling(Notebook& book, const Scene& columns) {
     camera.eye = {3, 0.4, -3}, camera.target = {6, -0.6, 0}, camera.near_plane = 0.1;
     const Supersampled s = supersample(columns, camera, kSize);
     book.text(R"(
-        Seed 000 turns MSAA off, as its normals and depths have one sample a pixel. Left on, an edge is lit by
+        X_Jun turns MSAA off, as its normals and depths have one sample a pixel. Left on, an edge is lit by
         four samples of two surfaces, and all four get the AO of whichever surface that one sample shows.
     )");
     book.show_row("One sample a pixel; four, each lit and occluded by itself, their mean in linear light.",
@@ -74,7 +74,7 @@ void multisampling(Notebook& book, const Scene& columns) {
                s.off_at_edges > 5 * s.off_elsewhere);
 }
 
-// Seed 000 looks the map up at v = (y + w) * -0.5 / w instead of (y - w) * -0.5 / w: too small by 1.
+// X_Jun looks the map up at v = (y + w) * -0.5 / w instead of (y - w) * -0.5 / w: too small by 1.
 void shifted_rows(Notebook& book, const Scene& columns) {
     constexpr Size kExact = {448, 256};  // (y + 1/2) / 256 and that minus 1 are floats
     Camera camera = columns.camera;      // its top row shows what is under the eaves
@@ -85,7 +85,7 @@ void shifted_rows(Notebook& book, const Scene& columns) {
     };
     const Image<float> wrap = read(AddressMode::wrap, 0), wrap_off = read(AddressMode::wrap, -1),
                        clamp = read(AddressMode::clamp, 0), clamp_off = read(AddressMode::clamp, -1);
-    book.show_row("An AO map read at v, and at v - 1 as seed 000 does, with WRAP; at v - 1 with CLAMP.",
+    book.show_row("An AO map read at v, and at v - 1 as X_Jun does, with WRAP; at v - 1 with CLAMP.",
                   {{"wrap", ao_picture(wrap)},
                    {"wrap_off_by_one", ao_picture(wrap_off)},
                    {"clamp_off_by_one", ao_picture(clamp_off)}});

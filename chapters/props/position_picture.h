@@ -13,7 +13,7 @@ using Position = Vec3<float> (*)(const ViewRays& rays, float u, float v, float z
 // wrong, the cubes are. Perspective cameras.
 Picture unit_cubes(const GBuffer& gbuffer, const Camera& camera, Position position);
 
-// Seed 000's AO with the positions p given; samples are projected as ever.
+// X_Jun's AO with the positions p given; samples are projected as ever.
 Image<float> ao_at(const AoInputs& inputs, Position position);
 
 // How far positions are from those of ViewRays::p_view over all texels with a surface, scene units.

@@ -16,12 +16,12 @@ inline Vec3<float> interpolated(const ViewRays& rays, float u, float v, float pl
     return left + u * (right - left) + v * (below - left);
 }
 
-// Seed 000: a ray to the far plane.
+// X_Jun: a ray to the far plane.
 inline Vec3<float> by_far_plane(const ViewRays& rays, float u, float v, float z) {
     const Vec3<float> ray = interpolated(rays, u, v, 1000);
     return (z / ray.z) * ray;
 }
-// Seed 002: a ray to the near plane, where ndc depth is 0.
+// Luna: a ray to the near plane, where ndc depth is 0.
 inline Vec3<float> by_near_plane(const ViewRays& rays, float u, float v, float z) {
     const Vec3<float> ray = interpolated(rays, u, v, 1);
     return (z / ray.z) * ray;
@@ -39,12 +39,12 @@ inline Vec3<float> by_unit_corners(const ViewRays& rays, float u, float v, float
     const Vec3<float> ray = a + (u / 2) * (b - a) + (v / 2) * (c - a);
     return (z / ray.z) * ray;
 }
-// Wrong, seed 003: the far plane's size where x and y in -1 to 1 need half of it.
+// Wrong, SSAO explored: the far plane's size where x and y in -1 to 1 need half of it.
 inline Vec3<float> by_full_size(const ViewRays& rays, float u, float v, float z) {
     const Vec3<float> p = by_far_plane(rays, u, v, z);
     return {2 * p.x, 2 * p.y, p.z};
 }
-// Wrong, seed 002: (p.z/v/z) v, as printed.
+// Wrong, Luna: (p.z/v/z) v, as printed.
 inline Vec3<float> as_misprinted(const ViewRays& rays, float u, float v, float z) {
     const Vec3<float> ray = interpolated(rays, u, v, 1);
     return {z / ray.x / z * ray.x, z / ray.y / z * ray.y, z / ray.z / z * ray.z};

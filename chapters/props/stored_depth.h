@@ -9,7 +9,7 @@
 
 namespace crevice {
 
-// View depth itself in a colour buffer (seed 000), or ndc depth in the depth buffer (seed 002).
+// View depth itself in a colour buffer (X_Jun), or ndc depth in the depth buffer (Luna).
 struct DepthStorage {
     const char* name;
     DepthSource source;
@@ -35,14 +35,14 @@ inline constexpr int kWalls = 5;
 inline constexpr float kWallDepths[kWalls] = {25, 45, 65, 85, 105};
 Scene bare_walls();
 
-// Seed 002's AO of these walls as a depth buffer keeps them, and its mean along the middle of each.
+// Luna's AO of these walls as a depth buffer keeps them, and its mean along the middle of each.
 struct WallAo {
     Image<float> ao;
     std::vector<double> means;
 };
 WallAo wall_ao(const DepthKind& kind);
 
-// Naive: seed 000's loop in C++, whose std::max(NaN, 0) is NaN; HLSL's is 0. AO of `inputs` before contrast,
+// Naive: X_Jun's loop in C++, whose std::max(NaN, 0) is NaN; HLSL's is 0. AO of `inputs` before contrast,
 // the background computed like any surface.
 Image<float> ao_with_std_max(const AoInputs& inputs);
 

@@ -43,7 +43,7 @@ class SwitchedView {
     std::string flags_;
 };
 
-// Seed 000's columns from near the foot of one, where contact shade is large.
+// X_Jun's columns from near the foot of one, where contact shade is large.
 SwitchedView column_foot(Size size);
 
 // a - b, of images of one size.

@@ -13,7 +13,7 @@ struct NormalError {
 // Both of one size. Pixels where `right` has no normal do not count.
 NormalError normal_error(const Image3& normals, const Image3& right);
 
-// A scene by the inverse transpose and by another matrix: normals, seed 000's AO, and how far they differ.
+// A scene by the inverse transpose and by another matrix: normals, X_Jun's AO, and how far they differ.
 struct ComparedNormals {
     Image3 right, wrong;
     Image<float> ao_right, ao_wrong;
@@ -22,14 +22,14 @@ struct ComparedNormals {
 };
 ComparedNormals compare_normals(const Scene& scene, NormalMatrix matrix, Size size);
 
-// On a floor, all stretched by (2, 1, 2): seed 002's box; a box that was turned before; a ball.
+// On a floor, all stretched by (2, 1, 2): Luna's box; a box that was turned before; a ball.
 Scene stretched_scene();
 
-// Seed 003 multiplies float4(n, 0) by all of (W^-1)^T V, seed 000 n by the upper 3x3 of that product.
+// SSAO explored multiplies float4(n, 0) by all of (W^-1)^T V, X_Jun n by the upper 3x3 of that product.
 enum class NormalProduct { float4, float3x3 };
 
 // The largest angle, degrees, that one of the two leaves between a scene's normals and the right ones.
-// `erased`: W has lost its translation before, which is seed 000's cure. Matrices are this lab's, for column
+// `erased`: W has lost its translation before, which is X_Jun's cure. Matrices are this lab's, for column
 // vectors.
 double tutorial_error_deg(const Scene& scene, const Camera& camera, NormalProduct product, bool erased);
 

@@ -18,10 +18,10 @@ struct SeenAo {
     int seen = 0;     // how many these are
 };
 
-// Seed 000's estimator without noise and without contrast, at the texels that show the points.
+// X_Jun's estimator without noise and without contrast, at the texels that show the points.
 SeenAo seen_ao(const Scene& scene, const Camera& camera, Size size, std::span<const WorldPoint> points);
 
-// The mean of the points by `rays` rays each, as long as seed 000's radius, cosine-weighted.
+// The mean of the points by `rays` rays each, as long as X_Jun's radius, cosine-weighted.
 double true_ao(const Scene& scene, std::span<const WorldPoint> points, int rays);
 
 // The whole map of that estimator: full size, exponent 1.

@@ -13,7 +13,7 @@ namespace {
 constexpr int kSide = 2;  // samples of a pixel, across and down
 
 Image<float> with_contrast(Image<float> ao) {
-    for (float& a : ao.pixels) a = a * a * a * a;  // seed 000's exponent
+    for (float& a : ao.pixels) a = a * a * a * a;  // X_Jun's exponent
     return ao;
 }
 

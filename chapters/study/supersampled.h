@@ -15,7 +15,7 @@ struct Supersampled {
     double edge_share = 0;                       // of all pixels
 };
 
-// Linear light; means are taken before any encoding. AO is seed 000's without noise.
+// Linear light; means are taken before any encoding. AO is X_Jun's without noise.
 Supersampled supersample(const Scene& scene, const Camera& camera, Size size);
 
 }  // namespace crevice

@@ -7,9 +7,21 @@
 
 #include <glm/vec3.hpp>
 
+#include "rasterizer/base/error.h"
 #include "rasterizer/base/image.h"
 
 namespace crevice {
+
+// Calls body(). What it refuses with UsageError "MEMBER: ...", as libraries do, is refused as "FLAG: ...".
+template <class Body>
+auto named_as(const std::string& flag, const Body& body) {
+    try {
+        return body();
+    } catch (const UsageError& error) {
+        const std::string message = error.what();
+        throw UsageError(flag + message.substr(message.find(": ")));
+    }
+}
 
 double parse_number(const std::string& flag, const std::string& word);
 long long parse_whole(const std::string& flag, const std::string& word, long long lowest, long long highest);

@@ -26,21 +26,21 @@ Isa best_isa() {
 
 void validate(const Run& run) {
     const auto refuse = [](const std::string& what, int value, const std::string& advice) {
-        throw UsageError("run: " + what + " (" + std::to_string(value) + "); " + advice);
+        throw UsageError(what + " (" + std::to_string(value) + "); " + advice);
     };
     if (run.threads < 0 || run.threads > 1024)
-        refuse("threads must lie in 0..1024", run.threads, "0 means all");
+        refuse("threads: must lie in 0..1024", run.threads, "0 means all");
     const int widest = lanes_of(run.isa);
     if (run.lanes != 0 && run.lanes != 1 && run.lanes != widest) {
-        refuse("lanes of " + std::string(isa_name(run.isa)) + " must be 1 or " + std::to_string(widest),
-               run.lanes, "leave them out for the fast form");
+        refuse("lanes: " + std::string(isa_name(run.isa)) + " has 1 or " + std::to_string(widest), run.lanes,
+               "leave them out for the fast form");
     }
     if (run.tile_size < kSmallestTile_px || run.tile_size > kLargestTile_px ||
         !std::has_single_bit(static_cast<unsigned>(run.tile_size))) {
-        refuse("the tile size must be a power of two in 8..128", run.tile_size, "64 is the default");
+        refuse("tile size: must be a power of two in 8..128", run.tile_size, "64 is the default");
     }
     if (!isa_available(run.isa)) {
-        throw UsageError(std::string("run: this machine has no such instruction set (") + isa_name(run.isa) +
+        throw UsageError(std::string("instruction set: this machine has no such one (") + isa_name(run.isa) +
                          "); leave it out for the best there is");
     }
 }

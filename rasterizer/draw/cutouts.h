@@ -1,6 +1,6 @@
 // Holes in surfaces: fragments whose texture's alpha is below the material's cutoff, dropped the same way in
 // every pass of a view.
-// Source: seed 000, clip(alpha - 0.1) in its normal, shadow and lit passes
+// Source: X_Jun, clip(alpha - 0.1) in its normal, shadow and lit passes
 #pragma once
 
 #include "rasterizer/draw/texture_colour.h"

@@ -36,7 +36,7 @@ struct MappedNormal {
 };
 
 // What the colour of a normal map means: RGB = n / 2 + 1/2 with red along +u and green along +v, which is
-// down the picture (Direct3D's way); alpha multiplies the shininess (seed 002). (0, 0, 1) where the filter
+// down the picture (Direct3D's way); alpha multiplies the shininess (Luna). (0, 0, 1) where the filter
 // has averaged all direction away.
 template <class F>
 CREVICE_INLINE MappedNormal<F> mapped_normal(const TextureColour<F>& sampled) {

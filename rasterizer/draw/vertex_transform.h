@@ -21,7 +21,7 @@ namespace crevice {
 // The order in which a position is multiplied. Equal in real numbers, different in the last bits of floats.
 enum class PositionOrder {
     relative,       // clip_from_relative * (world_from_object * p - eye): what every pass uses
-    premultiplied,  // (clip_from_world * world_from_object) * p: seed 000's BasicEffect, x(WVP)
+    premultiplied,  // (clip_from_world * world_from_object) * p: X_Jun's BasicEffect, x(WVP)
     view_first,     // clip_from_view * ((view_from_world * world_from_object) * p): its normal pass, (x(WV))P
 };
 

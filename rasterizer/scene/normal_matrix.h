@@ -7,7 +7,7 @@ namespace crevice {
 
 // The matrix that turns object-space normals into view space: the cofactors of the upper 3x3 of
 // view_from_object, which is the inverse transpose up to a positive factor, exists for singular matrices too,
-// and knows nothing of the translation (ao_methods: seed 000's InverseTranspose must erase it by hand). Its
+// and knows nothing of the translation (X_Jun's InverseTranspose must erase it by hand). Its
 // sign follows the determinant.
 glm::dmat3 normal_matrix(const glm::dmat3& view_from_object);
 

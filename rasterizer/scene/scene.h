@@ -65,14 +65,14 @@ struct DirectionalLight {
 };
 
 enum class LightingModel {
-    phong,          // seed 000: ambient and diffuse and Phong specular of every light
-    blinn_schlick,  // seed 002: one ambient term, Blinn-Phong with the Schlick Fresnel approximation
+    phong,          // X_Jun: ambient and diffuse and Phong specular of every light
+    blinn_schlick,  // Luna: one ambient term, Blinn-Phong with the Schlick Fresnel approximation
 };
 
 // The shadow that the first light throws, as one of the tutorials has it (ssao/light/shadow_map.h).
 enum class LightShadow {
     none,
-    bounds,  // seed 002's, fitted to the scene's bounds
+    bounds,  // Luna's, fitted to the scene's bounds
     luna,
     xjun_2020,
     xjun_2022,
@@ -114,7 +114,7 @@ Bounds world_bounds(const Scene& scene);
 
 // A length unit that makes a scene of these bounds about as large as the tutorials' (kTutorialRadius): a
 // power of two, so that the same scene in other units gives the same bits. 1 when empty.
-inline constexpr double kTutorialRadius = 18.03;  // units; bounding sphere of seed 002's scene
+inline constexpr double kTutorialRadius = 18.03;  // units; bounding sphere of Luna's scene
 float length_unit_of(const Bounds& bounds);
 
 }  // namespace crevice

@@ -1,6 +1,6 @@
 // Accessibility baked to the vertices of a whole scene: rays once, nothing at run time, until something
 // moves.
-// Source: seed 002, BuildVertexAmbientOcclusion; seed 000, "ray casting" (both tell of the AmbientOcclusion
+// Source: Luna, BuildVertexAmbientOcclusion; X_Jun, "ray casting" (both tell of the AmbientOcclusion
 //         program of F. Luna's D3D11 book)
 // In:     a Scene and the RayScene made of it
 // Out:    accessibility in [0,1], 1 = open, one a vertex of each instance; 1 where no triangle uses a vertex,
@@ -49,7 +49,7 @@ struct VertexAo {
 // Called with numbers of triangles that are done.
 using TrianglesDone = std::function<void(long long)>;
 
-// Seed 002's. settings.rays are those of a triangle. Differs: the centroid is lifted by offset_origin()
+// Luna's. settings.rays are those of a triangle. Differs: the centroid is lifted by offset_origin()
 // instead of .001 units, which is nothing for a large mesh and through the next wall of a small one. `rays`
 // must be ray_scene() of `scene`. Throws UsageError.
 VertexAo vertex_ao_from_centroids(const Scene& scene, const RayScene& rays,

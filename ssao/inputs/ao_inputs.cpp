@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// Seed 000's clear depth as its 16-bit buffer keeps it.
+// X_Jun's clear depth as its 16-bit buffer keeps it.
 float stored_background(BufferFormat format, const Camera& camera, SkyDepth sky) {
     const float value = static_cast<float>(kBackgroundOverFar * camera.far_plane),
                 stored = stored_as(value, format);

@@ -1,6 +1,6 @@
 // What an AO map's texel sees of the G-buffer: one normal and one depth, fetched the way the tutorial's
 // samplers fetch them, and the depth map its samples are compared with.
-// Source: seed 000 (normals and view depth, linear, border), seed 002 (normals point and renormalised, NDC
+// Source: X_Jun (normals and view depth, linear, border), Luna (normals point and renormalised, NDC
 //         depth linear, border far).
 // In:     GBuffer
 // Out:    AoInputs; background: normal (0,0,0), view_depth +inf
@@ -17,8 +17,8 @@
 namespace crevice {
 
 enum class DepthSource {
-    view_depth,  // seed 000
-    ndc_depth,   // seed 002
+    view_depth,  // X_Jun
+    ndc_depth,   // Luna
 };
 
 // What a texel shows whose four pixels show more than one surface.
@@ -63,8 +63,8 @@ struct AoInputs {
     Image3 normal;            // view space, AO map size
     Image<float> view_depth;  // scene units, AO map size
 
-    // View depth with the background at kBackgroundOverFar * far (seed 000), or ndc depth with the background
-    // on the far plane (seed 002). Pixel (x, y) of the picture is at (x + 1, y + 1); one column and row of
+    // View depth with the background at kBackgroundOverFar * far (X_Jun), or ndc depth with the background
+    // on the far plane (Luna). Pixel (x, y) of the picture is at (x + 1, y + 1); one column and row of
     // border before, two after: background, or as AoFetch::border says.
     Image<float> depth_map;
     float depth_a = 0, depth_b = 0;         // CameraMatrices, to turn ndc depth into view depth
@@ -79,7 +79,7 @@ struct AoInputs {
     }
 };
 
-// Seed 000 clears its depth to 1e5, a hundred times its far plane; as a ratio it survives a change of units.
+// X_Jun clears its depth to 1e5, a hundred times its far plane; as a ratio it survives a change of units.
 inline constexpr float kBackgroundOverFar = 100;
 
 // The AO map of a picture: each side times the scale, rounded up, at least 1.

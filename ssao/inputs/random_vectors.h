@@ -1,6 +1,6 @@
 // The random parts of the tutorials' AO, from one integer hash and a stated seed: the same numbers on every
 // machine.
-// Source: seed 000 (BuildOffsetVectors, BuildRandomVectorTexture), seed 002 (the same by Luna).
+// Source: X_Jun (BuildOffsetVectors, BuildRandomVectorTexture), Luna (the same by Luna).
 #pragma once
 
 #include <array>

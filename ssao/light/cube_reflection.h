@@ -1,5 +1,5 @@
 // What a smooth surface mirrors of its surroundings.
-// Source: seed 002 (Default.hlsl): the cube map in the mirrored direction, times Schlick's Fresnel term and
+// Source: Luna (Default.hlsl): the cube map in the mirrored direction, times Schlick's Fresnel term and
 //         the material's smoothness, added to the lit colour.
 #pragma once
 

@@ -1,12 +1,12 @@
 // The last pass of both tutorials: the scene drawn again with its lights, depth test EQUAL and no depth
 // write, the ambient terms multiplied by accessibility, and the sky behind.
-// Source: seed 000 (Phong, Lighting.hlsl of its series), seed 002 (Default.hlsl: Blinn-Phong with the Schlick
+// Source: X_Jun (Phong, Lighting.hlsl of its series), Luna (Default.hlsl: Blinn-Phong with the Schlick
 //         approximation)
 // In:     a scene, its camera; the depth buffer of the first pass; an AO map of any size (empty: all open);
 //         the shadow map of the scene's first light (null: all of it arrives)
 // Out:    RGB in linear light, >= 0, may exceed 1; sky colour where no fragment passed
 // Reads:  the AO map linear, clamped, at the pixel's centre
-// Differs from the tutorials: accessibility multiplies every ambient term (seed 000's text: the directional
+// Differs from the tutorials: accessibility multiplies every ambient term (X_Jun's text: the directional
 //         lights' only); given the G-buffer, tiles of which it knows everything are lit
 //         from it and not drawn again, with the same bits.
 #pragma once

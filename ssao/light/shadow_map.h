@@ -1,5 +1,5 @@
 // The depth of the scene as the light sees it, for shade's first light.
-// Source: seed 002 (F. Luna, chapter 20 of the same book), seed 000 (its chapter on shadow maps); Williams
+// Source: Luna (F. Luna, chapter 20 of the same book), X_Jun (its chapter on shadow maps); Williams
 //         1978.
 // In:     a scene, the way its light travels
 // Out:    ShadowMap: nearest depths from the light, bias included; where there is nothing: 1
@@ -25,7 +25,7 @@ struct ShadowFit {
     double near_plane = 0, far_plane = 0;  // scene units; 0 < near < far
 };
 
-// Seed 002: all of a sphere, from twice its radius away. The book's own sphere goes around the origin through
+// Luna: all of a sphere, from twice its radius away. The book's own sphere goes around the origin through
 // the corners of the floor, sqrt(10^2 + 15^2); nothing in that scene reaches beyond.
 inline constexpr double kLunaShadowRadius = 18.027756377319946;
 ShadowFit sphere_shadow_fit(glm::dvec3 centre, double radius);
@@ -33,7 +33,7 @@ ShadowFit sphere_shadow_fit(glm::dvec3 centre, double radius);
 // The sphere around a box; a sphere of radius 1 when it is empty or a point.
 ShadowFit bounds_shadow_fit(const Bounds& bounds);
 
-// Seed 000: a square of 40 around the origin from 40 away, near 20 and far 60, all times `length_unit`
+// X_Jun: a square of 40 around the origin from 40 away, near 20 and far 60, all times `length_unit`
 // (Scene::length_unit). The scene's farthest points, the ground's corners, are 18.3 from the origin.
 ShadowFit xjun_shadow_fit(double length_unit = 1);
 
@@ -41,7 +41,7 @@ struct ShadowSettings {
     int size_px = 2048;  // 1..kMaxShadowSide; the map is square. Finer maps: sharper edges, more time
     DepthFormat format = DepthFormat::d24;
     // Moves what casts away from the light, against acne; too much, and shadows part from what casts them.
-    // 100000 steps of D24 are 0.006 of far - near: 0.21 units in seed 002, 0.24 in seed 000.
+    // 100000 steps of D24 are 0.006 of far - near: 0.21 units in Luna, 0.24 in X_Jun.
     DepthBias bias = {100000, 1.0f};
     float shader_bias =
         0;  // ndc depth, taken from the depth of what is lit: the same cure, on the other side
@@ -55,7 +55,7 @@ struct ShadowSettings {
 inline constexpr int kMaxShadowSide = 16384;
 
 inline constexpr ShadowSettings kLunaShadow{};
-// Seed 000's text of 2020, and its code of 2022: no constant bias there, but one in the shader.
+// X_Jun's text of 2020, and its code of 2022: no constant bias there, but one in the shader.
 inline constexpr ShadowSettings kXjunShadow2020{.comparison = DepthFunction::less, .cull_back_faces = false};
 inline constexpr ShadowSettings kXjunShadow2022{
     .bias = {0, 1.0f}, .shader_bias = 0.005f, .comparison = DepthFunction::less, .cull_back_faces = false};

@@ -1,5 +1,4 @@
-// SSAO as the D3D12 book computes it (Luna, Introduction to 3D Game Programming with DirectX 12, ch. 21; seed
-// 002).
+// SSAO as the D3D12 book computes it (Luna, Introduction to 3D Game Programming with DirectX 12, ch. 21; Luna).
 // In:     GBuffer, its camera
 // Out:    accessibility, AO map size (half the picture unless ao_scale = 1), 1 = open; background 1
 // Reads:  the nearest pixel's normal, renormalised; ndc depth linear, turned into view depth; border on the
@@ -11,7 +10,7 @@
 
 namespace crevice {
 
-// Seed 002's parameters: the listing's exponent 6 (its prose says 4).
+// Luna's parameters: the listing's exponent 6 (its prose says 4).
 inline constexpr LunaSettings kLunaSettings{
     .fade_end = 1.0f, .exponent = 6, .depth_source = DepthSource::ndc_depth};
 

@@ -1,4 +1,4 @@
-// SSAO as the D3D11 tutorial computes it (X_Jun, seed 000, chapter 32; corrected notes in seed 003).
+// SSAO as the D3D11 tutorial computes it (X_Jun, chapter 32; corrected notes in SSAO explored).
 // In:     GBuffer, its camera
 // Out:    accessibility, AO map size (half the picture unless ao_scale = 1), 1 = open; background 1
 // Reads:  normals and view depth linear (the mean normal is not renormalised), border depth 100 far
@@ -9,7 +9,7 @@
 
 namespace crevice {
 
-// Seed 000's parameters.
+// X_Jun's parameters.
 inline constexpr LunaSettings kXjunSettings{};
 
 AoFetch xjun_fetch(const LunaSettings& settings);

@@ -16,7 +16,7 @@ namespace crevice {
 
 enum class RayWeight {
     cosine,   // denser towards the normal: the mean is what a white sky would light
-    uniform,  // the same everywhere: seed 002's rays
+    uniform,  // the same everywhere: Luna's rays
 };
 
 enum class RaySequence {

@@ -78,11 +78,11 @@ CREVICE_INLINE int open_rays(const RayScene& scene, std::span<const Ray> rays, f
         for (const Ray& ray : rays) met += nearest_solid_hit<F>(scene, ray, radius).triangle >= 0 ? 1 : 0;
         return static_cast<int>(rays.size()) - met;
     }
-    for (std::size_t i = 0; i < rays.size(); i += kPointGroup) {
-        const auto group = rays.subspan(i, std::min<std::size_t>(kPointGroup, rays.size() - i));
+    for (std::size_t i = 0; i < rays.size(); i += kLanes<F>) {
         if constexpr (kLanes<F> == 1) {
-            for (const Ray& ray : group) met += meets_any<F>(bvh, ray, radius) ? 1 : 0;
+            met += meets_any<F>(bvh, rays[i], radius) ? 1 : 0;
         } else {
+            const auto group = rays.subspan(i, std::min<std::size_t>(kLanes<F>, rays.size() - i));
             met += __builtin_popcount(which_meet_any<F>(bvh, group, radius));
         }
     }

@@ -1,5 +1,5 @@
 // Ray-cast ambient occlusion: of many rays into the hemisphere over a point, the share that meets nothing.
-// Source: seed 000 and seed 002, "ray casting" (both uniform; cosine weight is the irradiance of a white sky,
+// Source: X_Jun and Luna, "ray casting" (both uniform; cosine weight is the irradiance of a white sky,
 //         Landis 2002)
 // In:     RayScene; points in the space of its positions; scene units
 // Out:    accessibility in [0,1], 1 = open, one a point

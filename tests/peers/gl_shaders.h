@@ -2,7 +2,7 @@
 // points up and its first row is the bottom one; every picture here is drawn upside down, by a sign, so that
 // the first row is the top one, uv (0, 0) its left corner, and the rule for pixels on edges is ours.
 //
-// `normal_depth` holds the unit view-space normal in xyz and view depth in w; nothing there: seed 000's clear
+// `normal_depth` holds the unit view-space normal in xyz and view depth in w; nothing there: X_Jun's clear
 // values, (0, 0, -1) and background_depth. Before each text stands what is fixed while it is compiled:
 // PERSPECTIVE, PHONG (0 or 1), SAMPLES, LIGHTS.
 #pragma once
@@ -45,7 +45,7 @@ void main() {
     gl_Position = vec4(2 * uv - 1, 0, 1);
 })";
 
-// The estimator of ssao/methods/luna_occlusion.h, as seed 000 fetches: normals and view depth linear.
+// The estimator of ssao/methods/luna_occlusion.h, as X_Jun fetches: normals and view depth linear.
 inline constexpr const char* kOcclusionPixels = R"(
 in vec2 uv;
 out float accessibility;
@@ -111,7 +111,7 @@ void main() {
     blurred = sum / total;
 })";
 
-// ssao/light/lighting.h: seed 000's Phong, seed 002's Blinn-Phong with Schlick's Fresnel term.
+// ssao/light/lighting.h: X_Jun's Phong, Luna's Blinn-Phong with Schlick's Fresnel term.
 inline constexpr const char* kLitPixels = R"(
 out vec4 lit;
 layout(binding = 0) uniform sampler2D accessibility_map;

@@ -89,7 +89,7 @@ TEST_CASE("triangle counts are those of scenes/README.md") {
     }
 }
 
-TEST_CASE("columns: everything stands where seed 000 puts it") {
+TEST_CASE("columns: everything stands where X_Jun puts it") {
     const Scene scene = columns_scene();
     CHECK(scene.lighting == LightingModel::phong);
     CHECK(scene.meshes.size() == 4);  // the ten columns share one mesh, and so do the spheres
@@ -115,7 +115,7 @@ TEST_CASE("columns: everything stands where seed 000 puts it") {
     }
 }
 
-TEST_CASE("columns_luna: everything stands where seed 002 puts it") {
+TEST_CASE("columns_luna: everything stands where Luna puts it") {
     const Scene scene = columns_luna_scene();
     CHECK(scene.lighting == LightingModel::blinn_schlick);
     REQUIRE(scene.instances.size() == 23);

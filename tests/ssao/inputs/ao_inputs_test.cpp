@@ -93,7 +93,7 @@ TEST_CASE("nothing but sky: no surface; as published the tutorials' clear values
         CHECK(inputs.view_depth.at(0, 0) == kInfinity);
         CHECK(inputs.normal.at(0, 0) == glm::vec3(0));
     }
-    // Seed 000 clears to normal (0, 0, -1) and a depth beyond the far plane, seed 002 to normal (0, 0, 1) and
+    // X_Jun clears to normal (0, 0, -1) and a depth beyond the far plane, Luna to normal (0, 0, 1) and
     // the far plane.
     const AoInputs xjun = ao_inputs(g, made_up_camera(), published(kXjunFetch));
     CHECK(xjun.normal.at(0, 0) == glm::vec3(0, 0, -1));

@@ -105,7 +105,7 @@ TEST_CASE("lit: a flat normal map, or a mesh without tangents, changes nothing")
     }
 }
 
-TEST_CASE("lit: the normal map's alpha multiplies the shininess of seed 002's model") {
+TEST_CASE("lit: the normal map's alpha multiplies the shininess of Luna's model") {
     Scene half = mapped_square({0, 0, 1});
     half.instances[0].world_from_object = placed_at(glm::mat4(1));
     half.lighting = LightingModel::blinn_schlick;
@@ -199,7 +199,7 @@ TEST_CASE("lit: a black mirror under an even sky shows its Fresnel share of it")
               const glm::dvec3 fresnel = r0 + std::pow(1 - 1 / glm::length(ray), 5) * (1.0 - r0);
               return glm::length(glm::dvec3(lit.at(x, y)) - 0.75 * fresnel * glm::dvec3(sky)) < 1e-5;
           }) == "");
-    scene.lighting = LightingModel::phong;  // seed 000 mirrors nothing
+    scene.lighting = LightingModel::phong;  // X_Jun mirrors nothing
     const Image3 phong = shade(scene, scene.camera, normal_depth(scene, scene.camera, kSize).depth, {});
     CHECK(buffer_statistics(phong).max == 0);
 }

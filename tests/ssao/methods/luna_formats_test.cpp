@@ -41,7 +41,7 @@ TEST_CASE("traps 3 and 4: no NaN from 1e5 in half floats, and the sky is exactly
                     CHECK(outside_unit_interval(raw) == "");
                     CHECK(outside_unit_interval(blurred) == "");
                     CHECK(buffer_statistics(raw).min < 0.9f);
-                    // As published, seed 000's sky beside a silhouette sees its own depth mixed with the
+                    // As published, X_Jun's sky beside a silhouette sees its own depth mixed with the
                     // surface's.
                     if (as_published && method.name == "xjun") continue;
                     const AoInputs seen = ao_inputs(g, scene.camera, {inputs.fetch.depth, false, 0.5f});
