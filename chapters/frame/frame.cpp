@@ -30,7 +30,7 @@ bool shares_geometry(const MethodSettings& settings) {
     return lit_settings(settings) == as_first;
 }
 
-Image3 lit_image(const Scene& scene, const ScreenGeometry& geometry, const Frame& frame,
+LitImage lit_image(const Scene& scene, const ScreenGeometry& geometry, const Frame& frame,
                  const Image<float>& map, const ShadowMap* shadow, const FrameRequest& request) {
     const MethodSettings& settings = request.settings;
     const Image<float> slipped = settings.ao_lookup == AoLookup::exact
@@ -39,12 +39,13 @@ Image3 lit_image(const Scene& scene, const ScreenGeometry& geometry, const Frame
     const Image<float>& ao = slipped.empty() ? map : slipped;
     if (shares_geometry(settings))
         return shade(scene, frame.camera, geometry, frame.gbuffer, ao, request.run, shadow);
-    return shade(scene, frame.camera, frame.gbuffer.depth, ao, lit_settings(settings), request.run, shadow);
+    return {shade(scene, frame.camera, frame.gbuffer.depth, ao, lit_settings(settings), request.run, shadow),
+            TileMap(geometry.size, geometry.tile_size)};
 }
 
 // What the passes left out, from the same functions by which they decided it.
-FrameTiles tiles_of(const Scene& scene, const ScreenGeometry& geometry, const AoInputs& inputs,
-                    const Frame& frame, const Needs& needs, const FrameRequest& request) {
+FrameTiles tiles_of(const ScreenGeometry& geometry, const AoInputs& inputs, const Frame& frame,
+                    const Needs& needs, const FrameRequest& request) {
     const MethodSettings& settings = request.settings;
     const Run& run = request.run;
     FrameTiles tiles;
@@ -53,10 +54,6 @@ FrameTiles tiles_of(const Scene& scene, const ScreenGeometry& geometry, const Ao
     if (needs.blur) {
         tiles.blur = run.leaves_out(Skip::open_tiles) ? open_blur_tiles(frame.ao_raw, settings.blur, run)
                                                       : TileMap(frame.ao_raw.size, kBlurTile);
-    }
-    if (needs.lit) {
-        tiles.lit = shares_geometry(settings) ? lit_tiles(scene, geometry, frame.gbuffer, run)
-                                              : TileMap(geometry.size, geometry.tile_size);
     }
     return tiles;
 }
@@ -85,6 +82,7 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
     ScreenGeometry geometry;
     AoInputs inputs;
     ShadowMap shadow;
+    TileMap lit_tiles;
     Stopwatch stopwatch;
     for (int repeat = 0; repeat < request.repeats; ++repeat) {
         stopwatch.time("frame", [&] {
@@ -113,8 +111,10 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
             if (needs.lit) {
                 stopwatch.time("lit", [&] {
                     const Image<float>& ao = needs.blur ? frame.ao_blurred : frame.ao_raw;
-                    frame.lit =
+                    LitImage lit =
                         lit_image(scene, geometry, frame, ao, needs.shadow ? &shadow : nullptr, request);
+                    frame.lit = std::move(lit.image);
+                    lit_tiles = std::move(lit.tiles);
                 });
             }
             if (needs.sky) {
@@ -126,7 +126,8 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
         });
     }
     frame.passes = stopwatch.summaries();
-    frame.tiles = tiles_of(scene, geometry, inputs, frame, needs, request);
+    frame.tiles = tiles_of(geometry, inputs, frame, needs, request);
+    frame.tiles.lit = std::move(lit_tiles);
     frame.skipped = skipped_work(geometry, frame.gbuffer, frame.tiles);
     fill_open_maps(frame, request);
     return frame;

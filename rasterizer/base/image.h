@@ -11,6 +11,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "rasterizer/base/pixel_rect.h"
 #include "rasterizer/lanes/vec3.h"
 
 namespace crevice {
@@ -62,6 +63,13 @@ struct Image {
     T& at(int x, int y) { return row(y)[x]; }
     const T& at(int x, int y) const { return row(y)[x]; }
 };
+
+// Fills a rectangle that begins with a whole group of pixels, and the rest of its last group.
+template <class T>
+void fill(Image<T>& image, PixelRect rect, T value) {
+    for (int y = rect.y0; y < rect.y1; ++y)
+        std::fill(image.row(y) + rect.x0, image.row(y) + round_up(rect.x1, kRowAlignment), value);
+}
 
 // Three planes, one a component: what a kernel loads eight pixels at a time.
 struct Image3 {

@@ -2,7 +2,31 @@
 
 #include <algorithm>
 
+#include "rasterizer/draw/texture_coordinates.h"
+
 namespace crevice {
+
+namespace {
+
+void cut_out(const FragmentGroup& group, const Material& material,
+             const std::vector<InstanceAttributes>& attributes, const Run& run) {
+    SampledPixels pixels;
+    run_kernel(run, [&]<class F>(Lanes<F>) {
+        const Int<F> kept = load<F>(group.kept);
+        const NumberedTriangle triangle{&group.triangle, group.block.corners_of(group.triangle)};
+        find_coordinates(TriangleLanes<F, true>(triangle, kept != Int<F>(0), group.x, group.y), attributes,
+                         pixels);
+        store(pixels.wanted, kept);
+    });
+    SampledColours sampled;
+    const Texture* const texture = material.texture.get();
+    sample_textures(std::span(&texture, 1), material.sampler, pixels, &sampled, run);
+    for (int i = 0; i < group.lanes; ++i) {
+        if (!(sampled.a[i] >= material.alpha_cutoff)) group.kept[i] = 0;
+    }
+}
+
+}  // namespace
 
 bool has_cutouts(const Material& material) {
     return material.alpha_cutoff > 0 && material.texture != nullptr && material.texture->has_alpha();
@@ -11,6 +35,15 @@ bool has_cutouts(const Material& material) {
 bool has_cutouts(const Scene& scene) {
     return std::any_of(scene.materials.begin(), scene.materials.end(),
                        [](const Material& m) { return has_cutouts(m); });
+}
+
+Holes alpha_holes(const Scene& scene, const ScreenGeometry& geometry, const Run& run) {
+    if (!has_cutouts(scene)) return {};
+    return [&scene, attributes = instance_attributes(scene, geometry), run](const FragmentGroup& group) {
+        const Material& material = scene.materials[static_cast<std::size_t>(group.triangle.material)];
+        if (has_cutouts(material) && attributes[group.triangle.instance].has_texcoords())
+            cut_out(group, material, attributes, run);
+    };
 }
 
 }  // namespace crevice

@@ -4,12 +4,11 @@
 // Out:    GBuffer; background: normal (0,0,0), view_depth +inf, ndc_depth 1 (reversed z: 0)
 // Differs from the tutorials: the clear values say "nothing here" instead of a plausible normal; a method
 //         that wants the tutorial's clear value replaces it where it reads. float32 by default.
-// Cost:   one transform a vertex, one set-up a triangle, about 40 operations a covered pixel.
+// How:    a visibility buffer first, then once a visible pixel what its triangle says (surfaces.h).
+// Cost:   one transform a vertex, one set-up a triangle, about 15 operations a covered pixel and 100 a visible one.
 #pragma once
 
-#include "rasterizer/draw/depth_buffer.h"
-#include "rasterizer/draw/raster_tile.h"
-#include "rasterizer/draw/screen_geometry.h"
+#include "rasterizer/draw/visibility.h"
 #include "rasterizer/lanes/half.h"
 
 namespace crevice {
@@ -22,9 +21,9 @@ struct GBuffer {
 
     // For the lit pass, so that it need not draw the scene again (shade.h).
     Image<std::int32_t> material =
-        {};             // index into Scene::materials; background: anything; empty: not asked for
-    int tile_size = 0;  // of the geometry it was drawn from, pixels
-    std::vector<TileRecord> tiles = {};  // of the geometry's tiles
+        {};  // index into Scene::materials; background: kNoTriangle; empty: not asked for
+    Image<std::int32_t> triangle = {};   // Visibility::triangle
+    std::vector<TileRecord> tiles = {};  // Visibility::tiles
 };
 
 struct NormalDepthSettings {
@@ -52,8 +51,5 @@ GBuffer normal_depth(const ScreenGeometry& geometry, bool reversed_z, const Norm
 
 // What screen_geometry must be given for these settings.
 GeometrySettings geometry_settings(const NormalDepthSettings& settings);
-
-// The comparison that keeps the nearest surface: LESS, or GREATER with reversed z.
-DepthFunction nearest_wins(bool reversed_z);
 
 }  // namespace crevice

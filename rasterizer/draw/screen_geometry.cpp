@@ -1,6 +1,7 @@
 #include "rasterizer/draw/screen_geometry.h"
 
 #include <algorithm>
+#include <bit>
 #include <string>
 
 #include <glm/matrix.hpp>
@@ -13,7 +14,7 @@ namespace crevice {
 
 namespace {
 
-// Blocks hold at least this many triangles; a large draw has at most kMostBlocks of them for each instance.
+// Blocks are made of at least this many triangles; a large draw has at most kMostBlocks for each instance.
 constexpr std::uint32_t kBlockTriangles = 4096;
 constexpr std::uint32_t kMostBlocks = 64;
 
@@ -33,14 +34,37 @@ ScreenGeometry empty_geometry(Size size, const Run& run) {
     return geometry;
 }
 
+// Consecutive sources together, until a block is large enough.
+std::vector<std::span<const BlockSource>> grouped(const std::vector<BlockSource>& sources) {
+    std::vector<std::span<const BlockSource>> groups;
+    std::size_t first = 0, triangles = 0;
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        triangles += sources[i].triangles.size();
+        if (triangles < kBlockTriangles && i + 1 < sources.size()) continue;
+        groups.push_back(std::span(sources).subspan(first, i + 1 - first));
+        first = i + 1;
+        triangles = 0;
+    }
+    return groups;
+}
+
 void build_blocks(ScreenGeometry& geometry, const std::vector<BlockSource>& sources,
                   const SetupSettings& setup, const Run& run) {
-    geometry.blocks.resize(sources.size());
-    parallel_for(static_cast<int>(sources.size()), run, [&](int i) {
+    const std::vector<std::span<const BlockSource>> groups = grouped(sources);
+    geometry.blocks.resize(groups.size());
+    parallel_for(static_cast<int>(groups.size()), run, [&](int i) {
         const auto at = static_cast<std::size_t>(i);
-        geometry.blocks[at] = build_block(geometry, sources[at], setup, run);
+        geometry.blocks[at] = build_block(geometry, groups[at], setup, run);
     });
     for (const BlockSource& source : sources) geometry.submitted_triangles += source.triangles.size();
+    std::size_t largest = 0;
+    for (const TriangleBlock& block : geometry.blocks) largest = std::max(largest, block.triangles.size());
+    geometry.index_bits = static_cast<int>(std::bit_width(largest));
+    const std::uint64_t numbers = std::uint64_t{groups.size()} << geometry.index_bits;
+    if (numbers > std::uint64_t{1} << 31) {
+        throw InputError("scene: too many triangles for 31-bit numbers (" +
+                         std::to_string(geometry.submitted_triangles) + "); draw it in parts");
+    }
 }
 
 void append_sources(std::vector<BlockSource>& sources, BlockSource whole) {

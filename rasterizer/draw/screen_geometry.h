@@ -27,11 +27,20 @@ struct TriangleBlock {
         first_of_tile;  // one a tile and one more: where its list starts in triangle_of_tile
     std::vector<std::uint32_t> triangle_of_tile;  // indices into `triangles`
 
+    // Null for a whole triangle.
+    const ClippedCorners* corners_of(const ScreenTriangle& t) const {
+        return t.clipped < 0 ? nullptr : &clipped[static_cast<std::size_t>(t.clipped)];
+    }
     std::span<const std::uint32_t> triangles_of_tile(int tile) const {
         const auto at = static_cast<std::size_t>(tile);
         return std::span(triangle_of_tile)
             .subspan(first_of_tile[at], first_of_tile[at + 1] - first_of_tile[at]);
     }
+};
+
+struct NumberedTriangle {
+    const ScreenTriangle* triangle;
+    const ClippedCorners* clipped;  // null: the triangle is whole
 };
 
 struct ScreenGeometry {
@@ -43,7 +52,19 @@ struct ScreenGeometry {
     TransformedVertices vertices;
     std::vector<TangentTurn> tangent_turns;  // one an instance; empty without normals or normal maps
     std::vector<TriangleBlock> blocks;
+    int index_bits = 0;  // of a triangle's number; the rest is that of its block
     std::size_t submitted_triangles = 0;
+
+    // A triangle's number: what a visibility buffer holds.
+    std::int32_t number_of(std::size_t block, std::uint32_t index) const {
+        return static_cast<std::int32_t>(static_cast<std::uint32_t>(block) << index_bits | index);
+    }
+    NumberedTriangle triangle(std::int32_t number) const {
+        const auto bits = static_cast<std::uint32_t>(number);
+        const TriangleBlock& block = blocks[bits >> index_bits];
+        const ScreenTriangle& t = block.triangles[bits & ((1u << index_bits) - 1)];
+        return {&t, block.corners_of(t)};
+    }
 
     std::size_t off_screen_triangles() const {
         std::size_t count = 0;

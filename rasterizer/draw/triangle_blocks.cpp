@@ -18,13 +18,15 @@ class BlockBuilder {
                  TriangleBlock& block)
         : geometry_(geometry), setup_(setup), leaves_out_off_screen_(leaves_out_off_screen), block_(block) {}
 
-    // All triangles of a source, eight at a time.
-    void add(const BlockSource& source, const Run& run) {
-        block_.triangles.reserve(source.triangles.size());
-        entries_.reserve(source.triangles.size());
-        run_kernel(run, [&]<class F>(Lanes<F>) {
-            for (std::size_t i = 0; i < source.triangles.size(); i += kLanes<F>) add_group<F>(source, i);
-        });
+    void reserve(std::size_t triangles) {
+        block_.triangles.reserve(triangles);
+        entries_.reserve(triangles);
+    }
+
+    // All triangles of a source, as many at a time as there are lanes.
+    template <class F>
+    CREVICE_INLINE void add(const BlockSource& source) {
+        for (std::size_t i = 0; i < source.triangles.size(); i += kLanes<F>) add_group<F>(source, i);
     }
 
     void finish() {
@@ -202,11 +204,16 @@ class BlockBuilder {
 
 }  // namespace
 
-TriangleBlock build_block(const ScreenGeometry& geometry, const BlockSource& source,
+TriangleBlock build_block(const ScreenGeometry& geometry, std::span<const BlockSource> sources,
                           const SetupSettings& setup, const Run& run) {
     TriangleBlock block;
     BlockBuilder builder(geometry, setup, run.leaves_out(Skip::off_screen_triangles), block);
-    builder.add(source, run);
+    std::size_t triangles = 0;
+    for (const BlockSource& source : sources) triangles += source.triangles.size();
+    builder.reserve(triangles);
+    run_kernel(run, [&]<class F>(Lanes<F>) {
+        for (const BlockSource& source : sources) builder.add<F>(source);
+    });
     builder.finish();
     return block;
 }

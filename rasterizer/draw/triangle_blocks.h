@@ -12,9 +12,9 @@ struct BlockSource {
     bool mirrored;  // the instance's matrix turns clockwise into counter-clockwise: undone here
 };
 
-// Sets up the triangles of a source, clipped where they must be, and enters them into the tiles they may touch.
+// Sets up the triangles of sources, clipped where they must be, and enters them into the tiles they may touch.
 // `geometry` holds its sizes and vertices already.
-TriangleBlock build_block(const ScreenGeometry& geometry, const BlockSource& source,
+TriangleBlock build_block(const ScreenGeometry& geometry, std::span<const BlockSource> sources,
                           const SetupSettings& setup, const Run& run);
 
 }  // namespace crevice

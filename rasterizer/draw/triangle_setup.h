@@ -48,6 +48,13 @@ struct ClippedCorners {
     std::array<float, 3> lambda1, lambda2;
 };
 
+// z_ndc of the plane of a triangle, from the edge functions 1 and 2. The small terms first: one rounding at the
+// size of z instead of two. `t` has z0, z_per_e1 and z_per_e2, of one triangle or one a lane.
+template <class F, class Triangle>
+CREVICE_INLINE F z_ndc_at(const Triangle& t, F e1, F e2) {
+    return F(t.z0) + (e1 * F(t.z_per_e1) + e2 * F(t.z_per_e2));
+}
+
 struct SetupSettings {
     bool cull_back_faces = true;
     DepthFormat format = DepthFormat::d32f;

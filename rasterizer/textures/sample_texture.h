@@ -5,40 +5,41 @@
 // an infinite one with wrap. Every filter gives a finite answer for any coordinates and steps, a constant
 // texture as exactly that constant, and in general a value between the smallest and the largest texel (to a
 // rounding).
+//
+// The kernel (texture_probes.h) is large, so it is compiled in sample_texture.cpp alone; pixels come and colours
+// go through memory, as many at a time as there are lanes.
 #pragma once
+
+#include <span>
 
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
-#include "rasterizer/textures/texture_probes.h"
+#include "rasterizer/base/run.h"
+#include "rasterizer/textures/sampler.h"
+#include "rasterizer/textures/texture.h"
 
 namespace crevice {
 
-// RGB and alpha at the pixels that are wanted, 0 elsewhere. The mip level is that whose texels are as wide as
-// the longer of the two steps; with the anisotropic filter, see footprint_of. The texture has at least one
-// level, the sampler is valid. Alpha is 1 where the texture has none.
-template <class F>
-CREVICE_INLINE TextureColour<F> sample_texture(const Texture& texture, const Sampler& sampler,
-                                               const TextureCoordinates<F>& at) {
-    SeenTexture<F> seen(texture);
-    look_at(&seen, 1, sampler, at);
-    return channels_of(seen.mean);
-}
-
-// The same of two textures. Of one size they share the work of finding texels, which is half of all.
-template <class F>
-struct TextureColours {
-    TextureColour<F> first, second;
+// Where pixels lie in a texture, one a lane.
+struct SampledPixels {
+    alignas(32) float u[kMostLanes], v[kMostLanes];
+    alignas(32) float du_dx[kMostLanes], dv_dx[kMostLanes];  // uv from the pixel to the next one in x
+    alignas(32) float du_dy[kMostLanes], dv_dy[kMostLanes];  // in y
+    alignas(32) std::int32_t wanted[kMostLanes];             // all bits set, or 0: nothing is sampled
 };
-template <class F>
-CREVICE_INLINE TextureColours<F> sample_textures(const Texture& first, const Texture& second,
-                                                 const Sampler& sampler, const TextureCoordinates<F>& at) {
-    SeenTexture<F> seen[2] = {SeenTexture<F>(first), SeenTexture<F>(second)};
-    const bool alike = first.size() == second.size() && first.levels().size() == second.levels().size();
-    const int together = alike ? 2 : 1;
-    for (int i = 0; i < 2; i += together) look_at(seen + i, together, sampler, at);
-    return {channels_of(seen[0].mean), channels_of(seen[1].mean)};
-}
+
+// RGB in linear light and alpha, one pixel a lane; 0 where nothing was wanted. Alpha is 1 where the texture has
+// none.
+struct SampledColours {
+    alignas(32) float r[kMostLanes], g[kMostLanes], b[kMostLanes], a[kMostLanes];
+};
+
+// The colours of one texture or two at lane_count(run) pixels. The mip level is that whose texels are as wide as
+// the longer of the two steps; with the anisotropic filter, see footprint_of. Each texture has at least one
+// level, the sampler is valid. Two of one size share the work of finding texels, which is half of all.
+void sample_textures(std::span<const Texture* const> textures, const Sampler& sampler,
+                     const SampledPixels& pixels, SampledColours* colours, const Run& run);
 
 // One pixel.
 glm::vec4 sample_texture(const Texture& texture, const Sampler& sampler, glm::vec2 uv, glm::vec2 duv_dx,

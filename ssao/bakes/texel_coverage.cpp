@@ -4,35 +4,9 @@
 
 #include <glm/vec4.hpp>
 
-#include "rasterizer/draw/raster_tile.h"
+#include "rasterizer/draw/visibility.h"
 
 namespace crevice {
-
-namespace {
-
-struct CoverageShader {
-    TexelCoverage& coverage;
-
-    PixelRect wanted_part(int, PixelRect tile) const { return tile; }
-    void empty_tile(PixelRect tile) const { begin_tile(tile); }
-    void begin_tile(PixelRect tile) const {
-        fill_tile(coverage.triangle, tile, -1);
-        fill_tile(coverage.times, tile, 0);
-    }
-    template <class F>
-    CREVICE_INLINE void fragment(const ScreenTriangle& t, const Fragment<F>& f) const {
-        std::int32_t* triangle = coverage.triangle.row(f.y);
-        std::int32_t* times = coverage.times.row(f.y);
-        const Int<F> before = load<F>(triangle + f.x);
-        const Int<F> here(static_cast<std::int32_t>(t.vertex[0] / 3));
-        store_where_passed(triangle, f, select(before < Int<F>(0), here, before));
-        store_where_passed(times, f, load<F>(times + f.x) + Int<F>(1));
-    }
-    template <class F>
-    CREVICE_INLINE void finish_tile(PixelRect) const {}
-};
-
-}  // namespace
 
 TexelCoverage texel_coverage(std::span<const TriangleTexcoords> triangles, int texels, const Run& run) {
     std::vector<glm::vec4> p_clip;
@@ -45,9 +19,19 @@ TexelCoverage texel_coverage(std::span<const TriangleTexcoords> triangles, int t
     const Size size{texels, texels};
     const ScreenGeometry geometry =
         screen_geometry_from_clip(p_clip, corners, size, {.cull_back_faces = false}, run);
-    TexelCoverage coverage{Image<std::int32_t>(size), Image<std::int32_t>(size)};
+    TexelCoverage coverage{Image<std::int32_t>(size, -1), Image<std::int32_t>(size, 0)};
     const DepthBuffer depth{DepthFormat::d32f, Image<std::int32_t>(size, 0)};
-    rasterize(geometry, DepthFunction::always, depth, CoverageShader{coverage}, run);
+    drawn_again(
+        geometry, depth, DepthFunction::always,
+        [&](const FragmentGroup& group) {
+            for (int i = 0; i < group.lanes; ++i) {
+                if (group.passes[i] == 0) continue;
+                std::int32_t& first = coverage.triangle.at(group.x + i, group.y);
+                if (first < 0) first = static_cast<std::int32_t>(group.triangle.vertex[0] / 3);
+                ++coverage.times.at(group.x + i, group.y);
+            }
+        },
+        run);
     return coverage;
 }
 

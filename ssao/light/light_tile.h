@@ -2,7 +2,8 @@
 // triangles.
 #pragma once
 
-#include "rasterizer/draw/fragment.h"
+#include "rasterizer/draw/view_ray.h"
+#include "rasterizer/draw/visibility.h"
 #include "ssao/light/cube_reflection.h"
 #include "ssao/light/lighting.h"
 #include "ssao/light/shadow_factor.h"
@@ -10,16 +11,32 @@
 
 namespace crevice {
 
-inline constexpr std::int32_t kSkyMaterial = -1;
+// What the pixels of one row show, from the tile's first one on. Null: see each.
+struct ShownRow {
+    const std::int32_t* material;  // index into Scene::materials, or kNoTriangle: the sky
+    const float* normal[3];        // view space, unit
+    const float* colour[3] = {};   // of the texture; null: white
+    const float* gloss = nullptr;  // of the normal map, times the shininess; null: 1
+    const float* view_depth;       // read only where there is a shadow
+};
 
-// What a group of pixels shows.
 template <class F>
 struct ShownSurface {
-    Int<F> material;  // index into Scene::materials, or kSkyMaterial
-    Vec3<F> n_view;   // unit
-    Vec3<F> texture;  // colour
-    F gloss;          // of the normal map, times the shininess
-    F view_depth;     // read only where there is a shadow
+    Int<F> material;
+    Vec3<F> n_view, texture;
+    F gloss, view_depth;
+
+    CREVICE_INLINE ShownSurface(const ShownRow& row, int at)
+        : material(load<F>(row.material + at)),
+          n_view(load3(row.normal, at)),
+          texture(row.colour[0] == nullptr ? Vec3<F>{F(1), F(1), F(1)} : load3(row.colour, at)),
+          gloss(row.gloss == nullptr ? F(1) : load<F>(row.gloss + at)),
+          view_depth(row.view_depth == nullptr ? F(1) : load<F>(row.view_depth + at)) {}
+
+ private:
+    CREVICE_INLINE static Vec3<F> load3(const float* const (&row)[3], int at) {
+        return {load<F>(row[0] + at), load<F>(row[1] + at), load<F>(row[2] + at)};
+    }
 };
 
 struct TileLighting {
@@ -32,33 +49,34 @@ struct TileLighting {
     const Surroundings* around;  // mirrored by blinn_schlick surfaces; null: none
     Image3& lit;
 
-    // surface_at(x, y) gives the ShownSurface of the pixels from (x, y) on.
-    template <class F, class SurfaceAt>
-    CREVICE_INLINE void light_tile(PixelRect tile, const SurfaceAt& surface_at) const {
+    // row_of(y) gives the ShownRow of the tile's pixels in row y.
+    template <class F, class RowOf>
+    CREVICE_INLINE void light_tile(PixelRect tile, const RowOf& row_of) const {
         if (shadow == nullptr && around == nullptr) {
-            light_tile_with<F, Effects::none>(tile, surface_at);
+            light_tile_with<F, Effects::none>(tile, row_of);
         } else {
-            light_tile_with<F, Effects::any>(tile, surface_at);
+            light_tile_with<F, Effects::any>(tile, row_of);
         }
     }
 
     void fill_with_sky(PixelRect tile) const {
-        fill_tile(lit.x, tile, scene.sky.x);
-        fill_tile(lit.y, tile, scene.sky.y);
-        fill_tile(lit.z, tile, scene.sky.z);
+        fill(lit.x, tile, scene.sky.x);
+        fill(lit.y, tile, scene.sky.y);
+        fill(lit.z, tile, scene.sky.z);
     }
 
  private:
     // Shadow and reflections; without them the kernel is smaller, and faster.
     enum class Effects { none, any };
 
-    template <class F, Effects kEffects, class SurfaceAt>
-    CREVICE_INLINE void light_tile_with(PixelRect tile, const SurfaceAt& surface_at) const {
+    template <class F, Effects kEffects, class RowOf>
+    CREVICE_INLINE void light_tile_with(PixelRect tile, const RowOf& row_of) const {
         WidenedAo<F> accessibility(ao, tile.x0, tile.x1);
         for (int y = tile.y0; y < tile.y1; ++y) {
             accessibility.go_to_row(y);
+            const ShownRow row = row_of(y);
             for (int x = tile.x0; x < tile.x1; x += kLanes<F>) {
-                const ShownSurface<F> surface = surface_at(x, y);
+                const ShownSurface<F> surface(row, x - tile.x0);
                 const Vec3<F> colour = colour_of<F, kEffects>(surface, accessibility.at(x), x, y);
                 store(lit.x.row(y) + x, colour.x);
                 store(lit.y.row(y) + x, colour.y);
@@ -71,7 +89,7 @@ struct TileLighting {
     template <class F, Effects kEffects>
     CREVICE_INLINE Vec3<F> colour_of(const ShownSurface<F>& surface, F accessibility, int x, int y) const {
         Vec3<F> colour = spread<F>(scene.sky);
-        auto left = surface.material != Int<F>(kSkyMaterial);
+        auto left = surface.material != Int<F>(kNoTriangle);
         if (!any(left)) return colour;
         const Vec3<F> ray = view_ray_at<F>(geometry, x, y);
         const Vec3<F> to_eye = normalize_or<F>({F(0) - ray.x, F(0) - ray.y, F(0) - ray.z}, ray);
@@ -80,7 +98,7 @@ struct TileLighting {
         do {
             const std::int32_t index = scene.materials.size() == 1
                                            ? 0
-                                           : largest_of(select(left, surface.material, Int<F>(kSkyMaterial)));
+                                           : largest_of(select(left, surface.material, Int<F>(kNoTriangle)));
             const auto lanes = surface.material == Int<F>(index);
             colour = select<F>(lanes, lit_by<F, kEffects>(point, static_cast<std::size_t>(index)), colour);
             left = left & !lanes;

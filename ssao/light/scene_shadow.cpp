@@ -1,7 +1,5 @@
 #include "ssao/light/scene_shadow.h"
 
-#include "rasterizer/draw/cutouts.h"
-
 namespace crevice {
 
 bool throws_shadow(const Scene& scene) {
@@ -28,11 +26,8 @@ ShadowSettings scene_shadow_settings(const Scene& scene) {
 }
 
 ShadowMap scene_shadow(const Scene& scene, const Run& run) {
-    const ShadowFit fit = scene_shadow_fit(scene);
-    const ShadowSettings settings = scene_shadow_settings(scene);
-    const glm::vec3 direction = scene.lights[0].direction;
-    return has_cutouts(scene) ? shadow_map(scene, direction, fit, settings, MaterialCutouts{scene}, run)
-                              : shadow_map(scene, direction, fit, settings, run);
+    return shadow_map(scene, scene.lights[0].direction, scene_shadow_fit(scene), scene_shadow_settings(scene),
+                      run);
 }
 
 }  // namespace crevice

@@ -1,21 +1,22 @@
-// The scene drawn again for its lights, where the first pass did not keep what the pixels show.
+// The tutorials' second drawing of the scene, for its lights: EQUAL on the depths of the first. Where no two
+// fragments can have had the same depth it would find the first drawing's triangles, and is left out.
 #pragma once
 
 #include <vector>
 
 #include "rasterizer/draw/normal_depth.h"
-#include "ssao/light/light_tile.h"
 
 namespace crevice {
 
-// The parts of the geometry's tiles that are drawn again; empty where none is. See lit_tiles() in shade.h.
-using PartsOfTiles = std::vector<PixelRect>;
-PartsOfTiles parts_drawn_again(const Scene& scene, const ScreenGeometry& geometry, const GBuffer& gbuffer,
-                               const Run& run);
+struct SecondDrawing {
+    Image<std::int32_t> triangle;  // as Visibility::triangle; empty: the G-buffer's, everywhere
+    // The part of each of the geometry's tiles that was drawn again: around pixels where two fragments may have
+    // had the same depth, since LESS keeps the first and EQUAL lights the last. Mostly empty.
+    std::vector<PixelRect> drawn;
+};
 
-// Draws and lights them; `parts` null: all tiles, wholly. Writes lighting.lit there. Without `cutouts`
-// surfaces with holes are drawn whole.
-void draw_again(const TileLighting& lighting, const DepthBuffer& depth, DepthFunction test, bool cutouts,
-                const PartsOfTiles* parts, const Run& run);
+// `gbuffer` was made from this geometry. A G-buffer without triangles, or with run.kept, is drawn again as a whole.
+SecondDrawing second_drawing(const ScreenGeometry& geometry, const GBuffer& gbuffer, const Holes& holes,
+                             const Run& run);
 
 }  // namespace crevice

@@ -1,11 +1,14 @@
 #include "ssao/light/shade.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 #include <glm/common.hpp>
 
+#include "rasterizer/base/parallel.h"
+#include "rasterizer/draw/cutouts.h"
+#include "rasterizer/draw/surface_textures.h"
+#include "ssao/light/light_tile.h"
 #include "ssao/light/second_drawing.h"
 
 namespace crevice {
@@ -71,69 +74,118 @@ struct ViewLighting {
     }
 };
 
-void light_from(const GBuffer& g, const TileLighting& lighting, const PartsOfTiles& drawn_again,
-                const Run& run) {
-    const ScreenGeometry& geometry = lighting.geometry;
+// The rows of a tile, for its lighting: read from a G-buffer that knows them, else from their triangles.
+class TileRows {
+ public:
+    TileRows(const ScreenGeometry& geometry, const SurfaceTextures& textures,
+             const Image<std::int32_t>& triangle, const GBuffer* gbuffer, bool one_material, PixelRect tile,
+             const Run& run)
+        : geometry_(geometry),
+          textures_(textures),
+          triangle_(triangle),
+          gbuffer_(gbuffer),
+          one_material_(one_material),
+          tile_(tile),
+          run_(run) {}
+
+    ShownRow row(int y) {
+        const std::int32_t* const triangle = triangle_.row(y) + tile_.x0;
+        if (gbuffer_ != nullptr) {
+            copy_known(*gbuffer_, triangle, y);
+        } else {
+            find_surfaces(geometry_, triangle, tile_.x0, tile_.x1, y,
+                          {view_depth_, {normal_[0], normal_[1], normal_[2]}, material_}, run_);
+        }
+        ShownRow shown{material_, {normal_[0], normal_[1], normal_[2]}, {}, nullptr, view_depth_};
+        if (!textures_.any()) return shown;
+        textures_.look_up(
+            triangle, tile_.x0, tile_.x1, y,
+            {material_, {normal_[0], normal_[1], normal_[2]}, {colour_[0], colour_[1], colour_[2]}, gloss_},
+            run_);
+        std::copy_n(colour_, 3, shown.colour);
+        shown.gloss = gloss_;
+        return shown;
+    }
+
+ private:
+    void copy_known(const GBuffer& g, const std::int32_t* triangle, int y) {
+        const int count = round_up(tile_.x1 - tile_.x0, kRowAlignment);
+        const auto copy = [&](const auto& image, auto* to) {
+            std::copy_n(image.row(y) + tile_.x0, count, to);
+        };
+        copy(g.normal.x, normal_[0]);
+        copy(g.normal.y, normal_[1]);
+        copy(g.normal.z, normal_[2]);
+        copy(g.view_depth, view_depth_);
+        if (one_material_) {
+            std::transform(triangle, triangle + count, material_,
+                           [](std::int32_t number) { return number < 0 ? kNoTriangle : 0; });
+        } else {
+            copy(g.material, material_);
+        }
+    }
+
+    const ScreenGeometry& geometry_;
+    const SurfaceTextures& textures_;
+    const Image<std::int32_t>& triangle_;
+    const GBuffer* gbuffer_;
+    const bool one_material_;
+    const PixelRect tile_;
+    const Run& run_;
+    alignas(32) std::int32_t material_[kLargestTile_px];
+    alignas(32) float view_depth_[kLargestTile_px], normal_[3][kLargestTile_px], colour_[3][kLargestTile_px],
+        gloss_[kLargestTile_px];
+};
+
+// Lights what each pixel shows. `known(tile)` gives the G-buffer that holds a tile's surfaces, or null.
+template <class Known>
+Image3 light_triangles(const ViewLighting& view, const ScreenGeometry& geometry,
+                       const Image<std::int32_t>& triangle, const Run& run, const Known& known) {
+    Image3 lit(geometry.size);
+    const TileLighting lighting = view.of_tiles(geometry, lit);
+    const SurfaceTextures textures(view.scene, geometry);
     parallel_for(geometry.tile_count(), run, [&](int tile) {
         const PixelRect rect = geometry.tile_rect(tile);
-        if (drawn_again[static_cast<std::size_t>(tile)] == rect) return;
-        if (geometry.triangles_of_tile(tile) == 0) {
+        if (geometry.triangles_of_tile(tile) == 0 && run.leaves_out(Skip::empty_tiles)) {
             lighting.fill_with_sky(rect);
             return;
         }
+        TileRows rows(geometry, textures, triangle, known(tile), view.scene.materials.size() == 1, rect, run);
         run_kernel(run, [&]<class F>(Lanes<F>) {
-            const auto surface_at = [&](int x, int y) __attribute__((always_inline)) {
-                const F view_depth = load<F>(g.view_depth.row(y) + x);
-                const auto seen = view_depth < F(std::numeric_limits<float>::infinity());
-                const Int<F> material =
-                    g.material.empty() ? Int<F>(0) : Int<F>(load<F>(g.material.row(y) + x));
-                return ShownSurface<F>{select(seen, material, Int<F>(kSkyMaterial)),
-                                       {load<F>(g.normal.x.row(y) + x), load<F>(g.normal.y.row(y) + x),
-                                        load<F>(g.normal.z.row(y) + x)},
-                                       {F(1), F(1), F(1)},
-                                       F(1),
-                                       view_depth};
-            };
-            lighting.light_tile<F>(rect, surface_at);
+            lighting.light_tile<F>(rect, [&](int y) { return rows.row(y); });
         });
     });
+    return lit;
 }
 
 }  // namespace
 
-TileMap lit_tiles(const Scene& scene, const ScreenGeometry& geometry, const GBuffer& gbuffer,
-                  const Run& run) {
-    TileMap map(geometry.size, geometry.tile_size);
-    const PartsOfTiles parts = parts_drawn_again(scene, geometry, gbuffer, run);
+LitImage shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geometry,
+               const GBuffer& gbuffer, const Image<float>& ao, const Run& run, const ShadowMap* shadow) {
+    const SecondDrawing second = second_drawing(geometry, gbuffer, alpha_holes(scene, geometry, run), run);
+    const bool knows_surfaces = gbuffer.format == BufferFormat::float32 && !gbuffer.normal.empty() &&
+                                (scene.materials.size() == 1 || !gbuffer.material.empty());
+    const auto drawn_again = [&](int tile) { return !second.drawn[static_cast<std::size_t>(tile)].empty(); };
+    LitImage lit{
+        light_triangles(ViewLighting(scene, camera, geometry.size, ao, shadow, run), geometry,
+                        second.triangle.empty() ? gbuffer.triangle : second.triangle, run,
+                        [&](int tile) { return knows_surfaces && !drawn_again(tile) ? &gbuffer : nullptr; }),
+        TileMap(geometry.size, geometry.tile_size)};
     for (int tile = 0; tile < geometry.tile_count(); ++tile) {
-        const auto at = static_cast<std::size_t>(tile);
-        if (!parts[at].empty()) continue;
-        map.tiles.at(tile % geometry.tiles.width, tile / geometry.tiles.width) =
+        if (drawn_again(tile)) continue;
+        lit.tiles.tiles.at(tile % geometry.tiles.width, tile / geometry.tiles.width) =
             geometry.triangles_of_tile(tile) == 0 ? TileWork::background : TileWork::lit_once;
     }
-    return map;
-}
-
-Image3 shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geometry, const GBuffer& gbuffer,
-             const Image<float>& ao, const Run& run, const ShadowMap* shadow) {
-    const ViewLighting view(scene, camera, geometry.size, ao, shadow, run);
-    const PartsOfTiles parts = parts_drawn_again(scene, geometry, gbuffer, run);
-    Image3 lit(geometry.size);
-    const TileLighting lighting = view.of_tiles(geometry, lit);
-    light_from(gbuffer, lighting, parts, run);
-    const bool any =
-        std::any_of(parts.begin(), parts.end(), [](const PixelRect& part) { return !part.empty(); });
-    if (any) draw_again(lighting, gbuffer.depth, DepthFunction::equal, true, &parts, run);
     return lit;
 }
 
 Image3 shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geometry,
              const DepthBuffer& depth, const Image<float>& ao, const ShadeSettings& settings, const Run& run,
              const ShadowMap* shadow) {
-    const ViewLighting view(scene, camera, depth.size(), ao, shadow, run);
-    Image3 lit(depth.size());
-    draw_again(view.of_tiles(geometry, lit), depth, settings.depth_function, settings.cutouts, nullptr, run);
-    return lit;
+    const Holes holes = settings.cutouts ? alpha_holes(scene, geometry, run) : Holes{};
+    const Image<std::int32_t> triangle = drawn_again(geometry, depth, settings.depth_function, holes, run);
+    return light_triangles(ViewLighting(scene, camera, depth.size(), ao, shadow, run), geometry, triangle,
+                           run, [](int) { return nullptr; });
 }
 
 Image3 shade(const Scene& scene, const Camera& camera, const DepthBuffer& depth, const Image<float>& ao,

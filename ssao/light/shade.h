@@ -7,8 +7,8 @@
 // Out:    RGB in linear light, >= 0, may exceed 1; sky colour where no fragment passed
 // Reads:  the AO map linear, clamped, at the pixel's centre
 // Differs from the tutorials: accessibility multiplies every ambient term (X_Jun's text: the directional
-//         lights' only); given the G-buffer, tiles of which it knows everything are lit
-//         from it and not drawn again, with the same bits.
+//         lights' only); given the G-buffer, tiles where no depths tie are not drawn again but lit from the first
+//         pass's triangles, with the same bits.
 #pragma once
 
 #include "rasterizer/base/tile_map.h"
@@ -37,17 +37,16 @@ Image3 shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geo
              const DepthBuffer& depth, const Image<float>& ao, const ShadeSettings& settings = {},
              const Run& run = {}, const ShadowMap* shadow = nullptr);
 
-// The same with EQUAL, from the geometry and what the first pass made of it.
-Image3 shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geometry, const GBuffer& gbuffer,
-             const Image<float>& ao, const Run& run = {}, const ShadowMap* shadow = nullptr);
+struct LitImage {
+    Image3 image;
+    // What was done with the geometry's tiles: drawn again, in part or as a whole (done), lit from the first
+    // pass's triangles (lit_once), or left to the sky (background).
+    TileMap tiles;
+};
 
-// Which of the geometry's tiles that pass draws again, in part or as a whole (done), lights from the G-buffer
-// (lit_once), or leaves to the sky (background). A tile is drawn again
-// - around pixels where two fragments may have had the same depth: LESS keeps the first, EQUAL lights
-//   the last;
-// - when it shows a texture or a normal map: its coordinates are not in the G-buffer;
-// - when the G-buffer's normals are rounded to 16 bits, or it holds no normals or no materials.
-TileMap lit_tiles(const Scene& scene, const ScreenGeometry& geometry, const GBuffer& gbuffer,
-                  const Run& run = {});
+// The same with EQUAL, from the geometry and what the first pass made of it; see second_drawing.h.
+LitImage shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geometry,
+               const GBuffer& gbuffer, const Image<float>& ao, const Run& run = {},
+               const ShadowMap* shadow = nullptr);
 
 }  // namespace crevice

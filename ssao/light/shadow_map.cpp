@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/draw/cutouts.h"
 
 namespace crevice {
 
@@ -92,7 +93,11 @@ ScreenGeometry shadow_geometry(const Scene& scene, const Camera& light, const Sh
 
 ShadowMap shadow_map(const Scene& scene, glm::vec3 direction, const ShadowFit& fit,
                      const ShadowSettings& settings, const Run& run) {
-    return shadow_map(scene, direction, fit, settings, NoCutouts{}, run);
+    validate(settings);
+    const Camera light = light_camera(fit, direction);
+    const ScreenGeometry geometry = shadow_geometry(scene, light, settings, run);
+    return {nearest_depth(geometry, settings.format, alpha_holes(scene, geometry, run), run), light,
+            settings};
 }
 
 }  // namespace crevice

@@ -11,7 +11,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "rasterizer/draw/depth_only.h"
+#include "rasterizer/draw/visibility.h"
 #include "rasterizer/scene/camera.h"
 #include "rasterizer/scene/scene.h"
 
@@ -78,16 +78,7 @@ void validate(const ShadowSettings& settings);
 ScreenGeometry shadow_geometry(const Scene& scene, const Camera& light, const ShadowSettings& settings,
                                const Run& run = {});
 
-// The map of the scene; with cutouts the holes in its triangles are open (depth_only.h). Throws UsageError as
-// light_camera and validate do.
-template <class Cutouts>
-ShadowMap shadow_map(const Scene& scene, glm::vec3 direction, const ShadowFit& fit,
-                     const ShadowSettings& settings, const Cutouts& cutouts, const Run& run) {
-    validate(settings);
-    const Camera light = light_camera(fit, direction);
-    const ScreenGeometry geometry = shadow_geometry(scene, light, settings, run);
-    return {draw_depth(geometry, settings.format, cutouts, run), light, settings};
-}
+// The map of the scene, its cut-outs open. Throws UsageError as light_camera and validate do.
 ShadowMap shadow_map(const Scene& scene, glm::vec3 direction, const ShadowFit& fit,
                      const ShadowSettings& settings = {}, const Run& run = {});
 

@@ -14,58 +14,6 @@ namespace crevice {
 
 namespace {
 
-// Which triangle each pixel shows, as the vertices of its corners, clockwise as seen.
-struct ShownTriangles {
-    Image<std::int32_t> instance;   // -1: none
-    Image<std::int32_t> vertex[3];  // into TransformedVertices
-
-    explicit ShownTriangles(Size size)
-        : instance(size),
-          vertex{Image<std::int32_t>(size), Image<std::int32_t>(size), Image<std::int32_t>(size)} {}
-};
-
-struct ShownTriangleShader {
-    const ScreenGeometry& geometry;
-    ShownTriangles& shown;
-    DepthBuffer& depth;
-    std::int32_t clear_code;
-
-    PixelRect wanted_part(int, PixelRect tile) const { return tile; }
-    void empty_tile(PixelRect tile) const { begin_tile(tile); }
-    void begin_tile(PixelRect tile) const {
-        fill_tile(depth.codes, tile, clear_code);
-        fill_tile(shown.instance, tile, -1);
-    }
-    template <class F>
-    CREVICE_INLINE void fragment(const ScreenTriangle& t, const Fragment<F>& f) const {
-        store_where_passed(shown.instance.row(f.y), f, Int<F>(static_cast<std::int32_t>(t.instance)));
-        // A clipped triangle keeps the order in which it was submitted; any other has that in which it was
-        // drawn.
-        const bool turn = t.back_facing && t.clipped >= 0;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::uint32_t vertex = t.vertex[turn ? 2 - i : i];
-            store_where_passed(shown.vertex[i].row(f.y), f, Int<F>(static_cast<std::int32_t>(vertex)));
-        }
-    }
-    template <class F>
-    CREVICE_INLINE void finish_tile(PixelRect) const {}
-};
-
-ShownTriangles shown_triangles(const Scene& scene, const ScreenGeometry& geometry, DepthFormat format,
-                               bool reversed_z, const Run& run) {
-    ShownTriangles shown(geometry.size);
-    DepthBuffer depth{format, Image<std::int32_t>(geometry.size)};
-    const std::int32_t clear_code = depth_code(format, reversed_z ? 0.0f : 1.0f, 0.0);
-    const ShownTriangleShader shader{geometry, shown, depth, clear_code};
-    const DepthFunction test = nearest_wins(reversed_z);
-    if (has_cutouts(scene)) {
-        rasterize(geometry, test, depth, CutShader<ShownTriangleShader>{shader, {scene}}, run);
-    } else {
-        rasterize(geometry, test, depth, shader, run);
-    }
-    return shown;
-}
-
 // The point of the triangle that is nearest to p, which lies in its plane. Coverage is decided with snapped
 // corners, so a pixel at an edge may show a triangle just beyond its end; a point left there would lie below
 // the neighbour.
@@ -96,10 +44,12 @@ class PointFinder {
         relative_from_view_ = glm::dmat3(glm::mat3(matrices.relative_from_view));
     }
 
-    SurfacePoint at(int x, int y, const GBuffer& g, const ShownTriangles& shown) const {
-        const auto instance = static_cast<std::size_t>(shown.instance.at(x, y));
+    SurfacePoint at(int x, int y, const GBuffer& g, const ScreenTriangle& t) const {
+        // The corners clockwise as seen. A clipped triangle keeps the order in which it was submitted; any other
+        // has that in which it was drawn.
+        const bool turn = t.back_facing && t.clipped >= 0;
         glm::dvec3 corner[3];
-        for (int i = 0; i < 3; ++i) corner[i] = corner_of(instance, shown.vertex[i].at(x, y));
+        for (std::size_t i = 0; i < 3; ++i) corner[i] = corner_of(t.instance, t.vertex[turn ? 2 - i : i]);
         const glm::dvec3 face = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
         const glm::dvec3 seen = seen_position(x, y, g.view_depth.at(x, y));
         // The corners come clockwise as drawn, so this is the side that was drawn: the rasterizer's own word,
@@ -117,11 +67,11 @@ class PointFinder {
     }
 
  private:
-    glm::dvec3 corner_of(std::size_t instance, std::int32_t vertex) const {
+    glm::dvec3 corner_of(std::size_t instance, std::uint32_t vertex) const {
         const Instance& placed = scene_.instances[instance];
         const Mesh& mesh = scene_.meshes[static_cast<std::size_t>(placed.mesh)];
         const std::uint32_t first = geometry_.vertices.first_vertex[instance];
-        const glm::vec3& p = mesh.positions[static_cast<std::uint32_t>(vertex) - first];
+        const glm::vec3& p = mesh.positions[vertex - first];
         return glm::dvec3(glm::dmat4(placed.world_from_object) * glm::dvec4(p, 1)) - eye_;
     }
     glm::dvec3 seen_position(int x, int y, double view_depth) const {
@@ -154,12 +104,13 @@ SurfacePoints surface_points(const Scene& scene, const Camera& camera, const GBu
     NormalDepthSettings settings;
     settings.depth_format = gbuffer.depth.format;
     const ScreenGeometry geometry = screen_geometry(scene, camera, size, geometry_settings(settings), run);
-    const ShownTriangles shown =
-        shown_triangles(scene, geometry, gbuffer.depth.format, camera.reversed_z, run);
+    const Image<std::int32_t> shown =
+        visibility(geometry, gbuffer.depth.format, camera.reversed_z, alpha_holes(scene, geometry, run), run)
+            .triangle;
     SurfacePoints points{size, {}, {}};
     for (int y = 0; y < size.height; ++y) {
         for (int x = 0; x < size.width; ++x) {
-            if (shown.instance.at(x, y) >= 0) points.pixel.push_back(y * size.width + x);
+            if (shown.at(x, y) != kNoTriangle) points.pixel.push_back(y * size.width + x);
         }
     }
     points.points.resize(points.pixel.size());
@@ -169,8 +120,9 @@ SurfacePoints surface_points(const Scene& scene, const Camera& camera, const GBu
     parallel_for((count + kPiece - 1) / kPiece, run, [&](int piece) {
         for (int i = piece * kPiece; i < std::min(count, (piece + 1) * kPiece); ++i) {
             const int pixel = points.pixel[static_cast<std::size_t>(i)];
+            const int x = pixel % size.width, y = pixel / size.width;
             points.points[static_cast<std::size_t>(i)] =
-                finder.at(pixel % size.width, pixel / size.width, gbuffer, shown);
+                finder.at(x, y, gbuffer, *geometry.triangle(shown.at(x, y)).triangle);
         }
     });
     return points;

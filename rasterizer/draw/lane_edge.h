@@ -1,0 +1,49 @@
+// The edge functions of a triangle over groups of pixels, exact: 32-bit integers for small triangles, doubles
+// (exact below 2^53) for the others. Both round the same integer to float, so the choice changes no bit.
+#pragma once
+
+#include <type_traits>
+
+#include "rasterizer/draw/triangle_setup.h"
+
+namespace crevice {
+
+// E is Int<F> or Double<F>. Values are kept less by the edge's threshold, so that covered means not negative.
+template <class F, class E>
+struct LaneEdge {
+    using Scalar = std::conditional_t<std::is_same_v<E, Int<F>>, std::int32_t, double>;
+    Edge edge;
+    E lane_offsets, per_row, threshold;
+
+    CREVICE_INLINE explicit LaneEdge(const Edge& of_triangle)
+        : edge(of_triangle),
+          lane_offsets(lane() * E(static_cast<Scalar>(edge.per_column))),
+          per_row(static_cast<Scalar>(edge.per_row)),
+          threshold(static_cast<Scalar>(edge.threshold)) {}
+
+    CREVICE_INLINE std::int64_t at(int x, int y) const {
+        return edge.at_origin + edge.per_column * x + edge.per_row * y - edge.threshold;
+    }
+    CREVICE_INLINE E lanes(int x, int y) const { return E(static_cast<Scalar>(at(x, y))) + lane_offsets; }
+
+ private:
+    CREVICE_INLINE static E lane() {
+        if constexpr (std::is_same_v<E, Int<F>>) {
+            return lane_index<F>();
+        } else {
+            return to_double(lane_index<F>());
+        }
+    }
+};
+
+// Whether all three, whole numbers and none of them -0, are >= 0: one look at the joined sign bits is enough.
+template <class F, class E>
+CREVICE_INLINE Mask<F> none_negative(E a, E b, E c) {
+    if constexpr (std::is_same_v<E, Int<F>>) {
+        return (a | b | c) >= E(0);
+    } else {
+        return (upper_bits(a) | upper_bits(b) | upper_bits(c)) >= Int<F>(0);
+    }
+}
+
+}  // namespace crevice
