@@ -8,14 +8,15 @@ namespace crevice {
 
 namespace {
 
-void cut_out(const FragmentGroup& group, const Material& material,
-             const std::vector<InstanceAttributes>& attributes, const Run& run) {
-    SampledPixels pixels;
+void cut_out(const FragmentGroup& group, const Material& material, const InstanceAttributes& instance,
+             const Run& run) {
+    SampledPixels pixels = {};
     run_kernel(run, [&]<class F>(Lanes<F>) {
         const Int<F> kept = load<F>(group.kept);
-        const NumberedTriangle triangle{&group.triangle, group.block.corners_of(group.triangle)};
-        find_coordinates(TriangleLanes<F, true>(triangle, kept != Int<F>(0), group.x, group.y), attributes,
-                         pixels);
+        const Mask<F> asked = kept != Int<F>(0);
+        const TrianglePixels<F> in_triangle({&group.triangle, group.block.corners_of(group.triangle)}, asked,
+                                            group.x, group.y);
+        put_where(asked, texture_pixels(in_triangle, instance), pixels);
         store(pixels.wanted, kept);
     });
     SampledColours sampled;
@@ -41,8 +42,8 @@ Holes alpha_holes(const Scene& scene, const ScreenGeometry& geometry, const Run&
     if (!has_cutouts(scene)) return {};
     return [&scene, attributes = instance_attributes(scene, geometry), run](const FragmentGroup& group) {
         const Material& material = scene.materials[static_cast<std::size_t>(group.triangle.material)];
-        if (has_cutouts(material) && attributes[group.triangle.instance].has_texcoords())
-            cut_out(group, material, attributes, run);
+        const InstanceAttributes& instance = attributes[group.triangle.instance];
+        if (has_cutouts(material) && instance.has_texcoords()) cut_out(group, material, instance, run);
     };
 }
 

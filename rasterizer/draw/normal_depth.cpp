@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "rasterizer/base/parallel.h"
 #include "rasterizer/draw/cutouts.h"
 #include "rasterizer/draw/surface_textures.h"
 
@@ -24,12 +23,12 @@ void round_to(BufferFormat format, float* row, int count, const Run& run) {
 }
 
 // Fills a tile's part of the G-buffer from the triangles it shows. `textures` null: normals are the vertices'.
-void fill_tile(GBuffer& g, const ScreenGeometry& geometry, PixelRect tile, const SurfaceTextures* textures,
-               const Run& run) {
+void fill_tile(GBuffer& g, const Image<std::int32_t>& triangles, const ScreenGeometry& geometry,
+               PixelRect tile, const SurfaceTextures* textures, const Run& run) {
     const bool with_normals = !g.normal.empty();
     std::int32_t materials[kLargestTile_px];
     for (int y = tile.y0; y < tile.y1; ++y) {
-        const std::int32_t* const triangle = g.triangle.row(y) + tile.x0;
+        const std::int32_t* const triangle = triangles.row(y) + tile.x0;
         SurfaceRow row;
         row.view_depth = g.view_depth.row(y) + tile.x0;
         if (!g.material.empty()) row.material = g.material.row(y) + tile.x0;
@@ -51,17 +50,21 @@ void fill_tile(GBuffer& g, const ScreenGeometry& geometry, PixelRect tile, const
     }
 }
 
-GBuffer surfaces_of(Visibility seen, const ScreenGeometry& geometry, const NormalDepthSettings& settings,
-                    const SurfaceTextures* textures, const Run& run) {
-    GBuffer g{Image3(geometry.vertices.with_normals ? geometry.size : Size{}),
-              Image<float>(geometry.size),
-              std::move(seen.depth),
+GBuffer drawn(const ScreenGeometry& geometry, bool reversed_z, const NormalDepthSettings& settings,
+              const Holes& holes, const SurfaceTextures* textures, const Run& run) {
+    const Size size = geometry.size;
+    GBuffer g{Image3(geometry.vertices.with_normals ? size : Size{}),
+              Image<float>(size),
+              {},
               settings.buffer_format,
-              settings.with_material ? Image<std::int32_t>(geometry.size) : Image<std::int32_t>(),
-              std::move(seen.triangle),
-              std::move(seen.tiles)};
-    parallel_for(geometry.tile_count(), run,
-                 [&](int tile) { fill_tile(g, geometry, geometry.tile_rect(tile), textures, run); });
+              settings.with_material ? Image<std::int32_t>(size) : Image<std::int32_t>()};
+    Visibility seen = visibility(
+        geometry, settings.depth_format, reversed_z, holes, run, [&](const Visibility& so_far, int tile) {
+            fill_tile(g, so_far.triangle, geometry, geometry.tile_rect(tile), textures, run);
+        });
+    g.depth = std::move(seen.depth);
+    g.triangle = std::move(seen.triangle);
+    g.tiles = std::move(seen.tiles);
     return g;
 }
 
@@ -69,17 +72,16 @@ GBuffer surfaces_of(Visibility seen, const ScreenGeometry& geometry, const Norma
 
 GBuffer normal_depth(const ScreenGeometry& geometry, bool reversed_z, const NormalDepthSettings& settings,
                      const Run& run) {
-    return surfaces_of(visibility(geometry, settings.depth_format, reversed_z, {}, run), geometry, settings,
-                       nullptr, run);
+    return drawn(geometry, reversed_z, settings, {}, nullptr, run);
 }
 
 GBuffer normal_depth(const Scene& scene, const ScreenGeometry& geometry, bool reversed_z,
                      const NormalDepthSettings& settings, const Run& run) {
-    const Holes holes = settings.cutouts ? alpha_holes(scene, geometry, run) : Holes{};
-    Visibility seen = visibility(geometry, settings.depth_format, reversed_z, holes, run);
     const SurfaceTextures textures(scene, geometry);
     const bool bent = settings.mapped_normals && !geometry.tangent_turns.empty();
-    return surfaces_of(std::move(seen), geometry, settings, bent ? &textures : nullptr, run);
+    return drawn(geometry, reversed_z, settings,
+                 settings.cutouts ? alpha_holes(scene, geometry, run) : Holes{}, bent ? &textures : nullptr,
+                 run);
 }
 
 GBuffer normal_depth(const Scene& scene, const Camera& camera, Size size, const NormalDepthSettings& settings,

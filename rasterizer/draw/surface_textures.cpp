@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "rasterizer/draw/view_ray.h"
+#include "rasterizer/draw/triangle_pixels.h"
 #include "rasterizer/scene/tangents.h"
 
 namespace crevice {
@@ -22,31 +22,16 @@ CREVICE_INLINE Vec3<F> n_tangent_of(const SampledColours& map) {
 // The normal that pixels show: interpolated from the vertices, bent by the normal map; view space, unit. On a back
 // face whose normal was turned to the eye the bitangent stays where it was: the picture painted on a surface does
 // not turn with its normal.
-template <class F, bool kAlike>
-CREVICE_INLINE Vec3<F> bent_normal(const ScreenGeometry& geometry, const TriangleLanes<F, kAlike>& triangles,
-                                   const std::vector<InstanceAttributes>& attributes, int x, int y,
-                                   Vec3<F> n_tangent) {
-    const auto tangent_at = [&](std::size_t corner) __attribute__((always_inline)) {
-        return triangles.each_vec3([&](const ScreenTriangle& t) {
-            const InstanceAttributes& instance = attributes[t.instance];
-            return instance.has_tangents() ? geometry.tangent_turns[t.instance].view_from_object *
-                                                 glm::vec3(instance.tangent(t, corner))
-                                           : glm::vec3(0);
-        });
-    };
-    const auto handedness_at = [&](std::size_t corner) __attribute__((always_inline)) {
-        return triangles.each([&](const ScreenTriangle& t) {
-            const InstanceAttributes& instance = attributes[t.instance];
-            return instance.has_tangents() ? instance.tangent(t, corner).w : 0.0f;
-        });
-    };
-    const Vec3<F> tangent = triangles.here().interpolate(tangent_at(0), tangent_at(1), tangent_at(2));
-    const F mirrored = triangles.each(
-        [&](const ScreenTriangle& t) { return geometry.tangent_turns[t.instance].handedness; });
-    const F handedness =
-        mirrored * triangles.here().interpolate(handedness_at(0), handedness_at(1), handedness_at(2));
-    const auto [n, turned] =
-        triangles.interpolated_normal(geometry.vertices.n_view, view_ray_at<F>(geometry, x, y));
+template <class F>
+CREVICE_INLINE Vec3<F> bent_normal(const ScreenGeometry& geometry, const TrianglePixels<F>& pixels,
+                                   const InstanceAttributes& instance, int x, int y, Vec3<F> n_tangent) {
+    const ScreenTriangle& t = pixels.triangle;
+    const TangentTurn& turn = geometry.tangent_turns[t.instance];
+    const glm::vec4 &t0 = instance.tangent(t, 0), &t1 = instance.tangent(t, 1), &t2 = instance.tangent(t, 2);
+    const glm::mat3& m = turn.view_from_object;
+    const Vec3<F> tangent = pixels.here.interpolate(m * glm::vec3(t0), m * glm::vec3(t1), m * glm::vec3(t2));
+    const F handedness = F(turn.handedness) * pixels.here.interpolate(t0.w, t1.w, t2.w);
+    const auto [n, turned] = pixels.interpolated_normal(geometry, x, y);
     const Vec3<F> zero{F(0), F(0), F(0)};
     const Vec3<F> bent = bumped_normal(normalize_or<F>(n, zero), tangent,
                                        select(turned, F(0) - handedness, handedness), n_tangent);
@@ -56,35 +41,31 @@ CREVICE_INLINE Vec3<F> bent_normal(const ScreenGeometry& geometry, const Triangl
 
 template <class F>
 CREVICE_INLINE void put_where(float* at, Mask<F> where, F value) {
-    if (at != nullptr) store(at, select(where, value, load<F>(at)));
+    store(at, select(where, value, load<F>(at)));
 }
 template <class F>
 CREVICE_INLINE void put_where(float* const (&row)[3], int at, Mask<F> where, Vec3<F> value) {
-    if (row[0] == nullptr) return;
     put_where(row[0] + at, where, value.x);
     put_where(row[1] + at, where, value.y);
     put_where(row[2] + at, where, value.z);
 }
 
 // One group of pixels.
-template <class F, bool kAlike>
+template <class F>
 struct GroupLookup {
     const Scene& scene;
     const ScreenGeometry& geometry;
     const std::vector<InstanceAttributes>& attributes;
-    const TriangleLanes<F, kAlike>& triangles;
     const TextureRow& row;
+    const Int<F> numbers;
     const int x, y, at;  // `at`: in the row
     const Run& run;
 
-    // One material after the other, until every lane has had its own.
+    // One material after the other, until every pixel that has texture coordinates has had its own.
     CREVICE_INLINE void look_up() const {
-        SampledPixels pixels;
-        find_coordinates(triangles, attributes, pixels);
-        const Mask<F> has_texcoords =
-            lanes_where([](const InstanceAttributes& i) { return i.has_texcoords(); });
+        SampledPixels pixels = {};
         const Int<F> material = load<F>(row.material + at);
-        Mask<F> left = triangles.shown & has_texcoords;
+        Mask<F> left = find_coordinates(pixels);
         while (any(left)) {
             const std::int32_t index = largest_of(select(left, material, Int<F>(kNoTriangle)));
             const Mask<F> lanes = left & (material == Int<F>(index));
@@ -92,6 +73,18 @@ struct GroupLookup {
             look_up_material(scene.materials[static_cast<std::size_t>(index)], lanes, pixels);
             left = left & !lanes;
         }
+    }
+
+    CREVICE_INLINE Mask<F> find_coordinates(SampledPixels& pixels) const {
+        Mask<F> found = F(0) > F(0);
+        for (TriangleWalk<F> walk(numbers); walk.next();) {
+            const TrianglePixels<F> in(geometry.triangle(walk.number), walk.shown, x, y);
+            const InstanceAttributes& instance = attributes[in.triangle.instance];
+            if (!instance.has_texcoords()) continue;
+            put_where(in.shown, texture_pixels(in, instance), pixels);
+            found = found | in.shown;
+        }
+        return found;
     }
 
     CREVICE_INLINE void look_up_material(const Material& material, Mask<F> lanes,
@@ -109,20 +102,18 @@ struct GroupLookup {
             put_where<F>(row.colour, at, lanes,
                          {load<F>(sampled[0].r), load<F>(sampled[0].g), load<F>(sampled[0].b)});
         }
-        if (!mapped) return;
-        const SampledColours& map = sampled[count - 1];
-        const Mask<F> bent =
-            lanes & lanes_where([](const InstanceAttributes& i) { return i.has_tangents(); });
-        if (!any(bent)) return;
-        put_where<F>(row.normal, at, bent,
-                     bent_normal<F>(geometry, triangles, attributes, x, y, n_tangent_of<F>(map)));
-        put_where<F>(row.gloss == nullptr ? nullptr : row.gloss + at, bent, load<F>(map.a));
+        if (mapped) bend_normals(lanes, sampled[count - 1]);
     }
 
-    template <class Holds>
-    CREVICE_INLINE Mask<F> lanes_where(const Holds& holds) const {
-        return triangles.each([&](const ScreenTriangle& t) { return holds(attributes[t.instance]); }) !=
-               Int<F>(0);
+    CREVICE_INLINE void bend_normals(Mask<F> lanes, const SampledColours& map) const {
+        const Vec3<F> n_tangent = n_tangent_of<F>(map);
+        for (TriangleWalk<F> walk(select(lanes, numbers, Int<F>(kNoTriangle))); walk.next();) {
+            const TrianglePixels<F> in(geometry.triangle(walk.number), walk.shown, x, y);
+            const InstanceAttributes& instance = attributes[in.triangle.instance];
+            if (!instance.has_tangents()) continue;
+            put_where<F>(row.normal, at, in.shown, bent_normal(geometry, in, instance, x, y, n_tangent));
+            if (row.gloss != nullptr) put_where<F>(row.gloss + at, in.shown, load<F>(map.a));
+        }
     }
 };
 
@@ -160,12 +151,8 @@ void SurfaceTextures::look_up(const std::int32_t* triangle, int x0, int x1, int 
                 std::any_of(row.material + at, row.material + at + kLanes<F>,
                             [&](std::int32_t m) { return m >= 0 && textured_[static_cast<std::size_t>(m)]; });
             if (!textured) continue;
-            with_triangles<F>(
-                geometry_, load<F>(triangle + at), x, y,
-                [&]<bool kAlike>(const TriangleLanes<F, kAlike>& triangles) __attribute__((always_inline)) {
-                    GroupLookup<F, kAlike>{scene_, geometry_, attributes_, triangles, row, x, y, at, run}
-                        .look_up();
-                });
+            GroupLookup<F>{scene_, geometry_, attributes_, row, load<F>(triangle + at), x, y, at, run}
+                .look_up();
         }
     });
 }

@@ -2,8 +2,7 @@
 
 #include <limits>
 
-#include "rasterizer/draw/triangle_lanes.h"
-#include "rasterizer/draw/view_ray.h"
+#include "rasterizer/draw/triangle_pixels.h"
 
 namespace crevice {
 
@@ -16,30 +15,26 @@ CREVICE_INLINE void store3(float* const (&row)[3], int at, Vec3<F> value) {
     store(row[2] + at, value.z);
 }
 template <class F>
-CREVICE_INLINE void store_background(const SurfaceRow& row, int at) {
-    if (row.view_depth != nullptr) store(row.view_depth + at, F(std::numeric_limits<float>::infinity()));
-    if (row.normal[0] != nullptr) store3<F>(row.normal, at, {F(0), F(0), F(0)});
-    if (row.material != nullptr) store(row.material + at, Int<F>(kNoTriangle));
-}
-
-template <class F, bool kAlike>
-CREVICE_INLINE void store_surface(const ScreenGeometry& geometry, const TriangleLanes<F, kAlike>& triangles,
-                                  int x, int y, const SurfaceRow& row, int at) {
-    const Mask<F> shown = triangles.shown;
-    if (row.view_depth != nullptr) {
-        store(row.view_depth + at,
-              select(shown, triangles.view_depth(geometry), F(std::numeric_limits<float>::infinity())));
+CREVICE_INLINE void find_group(const ScreenGeometry& geometry, Int<F> numbers, int x, int y,
+                               const SurfaceRow& row, int at) {
+    const F zero(0);
+    // The background until the triangles say more. One by one, because GCC clears a struct of them in halves.
+    F view_depth(std::numeric_limits<float>::infinity()), n_x = zero, n_y = zero, n_z = zero;
+    Int<F> material(kNoTriangle);
+    for (TriangleWalk<F> walk(numbers); walk.next();) {
+        const TrianglePixels<F> pixels(geometry.triangle(walk.number), walk.shown, x, y);
+        view_depth = select(walk.shown, pixels.view_depth(geometry), view_depth);
+        material = select(walk.shown, Int<F>(pixels.triangle.material), material);
+        if (row.normal[0] == nullptr) continue;
+        const Vec3<F> n = pixels.interpolated_normal(geometry, x, y).n;
+        n_x = select(walk.shown, n.x, n_x);
+        n_y = select(walk.shown, n.y, n_y);
+        n_z = select(walk.shown, n.z, n_z);
     }
-    if (row.material != nullptr) {
-        const Int<F> material = triangles.each([](const ScreenTriangle& t) { return t.material; });
-        store(row.material + at, select(shown, material, Int<F>(kNoTriangle)));
-    }
-    if (row.normal[0] != nullptr) {
-        const Vec3<F> zero{F(0), F(0), F(0)};
-        const Vec3<F> n =
-            triangles.interpolated_normal(geometry.vertices.n_view, view_ray_at<F>(geometry, x, y)).n;
-        store3<F>(row.normal, at, select<F>(shown, normalize_or<F>(n, zero), zero));
-    }
+    if (row.view_depth != nullptr) store(row.view_depth + at, view_depth);
+    if (row.material != nullptr) store(row.material + at, material);
+    if (row.normal[0] != nullptr)
+        store3(row.normal, at, normalize_or<F>({n_x, n_y, n_z}, {zero, zero, zero}));
 }
 
 }  // namespace
@@ -47,15 +42,8 @@ CREVICE_INLINE void store_surface(const ScreenGeometry& geometry, const Triangle
 void find_surfaces(const ScreenGeometry& geometry, const std::int32_t* triangle, int x0, int x1, int y,
                    const SurfaceRow& row, const Run& run) {
     run_kernel(run, [&]<class F>(Lanes<F>) {
-        for (int x = x0; x < x1; x += kLanes<F>) {
-            const int at = x - x0;
-            const Int<F> numbers = load<F>(triangle + at);
-            const bool any_shown = with_triangles<F>(
-                geometry, numbers, x, y, [&](const auto& triangles) __attribute__((always_inline)) {
-                    store_surface<F>(geometry, triangles, x, y, row, at);
-                });
-            if (!any_shown) store_background<F>(row, at);
-        }
+        for (int x = x0; x < x1; x += kLanes<F>)
+            find_group<F>(geometry, load<F>(triangle + (x - x0)), x, y, row, x - x0);
     });
 }
 

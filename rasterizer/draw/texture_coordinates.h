@@ -6,7 +6,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
-#include "rasterizer/draw/triangle_lanes.h"
+#include "rasterizer/draw/triangle_pixels.h"
 #include "rasterizer/textures/sample_texture.h"
 
 namespace crevice {
@@ -29,29 +29,41 @@ struct InstanceAttributes {
 // One an instance of the scene, which must outlive them.
 std::vector<InstanceAttributes> instance_attributes(const Scene& scene, const ScreenGeometry& geometry);
 
-// The coordinates of a group of pixels, and the steps from one pixel centre to the next inside the triangle's
-// plane, exactly. Where a mesh has no texcoords they are 0. `wanted` is left to the caller.
-template <class F, bool kAlike>
-CREVICE_INLINE void find_coordinates(const TriangleLanes<F, kAlike>& triangles,
-                                     const std::vector<InstanceAttributes>& attributes,
-                                     SampledPixels& pixels) {
-    const auto component = [&](std::size_t corner, glm::length_t i) __attribute__((always_inline)) {
-        return triangles.each([&](const ScreenTriangle& t) {
-            const InstanceAttributes& instance = attributes[t.instance];
-            return instance.has_texcoords() ? instance.texcoord(t, corner)[i] : 0.0f;
-        });
+// Texture coordinates of a group of pixels, and the steps from one pixel centre to the next inside the triangle's
+// plane, exactly.
+template <class F>
+struct TexturePixels {
+    F u, v, du_dx, dv_dx, du_dy, dv_dy;
+};
+// The instance must have texcoords.
+template <class F>
+CREVICE_INLINE TexturePixels<F> texture_pixels(const TrianglePixels<F>& pixels,
+                                               const InstanceAttributes& instance) {
+    const glm::vec2 &uv0 = instance.texcoord(pixels.triangle, 0),
+                    &uv1 = instance.texcoord(pixels.triangle, 1),
+                    &uv2 = instance.texcoord(pixels.triangle, 2);
+    const Barycentric<F> right = pixels.away(1, 0), below = pixels.away(0, 1);
+    const F u = pixels.here.interpolate(uv0.x, uv1.x, uv2.x),
+            v = pixels.here.interpolate(uv0.y, uv1.y, uv2.y);
+    return {u,
+            v,
+            right.interpolate(uv0.x, uv1.x, uv2.x) - u,
+            right.interpolate(uv0.y, uv1.y, uv2.y) - v,
+            below.interpolate(uv0.x, uv1.x, uv2.x) - u,
+            below.interpolate(uv0.y, uv1.y, uv2.y) - v};
+}
+// Into memory, to be sampled, at the pixels that show this triangle.
+template <class F>
+CREVICE_INLINE void put_where(Mask<F> shown, const TexturePixels<F>& at, SampledPixels& pixels) {
+    const auto put = [&](float* to, F value) __attribute__((always_inline)) {
+        store(to, select(shown, value, load<F>(to)));
     };
-    const Barycentric<F> here = triangles.here(), right = triangles.away(1, 0), below = triangles.away(0, 1);
-    const auto put = [&](glm::length_t i, float* at, float* step_x, float* step_y)
-        __attribute__((always_inline)) {
-        const F first = component(0, i), second = component(1, i), third = component(2, i);
-        const F value = here.interpolate(first, second, third);
-        store(at, value);
-        store(step_x, right.interpolate(first, second, third) - value);
-        store(step_y, below.interpolate(first, second, third) - value);
-    };
-    put(0, pixels.u, pixels.du_dx, pixels.du_dy);
-    put(1, pixels.v, pixels.dv_dx, pixels.dv_dy);
+    put(pixels.u, at.u);
+    put(pixels.v, at.v);
+    put(pixels.du_dx, at.du_dx);
+    put(pixels.dv_dx, at.dv_dx);
+    put(pixels.du_dy, at.du_dy);
+    put(pixels.dv_dy, at.dv_dy);
 }
 
 }  // namespace crevice

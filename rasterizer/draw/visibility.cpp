@@ -178,11 +178,13 @@ TileRecord draw_tile(const Drawing& drawing, int tile, PixelRect part, const Run
     return record;
 }
 
-std::vector<TileRecord> draw_tiles(const Drawing& drawing, const PixelRect* parts, const Run& run) {
+std::vector<TileRecord> draw_tiles(const Drawing& drawing, const PixelRect* parts, const Run& run,
+                                   const std::function<void(int tile)>& when_drawn = {}) {
     std::vector<TileRecord> records(static_cast<std::size_t>(drawing.geometry.tile_count()));
     parallel_for(drawing.geometry.tile_count(), run, [&](int tile) {
         const PixelRect part = parts == nullptr ? drawing.geometry.tile_rect(tile) : parts[tile];
         if (!part.empty()) records[static_cast<std::size_t>(tile)] = draw_tile(drawing, tile, part, run);
+        if (when_drawn) when_drawn(tile);
     });
     return records;
 }
@@ -194,12 +196,14 @@ DepthFunction nearest_wins(bool reversed_z) {
 }
 
 Visibility visibility(const ScreenGeometry& geometry, DepthFormat format, bool reversed_z, const Holes& holes,
-                      const Run& run) {
+                      const Run& run, const WhenDrawn& when_drawn) {
     Visibility seen{{format, Image<std::int32_t>(geometry.size)}, Image<std::int32_t>(geometry.size), {}};
     Image<std::int32_t>& codes = seen.depth.codes;
     seen.tiles = draw_tiles({geometry, nearest_wins(reversed_z), format, codes, &codes,
                              depth_code(format, reversed_z ? 0.0f : 1.0f, 0.0), &seen.triangle, holes},
-                            nullptr, run);
+                            nullptr, run, [&](int tile) {
+                                if (when_drawn) when_drawn(seen, tile);
+                            });
     return seen;
 }
 

@@ -48,13 +48,17 @@ struct FragmentGroup {
 // all passes of a view: then EQUAL finds what the first pass left. Empty: triangles are whole.
 using Holes = std::function<void(const FragmentGroup&)>;
 
+// Called with each tile of the geometry when it has been drawn, by the thread that drew it: what else is computed
+// of the tile then finds its triangles in the cache.
+using WhenDrawn = std::function<void(const Visibility&, int tile)>;
+
 // The comparison that keeps the nearest surface: LESS, or GREATER with reversed z.
 DepthFunction nearest_wins(bool reversed_z);
 
 // The first drawing of a view: the nearest triangle at every pixel, of equal depths the first. `format` is that
 // which the geometry's depth bias was computed for.
 Visibility visibility(const ScreenGeometry& geometry, DepthFormat format, bool reversed_z,
-                      const Holes& holes = {}, const Run& run = {});
+                      const Holes& holes = {}, const Run& run = {}, const WhenDrawn& when_drawn = {});
 
 // The same with any comparison, over depths that are there already.
 Visibility drawn_over(DepthBuffer depth, const ScreenGeometry& geometry, DepthFunction test,

@@ -1,0 +1,165 @@
+// A group of pixels that show one triangle: where in it they lie, and what follows from its three corners there.
+#pragma once
+
+#include <array>
+
+#include "rasterizer/draw/lane_edge.h"
+#include "rasterizer/draw/view_ray.h"
+#include "rasterizer/draw/visibility.h"
+
+namespace crevice {
+
+// Perspective-correct barycentric coordinates for ScreenTriangle::vertex[1] and [2].
+template <class F>
+struct Barycentric {
+    F lambda1, lambda2;
+
+    // An attribute of the three vertices here. A constant attribute comes out bit-constant.
+    CREVICE_INLINE F interpolate(float a0, float a1, float a2) const {
+        return F(a0) + lambda1 * F(a1 - a0) + lambda2 * F(a2 - a0);
+    }
+    CREVICE_INLINE Vec3<F> interpolate(const glm::vec3& a0, const glm::vec3& a1, const glm::vec3& a2) const {
+        return {interpolate(a0.x, a1.x, a2.x), interpolate(a0.y, a1.y, a2.y), interpolate(a0.z, a1.z, a2.z)};
+    }
+};
+
+// Three values of a group of pixels, one for each edge or corner. Not an array: GCC keeps those in memory.
+template <class F>
+struct Three {
+    F of_0, of_1, of_2;
+};
+
+template <class F>
+struct TrianglePixels {
+    const ScreenTriangle& triangle;
+    const ClippedCorners* const clipped;  // null: the triangle is whole
+    const Mask<F> shown;                  // which pixels show it; values elsewhere mean nothing
+    const Three<F> e;                     // the edge functions at the pixels' centres
+    const Three<F> b;                     // e / w, whose shares are the coordinates
+    const F inverse_sum;                  // 1 / (b0 + b1 + b2)
+    const Barycentric<F> here;
+
+    // The pixels (x, y) ... (x + lanes - 1, y).
+    CREVICE_INLINE TrianglePixels(NumberedTriangle of, Mask<F> shown_by_it, int x, int y)
+        : triangle(*of.triangle),
+          clipped(of.clipped),
+          shown(shown_by_it),
+          e(of.triangle->small ? edges<Int<F>>(*of.triangle, x, y) : edges<Double<F>>(*of.triangle, x, y)),
+          b{e.of_0 * F(triangle.inverse_w[0]), e.of_1 * F(triangle.inverse_w[1]),
+            e.of_2 * F(triangle.inverse_w[2])},
+          inverse_sum(inverse(b)),
+          here(shares(b, inverse_sum)) {}
+
+    // Scene units.
+    CREVICE_INLINE F view_depth(const ScreenGeometry& geometry) const {
+        if (geometry.rays.perspective) return F(triangle.doubled_area) * inverse_sum;
+        return (z_ndc_at<F>(triangle, e.of_1, e.of_2) - F(geometry.depth_a)) / F(geometry.depth_b);
+    }
+
+    // The coordinates `columns` and `rows` of pixels away, inside the triangle or not.
+    CREVICE_INLINE Barycentric<F> away(int columns, int rows) const {
+        const auto moved = [&](F at, int i) __attribute__((always_inline)) {
+            const Edge edge = triangle_edge(triangle, i);
+            return at + F(static_cast<float>(edge.per_column * columns + edge.per_row * rows) *
+                          triangle.inverse_w[static_cast<std::size_t>(i)]);
+        };
+        const Three<F> there{moved(b.of_0, 0), moved(b.of_1, 1), moved(b.of_2, 2)};
+        return shares(there, inverse(there));
+    }
+
+    // The interpolated vertex normal, view space, not normalised. On a back face it is turned to the eye where
+    // it points away; where it does not (the rim of a smooth closed mesh), it is the better normal as it stands.
+    struct Normal {
+        Vec3<F> n;
+        Mask<F> turned;
+    };
+    CREVICE_INLINE Normal interpolated_normal(const ScreenGeometry& geometry, int x, int y) const {
+        const std::vector<glm::vec3>& n_view = geometry.vertices.n_view;
+        const Vec3<F> n = here.interpolate(n_view[triangle.vertex[0]], n_view[triangle.vertex[1]],
+                                           n_view[triangle.vertex[2]]);
+        const F zero(0);
+        if (!triangle.back_facing) return {n, zero > zero};
+        const Mask<F> away_from_eye = dot(n, view_ray_at<F>(geometry, x, y)) > zero;
+        return {select<F>(away_from_eye, {zero - n.x, zero - n.y, zero - n.z}, n), away_from_eye};
+    }
+
+ private:
+    // The three edges at the group's first pixel, side by side: edge i runs from corner i + 1 to corner i + 2.
+    struct Edges {
+        WideDouble<4> first, per_column;
+    };
+    CREVICE_INLINE static Edges edges_of(const ScreenTriangle& t, int x, int y) {
+        const auto from = [](const std::array<std::int32_t, 3>& c) __attribute__((always_inline)) {
+            return WideInt<4>(WideInt<4>::V{c[1], c[2], c[0], 0});
+        };
+        const auto to = [](const std::array<std::int32_t, 3>& c) __attribute__((always_inline)) {
+            return WideInt<4>(WideInt<4>::V{c[2], c[0], c[1], 0});
+        };
+        constexpr std::int32_t half = kSubpixelSteps / 2;
+        const WideInt<4> from_x = from(t.x), from_y = from(t.y);
+        const WideDouble<4> dx = to_double(to(t.x) - from_x), dy = to_double(to(t.y) - from_y);
+        // Whole numbers below 2^51: exact.
+        return {dx * to_double(WideInt<4>(y * kSubpixelSteps + half) - from_y) -
+                    dy * to_double(WideInt<4>(x * kSubpixelSteps + half) - from_x),
+                dy * WideDouble<4>(-kSubpixelSteps)};
+    }
+    // E is Int<F> for small triangles, whose values fit, or Double<F>.
+    template <class E>
+    CREVICE_INLINE static Three<F> edges(const ScreenTriangle& t, int x, int y) {
+        const Edges edge = edges_of(t, x, y);
+        if constexpr (std::is_same_v<E, Int<F>>) {
+            const WideInt<4> first = to_int(edge.first), per_column = to_int(edge.per_column);
+            const auto at = [&](int i) __attribute__((always_inline)) {
+                return F(to_float(E(first[i]) + lane_index<F>() * E(per_column[i])));
+            };
+            return {at(0), at(1), at(2)};
+        } else {
+            const auto at = [&](int i) __attribute__((always_inline)) {
+                return F(to_float(E(edge.first[i]) + to_double(lane_index<F>()) * E(edge.per_column[i])));
+            };
+            return {at(0), at(1), at(2)};
+        }
+    }
+    // Pixels outside the triangle may meet a sum of zero.
+    CREVICE_INLINE F inverse(const Three<F>& of) const {
+        return F(1) / select(shown, of.of_0 + of.of_1 + of.of_2, F(1));
+    }
+    // Of a piece that clipping left, in terms of the whole triangle.
+    CREVICE_INLINE Barycentric<F> shares(const Three<F>& of, F inverse_of_sum) const {
+        const Barycentric<F> in_piece{of.of_1 * inverse_of_sum, of.of_2 * inverse_of_sum};
+        if (clipped == nullptr) return in_piece;
+        const auto &l1 = clipped->lambda1, &l2 = clipped->lambda2;
+        return {in_piece.interpolate(l1[0], l1[1], l1[2]), in_piece.interpolate(l2[0], l2[1], l2[2])};
+    }
+};
+
+// The triangles of a group of pixels, one after the other:
+//   for (TriangleWalk<F> walk(numbers); walk.next();) ... TrianglePixels<F>(geometry.triangle(walk.number), walk.shown, x, y)
+template <class F>
+struct TriangleWalk {
+    std::int32_t number = kNoTriangle;
+    Mask<F> shown;  // which pixels show it
+
+    // `numbers` says which triangle each pixel shows, or kNoTriangle.
+    CREVICE_INLINE explicit TriangleWalk(Int<F> numbers)
+        : shown(numbers < numbers), numbers_(numbers), left_(numbers != Int<F>(kNoTriangle)) {
+        store(number_of_, numbers);
+    }
+    CREVICE_INLINE bool next() {
+        if (!any(left_)) return false;
+        do {
+            number = number_of_[lane_++];
+            shown = left_ & (numbers_ == Int<F>(number));
+        } while (!any(shown));
+        left_ = left_ & !shown;
+        return true;
+    }
+
+ private:
+    Int<F> numbers_;
+    Mask<F> left_;
+    std::int32_t number_of_[kLanes<F>];
+    int lane_ = 0;
+};
+
+}  // namespace crevice
