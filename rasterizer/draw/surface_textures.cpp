@@ -9,16 +9,6 @@ namespace crevice {
 
 namespace {
 
-// What the colour of a normal map means: RGB = n / 2 + 1/2 with red along +u and green along +v, which is
-// down the picture (Direct3D's way); alpha multiplies the shininess (Luna). (0, 0, 1) where the filter
-// has averaged all direction away.
-template <class F>
-CREVICE_INLINE Vec3<F> n_tangent_of(const SampledColours& map) {
-    const Vec3<F> one{F(1), F(1), F(1)};
-    return normalize_or<F>(F(2) * Vec3<F>{load<F>(map.r), load<F>(map.g), load<F>(map.b)} - one,
-                           {F(0), F(0), F(1)});
-}
-
 // The normal that pixels show: interpolated from the vertices, bent by the normal map; view space, unit. On a back
 // face whose normal was turned to the eye the bitangent stays where it was: the picture painted on a surface does
 // not turn with its normal.
@@ -106,7 +96,7 @@ struct GroupLookup {
     }
 
     CREVICE_INLINE void bend_normals(Mask<F> lanes, const SampledColours& map) const {
-        const Vec3<F> n_tangent = n_tangent_of<F>(map);
+        const Vec3<F> n_tangent = mapped_normal<F>({load<F>(map.r), load<F>(map.g), load<F>(map.b)});
         for (TriangleWalk<F> walk(select(lanes, numbers, Int<F>(kNoTriangle))); walk.next();) {
             const TrianglePixels<F> in(geometry.triangle(walk.number), walk.shown, x, y);
             const InstanceAttributes& instance = attributes[in.triangle.instance];

@@ -36,6 +36,15 @@ std::vector<glm::vec4> vertex_tangents(std::span<const glm::vec3> positions,
                                        std::span<const glm::vec2> texcoords,
                                        std::span<const std::array<std::uint32_t, 3>> triangles);
 
+// What the colour of a normal map means: RGB = n / 2 + 1/2 with red along +u and green along +v, which is
+// down the picture (Direct3D's way). Unit: along the tangent, along the bitangent, along the vertex normal;
+// (0, 0, 1) where the filter has averaged all direction away.
+template <class F>
+CREVICE_INLINE Vec3<F> mapped_normal(Vec3<F> colour) {
+    const Vec3<F> one{F(1), F(1), F(1)};
+    return normalize_or<F>(F(2) * colour - one, {F(0), F(0), F(1)});
+}
+
 // The normal that a map's `n_tangent` stands for: unit, in the space of `n` and `tangent`. `n` is unit;
 // `tangent` is interpolated, of any length and not quite at right angles; of `handedness` only the sign
 // counts. `n` itself where the tangent vanishes.

@@ -1,17 +1,18 @@
-// Triangles given on the screen or in clip space, drawn with a shader that only counts, for tests of exact
-// coverage.
+// Triangles given on the screen or in clip space, and how often each pixel is drawn, for tests of exact coverage.
 #pragma once
 
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
-#include "rasterizer/draw/raster_tile.h"
+#include "rasterizer/draw/visibility.h"
 
 namespace crevice {
 
@@ -73,29 +74,13 @@ struct CountedDrawing {
 // One thread, so that a failing test is easy to step through.
 inline const Run kPlainRun = {.threads = 1};
 
-// Adds 1 wherever a fragment passes.
-struct CountingShader {
-    Image<std::int32_t>& count;
-
-    PixelRect wanted_part(int, PixelRect tile) const { return tile; }
-    void empty_tile(PixelRect) const {}
-    void begin_tile(PixelRect) const {}
-    template <class F>
-    CREVICE_INLINE void fragment(const ScreenTriangle&, const Fragment<F>& f) const {
-        std::int32_t* row = count.row(f.y);
-        store_where_passed(row, f, load<F>(row + f.x) + Int<F>(1));
-    }
-    template <class F>
-    CREVICE_INLINE void finish_tile(PixelRect) const {}
-};
-
-// How often each pixel of `geometry` passes `test` against `depth`, which is written unless const.
-template <class Depth>
-Image<std::int32_t> count_passing(const ScreenGeometry& geometry, DepthFunction test, Depth& depth,
-                                  const Run& run = kPlainRun) {
-    Image<std::int32_t> count(geometry.size, 0);
-    rasterize(geometry, test, depth, CountingShader{count}, run);
-    return count;
+// Adds 1 wherever a fragment passes, and cuts nothing out.
+inline Holes counting(Image<std::int32_t>& count) {
+    return [&count](const FragmentGroup& group) {
+        for (int i = 0; i < group.lanes; ++i) {
+            if (group.passes[i] != 0) ++count.at(group.x + i, group.y);
+        }
+    };
 }
 
 inline ScreenGeometry geometry_of(const ClipSpaceScene& scene,
@@ -104,12 +89,27 @@ inline ScreenGeometry geometry_of(const ClipSpaceScene& scene,
     return screen_geometry_from_clip(scene.p_clip, scene.triangles, scene.size, setup, run);
 }
 
+// How often each pixel passes `test` over `before`, and the depths that are left. They must be those that a
+// drawing leaves which asks nobody about holes.
+inline CountedDrawing counted(const ScreenGeometry& geometry, DepthFunction test, const DepthBuffer& before,
+                              const Run& run = kPlainRun) {
+    Image<std::int32_t> count(geometry.size, 0);
+    DepthBuffer depth = drawn_over(before, geometry, test, counting(count), run).depth;
+    const DepthBuffer unasked = drawn_over(before, geometry, test, {}, run).depth;
+    for (int y = 0; y < geometry.size.height; ++y) {
+        for (int x = 0; x < geometry.size.width; ++x) {
+            if (depth.codes.at(x, y) != unasked.codes.at(x, y))
+                throw std::logic_error("asking about holes changed a depth at (" + std::to_string(x) + "," +
+                                       std::to_string(y) + ")");
+        }
+    }
+    return {std::move(count), std::move(depth)};
+}
+
 inline CountedDrawing draw(const ClipSpaceScene& scene, DepthFunction test = DepthFunction::always,
                            const SetupSettings& setup = {.cull_back_faces = false},
                            const Run& run = kPlainRun) {
-    CountedDrawing drawing{Image<std::int32_t>(), cleared_depth(scene.size, setup.format, false)};
-    drawing.count = count_passing(geometry_of(scene, setup, run), test, drawing.depth, run);
-    return drawing;
+    return counted(geometry_of(scene, setup, run), test, cleared_depth(scene.size, setup.format, false), run);
 }
 
 inline std::int64_t total(const Image<std::int32_t>& image) {

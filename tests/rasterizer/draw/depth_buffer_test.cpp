@@ -128,11 +128,12 @@ TEST_CASE("the eight depth functions") {
                   row.passes[i]);
             // And drawn: a plane at the depth of the stored code, one nearer, one further.
             const ClipSpaceScene plane = ramp(0.5f, 0.5f);
-            DepthBuffer depth = draw(plane, DepthFunction::always, biased(DepthFormat::d16, {})).depth;
+            const DepthBuffer depth = draw(plane, DepthFunction::always, biased(DepthFormat::d16, {})).depth;
             const std::int32_t before = depth.codes.at(0, 0);
             const ScreenGeometry moved = geometry_of(plane, biased(DepthFormat::d16, {.constant = i - 1}));
-            CHECK(differences(count_passing(moved, row.function, depth), row.passes[i]) == "");
-            CHECK(differences(depth.codes, row.passes[i] ? before + i - 1 : before) == "");
+            const CountedDrawing over = counted(moved, row.function, depth);
+            CHECK(differences(over.count, row.passes[i]) == "");
+            CHECK(differences(over.depth.codes, row.passes[i] ? before + i - 1 : before) == "");
         }
     }
 }
@@ -158,10 +159,9 @@ TEST_CASE("a constant bias of 1 is one code everywhere, and -1 makes LESS pass e
                 for (std::int32_t& code : expected.pixels) code = clamp_int(code, 0, last_code(format));
                 CHECK(differences(codes_of(scene, format, {.constant = constant}), expected) == "");
             }
-            DepthBuffer depth = plain.depth;
             const ScreenGeometry nearer = geometry_of(scene, biased(format, {.constant = -1}));
             if (ends.x > 0.001f)
-                CHECK(differences(count_passing(nearer, DepthFunction::less, depth), 1) == "");
+                CHECK(differences(counted(nearer, DepthFunction::less, plain.depth).count, 1) == "");
         }
     }
 }
@@ -209,9 +209,9 @@ TEST_CASE("the bias is clamped, and depth stays within [0, 1]") {
                           last_code(format)) == "");
         CHECK(differences(codes_of(scene, format, {.constant = -std::numeric_limits<int>::max()}), 0) == "");
         // Pushed beyond the far end, nothing is further than what is stored there.
-        DepthBuffer full = draw(ramp(1, 1), DepthFunction::always, biased(format, {})).depth;
+        const DepthBuffer full = draw(ramp(1, 1), DepthFunction::always, biased(format, {})).depth;
         const ScreenGeometry beyond = geometry_of(ramp(1, 1), biased(format, {.constant = 1000}));
-        CHECK(total(count_passing(beyond, DepthFunction::greater, full)) == 0);
+        CHECK(total(counted(beyond, DepthFunction::greater, full).count) == 0);
     }
 }
 

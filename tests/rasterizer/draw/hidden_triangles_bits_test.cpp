@@ -28,9 +28,10 @@ struct Drawn {
 Drawn drawn_over(const DepthBuffer& before, const ScreenGeometry& geometry, DepthFunction test, Run run,
                  bool leaves_out) {
     if (!leaves_out) run.kept = KeptWork::only(Skip::hidden_triangles);
-    Drawn drawn{Image<std::int32_t>(geometry.size, 0), before, 0};
-    for (const TileRecord& record : rasterize(geometry, test, drawn.depth, CountingShader{drawn.count}, run))
-        drawn.hidden += record.hidden;
+    Drawn drawn{Image<std::int32_t>(geometry.size, 0), {}, 0};
+    Visibility seen = drawn_over(before, geometry, test, counting(drawn.count), run);
+    drawn.depth = std::move(seen.depth);
+    for (const TileRecord& record : seen.tiles) drawn.hidden += record.hidden;
     return drawn;
 }
 

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "rasterizer/draw/triangle_pixels.h"
 #include "tests/tools/clip_space_scene.h"
 
 using namespace crevice;
@@ -11,38 +12,27 @@ namespace {
 
 constexpr double kUnit = 0x1p-24;  // half the last bit of a float near 1
 
-// Stores an attribute of the vertices and the view depth.
-struct AttributeShader {
-    const std::vector<float>& attribute;  // one a vertex
-    Image<float>&value, &view_depth;
-
-    PixelRect wanted_part(int, PixelRect tile) const { return tile; }
-    void empty_tile(PixelRect tile) const { begin_tile(tile); }
-    void begin_tile(PixelRect tile) const {
-        fill_tile(value, tile, -1e30f);
-        fill_tile(view_depth, tile, -1e30f);
-    }
-    template <class F>
-    CREVICE_INLINE void fragment(const ScreenTriangle& t, const Fragment<F>& f) const {
-        const F a =
-            f.here.interpolate(attribute[t.vertex[0]], attribute[t.vertex[1]], attribute[t.vertex[2]]);
-        store_where_passed(value.row(f.y), f, a);
-        store_where_passed(view_depth.row(f.y), f, f.view_depth);
-    }
-    template <class F>
-    CREVICE_INLINE void finish_tile(PixelRect) const {}
-};
-
 struct Interpolated {
     Image<float> value, view_depth;
     CountedDrawing drawing;
 };
 
+// An attribute of the vertices and the view depth at every pixel that shows a triangle.
 Interpolated interpolate(const ClipSpaceScene& scene, const std::vector<float>& attribute) {
-    Interpolated result{Image<float>(scene.size), Image<float>(scene.size), draw(scene)};
-    DepthBuffer depth = cleared_depth(scene.size, DepthFormat::d32f, false);
-    const AttributeShader shader{attribute, result.value, result.view_depth};
-    rasterize(geometry_of(scene), DepthFunction::always, depth, shader, kPlainRun);
+    Interpolated result{Image<float>(scene.size, -1e30f), Image<float>(scene.size, -1e30f), draw(scene)};
+    const ScreenGeometry geometry = geometry_of(scene);
+    const Image<std::int32_t> shown = drawn_again(
+        geometry, cleared_depth(scene.size, DepthFormat::d32f, false), DepthFunction::always, {}, kPlainRun);
+    for (int y = 0; y < scene.size.height; ++y) {
+        for (int x = 0; x < scene.size.width; ++x) {
+            if (shown.at(x, y) == kNoTriangle) continue;
+            const TrianglePixels<float> pixel(geometry.triangle(shown.at(x, y)), true, x, y);
+            const auto& vertex = pixel.triangle.vertex;
+            result.value.at(x, y) =
+                pixel.here.interpolate(attribute[vertex[0]], attribute[vertex[1]], attribute[vertex[2]]);
+            result.view_depth.at(x, y) = pixel.view_depth(geometry);
+        }
+    }
     return result;
 }
 

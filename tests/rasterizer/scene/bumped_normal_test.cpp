@@ -56,3 +56,16 @@ TEST_CASE("bumped_normal: lengths and angles are kept, one lane as eight") {
         CHECK(glm::vec3(wide.x[5], wide.y[5], wide.z[5]) == result);
     }
 }
+
+TEST_CASE("mapped_normal: red is along u, green along v, blue out; it is unit") {
+    const auto is = [](glm::vec3 colour, glm::vec3 wanted) {
+        const Vec3<float> n = mapped_normal<float>({colour.x, colour.y, colour.z});
+        return glm::length(glm::vec3(n.x, n.y, n.z) - wanted) < 1e-6f;
+    };
+    CHECK(is({0.5f, 0.5f, 1}, {0, 0, 1}));
+    CHECK(is({1, 0.5f, 0.5f}, {1, 0, 0}));
+    CHECK(is({0.5f, 1, 0.5f}, {0, 1, 0}));
+    CHECK(is({0.8f, 0.5f, 0.9f}, {0.6f, 0, 0.8f}));
+    CHECK(is({0.65f, 0.5f, 0.7f}, {0.6f, 0, 0.8f}));  // shortened by a filter
+    CHECK(is({0.5f, 0.5f, 0.5f}, {0, 0, 1}));         // averaged away
+}

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "rasterizer/textures/sample_texture.h"
+#include "rasterizer/textures/texture_footprint.h"
 
 using namespace crevice;
 

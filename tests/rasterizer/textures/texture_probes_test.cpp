@@ -1,7 +1,7 @@
 // The filter kernel against a filter that is as plain as can be, bit for bit: at every filter, address
 // mode and size, one lane, eight lanes and two textures at once, for every instruction set of this
 // machine.
-#include "rasterizer/textures/texture_probes.h"
+#include "rasterizer/textures/sample_texture.h"
 
 #include <cmath>
 #include <cstdint>
@@ -12,8 +12,6 @@
 #include <doctest/doctest.h>
 #include <glm/vec2.hpp>
 
-#include "rasterizer/base/run.h"
-#include "rasterizer/textures/sample_texture.h"
 #include "tests/tools/plain_texture_filter.h"
 
 using namespace crevice;
@@ -51,34 +49,36 @@ Texture random_texture(Size size, bool with_alpha, std::uint32_t seed) {
     return build_texture(base, with_alpha ? alpha : Image<float>());
 }
 
-struct Pixels {
-    float u[kLaneCount], v[kLaneCount], du_dx[kLaneCount], dv_dx[kLaneCount], du_dy[kLaneCount],
-        dv_dy[kLaneCount];
-    std::int32_t wanted[kLaneCount];
-};
+using Pixels = SampledPixels;
 
-template <class F>
-CREVICE_INLINE TextureCoordinates<F> coordinates(const Pixels& p, int lane) {
-    return {{load<F>(p.u + lane), load<F>(p.v + lane)},
-            {load<F>(p.du_dx + lane), load<F>(p.dv_dx + lane)},
-            {load<F>(p.du_dy + lane), load<F>(p.dv_dy + lane)},
-            load<F>(p.wanted + lane) != Int<F>(0)};
-}
-
+// Of kLaneCount pixels, as many at a time as the run has lanes.
 struct Answers {
     float channel[4][kLaneCount];
 
     glm::vec4 of(int lane) const {
         return {channel[0][lane], channel[1][lane], channel[2][lane], channel[3][lane]};
     }
-    template <class F>
-    CREVICE_INLINE void put(int lane, const TextureColour<F>& c) {
-        store(channel[0] + lane, c.colour.x);
-        store(channel[1] + lane, c.colour.y);
-        store(channel[2] + lane, c.colour.z);
-        store(channel[3] + lane, c.alpha);
+    void put(int first, int count, const SampledColours& colours) {
+        for (int i = 0; i < count; ++i) {
+            channel[0][first + i] = colours.r[i];
+            channel[1][first + i] = colours.g[i];
+            channel[2][first + i] = colours.b[i];
+            channel[3][first + i] = colours.a[i];
+        }
     }
 };
+
+Pixels from_lane(const Pixels& p, int first) {
+    Pixels moved{};
+    for (int i = 0; first + i < kLaneCount; ++i) {
+        const auto from = static_cast<std::size_t>(first + i), to = static_cast<std::size_t>(i);
+        moved.u[to] = p.u[from], moved.v[to] = p.v[from];
+        moved.du_dx[to] = p.du_dx[from], moved.dv_dx[to] = p.dv_dx[from];
+        moved.du_dy[to] = p.du_dy[from], moved.dv_dy[to] = p.dv_dy[from];
+        moved.wanted[to] = p.wanted[from];
+    }
+    return moved;
+}
 
 // Two textures, each alone and both at once.
 struct SampledBoth {
@@ -88,16 +88,18 @@ struct SampledBoth {
 SampledBoth sample(const Texture& a, const Texture& b, const Sampler& sampler, const Pixels& pixels,
                    const Run& run) {
     SampledBoth result{};
-    run_kernel(run, [&]<class F>(Lanes<F>) {
-        for (int lane = 0; lane < kLaneCount; lane += kLanes<F>) {
-            const TextureCoordinates<F> at = coordinates<F>(pixels, lane);
-            result.alone[0].put<F>(lane, sample_texture<F>(a, sampler, at));
-            result.alone[1].put<F>(lane, sample_texture<F>(b, sampler, at));
-            const TextureColours<F> both = sample_textures<F>(a, b, sampler, at);
-            result.together[0].put<F>(lane, both.first);
-            result.together[1].put<F>(lane, both.second);
+    const int lanes = lane_count(run);
+    for (int first = 0; first < kLaneCount; first += lanes) {
+        const Pixels group = from_lane(pixels, first);
+        const Texture* const both[2] = {&a, &b};
+        SampledColours colours[2];
+        for (std::size_t k = 0; k < 2; ++k) {
+            sample_textures(std::span(both + k, 1), sampler, group, colours, run);
+            result.alone[k].put(first, lanes, colours[0]);
         }
-    });
+        sample_textures(both, sampler, group, colours, run);
+        for (std::size_t k = 0; k < 2; ++k) result.together[k].put(first, lanes, colours[k]);
+    }
     return result;
 }
 

@@ -83,7 +83,8 @@ TEST_CASE("lit: textures, maps, shadow and mirrors together: the same bits whate
                         screen_geometry(scene, scene.camera, kSize, geometry_settings(settings), run);
                     const GBuffer g = normal_depth(scene, geometry, false, settings, run);
                     const ShadowMap shadow = scene_shadow(scene, run);
-                    CHECK(content_hash(shade(scene, scene.camera, geometry, g, {}, run, &shadow)) == lit);
+                    CHECK(content_hash(shade(scene, scene.camera, geometry, g, {}, run, &shadow).image) ==
+                          lit);
                     CHECK(content_hash(shade(scene, scene.camera, geometry, g.depth, {}, ShadeSettings{}, run,
                                              &shadow)) == lit);
                 }
@@ -132,7 +133,7 @@ TEST_CASE(
             const GBuffer g = normal_depth(scene, geometry, reversed, settings);
             ShadowMap map;
             const ShadowMap* const shadow = throws_shadow(scene) ? &(map = scene_shadow(scene)) : nullptr;
-            const Image3 lit = shade(scene, camera, geometry, g, {}, {}, shadow);
+            const Image3 lit = shade(scene, camera, geometry, g, {}, {}, shadow).image;
             const Image3 again = shade(scene, camera, geometry, g.depth, {}, ShadeSettings{}, {}, shadow);
             CHECK(content_hash(lit) == content_hash(again));
             const Image3 under_sky = with_sky(lit, g.depth, camera, marker);

@@ -1,6 +1,7 @@
 // The lit pass from the G-buffer against the scene drawn again with EQUAL: the same bits at every pixel, also
 // where depths tie; and that it does leave out the second drawing where nothing ties.
 #include <memory>
+#include <utility>
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
@@ -29,8 +30,9 @@ BothWays lit_both_ways(const Scene& scene, Size size, NormalDepthSettings settin
         screen_geometry(scene, scene.camera, size, geometry_settings(settings), run);
     BothWays both;
     both.g = normal_depth(geometry, scene.camera.reversed_z, settings, run);
-    both.from_gbuffer = shade(scene, scene.camera, geometry, both.g, ao, run);
-    both.tiles = lit_tiles(scene, geometry, both.g, run);
+    LitImage lit = shade(scene, scene.camera, geometry, both.g, ao, run);
+    both.from_gbuffer = std::move(lit.image);
+    both.tiles = std::move(lit.tiles);
     run.kept = KeptWork::all();
     both.drawn_again = shade(scene, scene.camera, geometry, both.g.depth, ao, {}, run);
     return both;
@@ -199,28 +201,34 @@ TEST_CASE("second drawing: depths so coarse that most of a still life ties, bias
     }
 }
 
-TEST_CASE("second drawing: done where the G-buffer does not know what a pixel shows, left out elsewhere") {
+TEST_CASE(
+    "second drawing: left out wherever no depths tie, whatever the surfaces and whatever the G-buffer "
+    "keeps") {
     const Scene one = still_life();
-    Scene several = one;
+    Scene several = one, textured = one;
     RandomSequence random(4);
     give_materials(several, random);
+    give_materials(textured, random);
+    textured.materials[0].texture = checks();  // the floor
     const Size size = {96, 64};
-    const auto counts = [&](const Scene& scene, const NormalDepthSettings& settings) {
+    const auto drawn_again = [&](const Scene& scene, const NormalDepthSettings& settings) {
         const BothWays both = lit_both_ways(scene, size, settings, {.tile_size = 8});
         CHECK(differences(both.from_gbuffer, both.drawn_again) == "");
-        return std::array{both.tiles.count(TileWork::lit_once), both.tiles.count(TileWork::done)};
+        CHECK(both.tiles.count(TileWork::lit_once) > 40);
+        return both.tiles.count(TileWork::done);
     };
-    CHECK(counts(one, {})[0] > 40);
-    CHECK(counts(several, {.with_material = true})[0] > 40);
-    CHECK(counts(several, {})[0] == 0);
-    CHECK(counts(several, {})[1] > 40);
-    for (const BufferFormat format :
-         {BufferFormat::float16_nearest_even, BufferFormat::float16_toward_zero}) {
-        CHECK(counts(several, {.buffer_format = format, .with_material = true})[0] == 0);
-        CHECK(counts(one, {.buffer_format = format})[0] == 0);
+    std::size_t tied = 0;
+    const ScreenGeometry geometry = screen_geometry(one, one.camera, size, {}, {.tile_size = 8});
+    for (const TileRecord& record : normal_depth(geometry, false, {}, {.tile_size = 8}).tiles)
+        tied += record.tied.empty() ? 0 : 1;
+    for (const Scene& scene : {one, several, textured}) {
+        for (const BufferFormat format :
+             {BufferFormat::float32, BufferFormat::float16_nearest_even, BufferFormat::float16_toward_zero}) {
+            for (const bool with_material : {false, true}) {
+                CAPTURE(static_cast<int>(format));
+                CAPTURE(with_material);
+                CHECK(drawn_again(scene, {.buffer_format = format, .with_material = with_material}) == tied);
+            }
+        }
     }
-    several.materials[0].texture = checks();  // the floor
-    const auto [lit_once, again] = counts(several, {.with_material = true});
-    CHECK(lit_once > 0);
-    CHECK(again > 20);
 }
