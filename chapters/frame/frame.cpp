@@ -22,12 +22,12 @@ ShadeSettings lit_settings(const MethodSettings& settings) {
     return lit;
 }
 
-// With EQUAL and the first pass's positions its geometry serves again; else the scene is drawn anew.
+// With EQUAL and the first pass's positions and holes its geometry serves again; else the scene is drawn anew.
 bool shares_geometry(const MethodSettings& settings) {
     ShadeSettings as_first;
     as_first.position_order = settings.buffers.position_order;
     as_first.normal_matrix = settings.buffers.normal_matrix;
-    return lit_settings(settings) == as_first;
+    return settings.buffers.cutouts && lit_settings(settings) == as_first;
 }
 
 LitImage lit_image(const Scene& scene, const ScreenGeometry& geometry, const Frame& frame,

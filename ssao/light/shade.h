@@ -44,7 +44,7 @@ struct LitImage {
     TileMap tiles;
 };
 
-// The same with EQUAL, from the geometry and what the first pass made of it; see second_drawing.h.
+// The same with EQUAL, from the geometry and what the first pass, cut-outs open, made of it; see second_drawing.h.
 LitImage shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geometry,
                const GBuffer& gbuffer, const Image<float>& ao, const Run& run = {},
                const ShadowMap* shadow = nullptr);
