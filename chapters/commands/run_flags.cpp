@@ -49,8 +49,7 @@ Run run_of(const RunWords& words) {
         run = with_lanes(run, static_cast<int>(parse_whole("--lanes", words.lanes, 1, kMostLanes)),
                          !words.isa.empty());
     }
-    named_as("--isa", [&] { validate(Run{.isa = run.isa}); });
-    named_as("--tile", [&] { validate(Run{.tile_size = run.tile_size}); });
+    named_as({{"instruction set", "--isa"}, {"tile size", "--tile"}}, [&] { validate(run); });
     return run;
 }
 

@@ -53,7 +53,13 @@ Camera chosen_camera(const SceneArgument& argument, const CameraFlags& flags) {
         camera.projection = Projection::orthographic;
         camera.ortho_height = parse_number("--ortho", *flags.ortho);
     }
-    validate(camera);
+    named_as({{"eye", "--eye"},
+              {"target", "--target"},
+              {"fov_y_rad", "--fov-y"},
+              {"near_plane", "--near"},
+              {"far_plane", "--far"},
+              {"ortho_height", "--ortho"}},
+             [&] { validate(camera); });
     return camera;
 }
 

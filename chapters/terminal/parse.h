@@ -3,6 +3,7 @@
 // never accepted.
 #pragma once
 
+#include <initializer_list>
 #include <string>
 
 #include <glm/vec3.hpp>
@@ -12,14 +13,25 @@
 
 namespace crevice {
 
-// Calls body(). What it refuses with UsageError "MEMBER: ...", as libraries do, is refused as "FLAG: ...".
+// A member of a library's settings, and the flag that sets it.
+struct MemberFlag {
+    const char* member;
+    const char* flag;
+};
+
+// Calls body(). What it refuses with UsageError "MEMBER: ...", as libraries do, is refused as "FLAG: ..."; of
+// a member that is not listed it is refused as the library said it.
 template <class Body>
-auto named_as(const std::string& flag, const Body& body) {
+auto named_as(std::initializer_list<MemberFlag> flags, const Body& body) {
     try {
         return body();
     } catch (const UsageError& error) {
         const std::string message = error.what();
-        throw UsageError(flag + message.substr(message.find(": ")));
+        const std::size_t colon = message.find(": ");
+        for (const auto& [member, flag] : flags) {
+            if (message.substr(0, colon) == member) throw UsageError(flag + message.substr(colon));
+        }
+        throw;
     }
 }
 
