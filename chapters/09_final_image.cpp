@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "chapters/notebook/chapter.h"
+#include "chapters/terminal/number_text.h"
 #include "scenes/builtin_scenes.h"
 #include "ssao/blur/bilateral_blur.h"
 #include "ssao/light/scene_shadow.h"

@@ -5,6 +5,8 @@
 
 #include <initializer_list>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -39,6 +41,17 @@ double parse_number(const std::string& flag, const std::string& word);
 long long parse_whole(const std::string& flag, const std::string& word, long long lowest, long long highest);
 // "true", "false", "1" or "0".
 bool parse_yes_no(const std::string& flag, const std::string& word);
+// The value that one of a few words stands for.
+template <class T>
+T parse_choice(const std::string& flag, const std::string& word,
+               const std::vector<std::pair<const char*, T>>& choices) {
+    std::string known;
+    for (const auto& [name, value] : choices) {
+        if (word == name) return value;
+        known += std::string(known.empty() ? "" : " or ") + name;
+    }
+    throw UsageError(flag + ": no such choice (" + word + "); give " + known);
+}
 // "x,y,z"
 glm::dvec3 parse_point(const std::string& flag, const std::string& word);
 // "WxH", each in 1..kLargestSide, together small enough to be addressed.
