@@ -3,7 +3,8 @@
 // The one idea: for each pixel, the normal and the depth of the nearest surface are enough to rebuild the
 // visible side of the scene. Both are in view space: x right, y up, z into the picture.
 //
-// Source: X_Jun, "Rendering normals and depths", "Transforming normals"; Luna and SSAO explored, the same pass.
+// Source: X_Jun, "Rendering normals and depths", "Transforming normals"; Luna and SSAO explored on
+//         the same pass.
 // Look for: how little of the range of ndc depth the scene uses; a floor that faces away from you because a
 //           translation has crept into its direction; a slanted box shaded as if it stood straight.
 // Run: crevice chapter 03

@@ -175,9 +175,8 @@ void position_from_depth(Notebook& book) {
         "`full_size`.",
         "*X_Jun:* calls the depth it keeps in alpha screen depth. It is view-space z, not distance: "
         "`unit_ray`.",
-        "*X_Jun, SSAO explored:* border and clear depth are 1e5, which 16 bits cannot hold; only D3D's "
-        "rounding "
-        "helps.",
+        "*X_Jun and SSAO explored:* border and clear depth are 1e5, which 16 bits cannot hold; only D3D's "
+        "rounding helps.",
     });
 }
 

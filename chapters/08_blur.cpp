@@ -3,7 +3,7 @@
 // The one idea: average only over neighbours on the same surface: their normal must be nearly the centre's
 // (n . n >= 0.8), and their depth too (|z - z| <= 0.2). The weights of the others leave the divisor as well.
 //
-// Source: X_Jun, "The blur (bilateral)" and exercise 1; Luna, SsaoBlur.hlsl; SSAO explored.
+// Source: X_Jun, "The blur (bilateral)" and exercise 1; Luna, SsaoBlur.hlsl; SSAO explored, on its blur.
 // Look for: shade that the plain blur carries over silhouettes; the far floor in the last row, black without
 //           the cure.
 // Run: crevice chapter 08
@@ -167,9 +167,9 @@ void blur(Notebook& book) {
         "Add `\"blur_normal=-1\"`: shade turns corners; roof lines and steps fade.",
     });
     book.errata({
-        "*SSAO explored:* vertical first. X_Jun and Luna go horizontally first; the order changes the "
-        "result.",
-        "*X_Jun, Luna, SSAO explored:* a fixed 0.2 makes the blur one-dimensional on far floors (last row).",
+        "*SSAO explored:* blurs vertically first, X_Jun and Luna horizontally; the order changes the result.",
+        "*X_Jun, Luna and SSAO explored:* a fixed 0.2 makes the blur one-dimensional on far floors (last "
+        "row).",
         "*Luna, UpdateSsaoCB:* the weights are read as 12 floats; radius 5 has only 11 of them.",
     });
 }

@@ -4,8 +4,8 @@
 // and how thick things are is not in it, so the same point's AO changes with the camera, and the truth does
 // not.
 //
-// Source: X_Jun, "Flaws of SSAO" (its last picture), "Multisampling", "Using the ambient map"; Luna,
-//         the samplers' border.
+// Source: X_Jun, "Flaws of SSAO" (its last picture), "Multisampling", "Using the ambient map"; Luna on the
+//         samplers' border.
 // Look for: the column's top, lighter as soon as the sphere over it leaves the picture; red rims; a plate's
 //           halo; rows that run down the whole picture.
 // Run: crevice chapter 11

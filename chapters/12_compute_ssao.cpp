@@ -4,7 +4,7 @@
 // into a small memory of its own, with an apron around; only what lies beyond is read from the map. No bit
 // changes.
 //
-// Source: X_Jun, exercise 2; X_Jun, SSAO.hlsl; groupshared memory after Direct3D 11.3, chapter 18.
+// Source: X_Jun, exercise 2 and SSAO.hlsl; groupshared memory as in Direct3D 11.3, chapter 18.
 // Look for: orange, where samples leave their group's apron (one is drawn blue): near the eye, where half a
 //           unit is many pixels; the table's reads, least in the middle.
 // Run: crevice chapter 12

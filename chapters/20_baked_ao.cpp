@@ -3,7 +3,7 @@
 // The one idea: cast them once and keep the answer with the mesh, at its vertices or in a map. What the store
 // is too coarse for is lost, and whatever moves leaves its shade behind.
 //
-// Source: Luna, BuildVertexAmbientOcclusion; the Unity notes, baked AO (lightmaps).
+// Source: Luna, BuildVertexAmbientOcclusion; the Unity notes on baked AO (lightmaps).
 // Look for: the shade on walls, which four vertices cannot hold; the black foot of the sunk box; the lines
 //           along edges without dilation; the shade of a box that has left.
 // Run: crevice chapter 20
@@ -104,9 +104,10 @@ void baked_ao(Notebook& book) {
     book.text(R"(
         # 20 Baked ambient occlusion
 
-        Rays once; a frame looks the answer up. Luna keeps it in vertices: 32 rays from the middle of
-        each triangle, a vertex takes its triangles' mean. Engines (the Unity notes) keep it in a lightmap: a second
-        set of texture coordinates, rays up to a maximum distance, static objects, indirect light only.
+        Rays are cast once, and a frame looks the answer up. Luna keeps it in vertices: 32 rays start from the
+        middle of each triangle, and a vertex takes its triangles' mean. Engines, as the Unity notes tell, keep
+        it in a lightmap: a second set of texture coordinates, rays up to a maximum distance, static objects,
+        indirect light only.
     )");
     Scene scene = cornell_scene();
     scene.instances.push_back(placed(add_mesh(scene, box_mesh({1.2, 1.2, 1.2})), {-4.4f, 0.6f, 1.1f}));
@@ -135,7 +136,7 @@ void baked_ao(Notebook& book) {
     });
     book.errata({
         "*Luna:* a vertex without triangles gets 0 / 0; slivers count like large triangles.",
-        "*The Unity notes:* AO on direct light is, as its text says, not physically right; hence its "
+        "*Unity notes:* AO on direct light is, as their text says, not physically right; hence their "
         "default.",
     });
 }

@@ -120,7 +120,7 @@ DifferenceEntry file_entry(const CompareOptions& options) {
 
 }  // namespace
 
-int compare(const CompareOptions& options, std::ostream& report) {
+int compare_files(const CompareOptions& options, std::ostream& report) {
     std::error_code ignored;
     const bool directories = fs::is_directory(options.a, ignored);
     if (directories != fs::is_directory(options.b, ignored)) {

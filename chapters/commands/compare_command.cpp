@@ -26,7 +26,9 @@ Command add_compare_command(CLI::App& program) {
     command->add_option("--html", words->html,
                         "write a page with both, their difference and the first pixels that differ");
     command->add_option("--out", words->out, "the directory for the error images")->capture_default_str();
-    return {command, [words] { return compare({words->a, words->b, words->html, words->out}, std::cout); }};
+    return {command, [words] {
+                return compare_files({words->a, words->b, words->html, words->out}, std::cout);
+            }};
 }
 
 }  // namespace crevice

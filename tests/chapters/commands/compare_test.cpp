@@ -32,9 +32,9 @@ struct Outcome {
     std::string report;
 };
 
-Outcome compare(const CompareOptions& options) {
+Outcome compare_files(const CompareOptions& options) {
     std::ostringstream report;
-    const int code = compare(options, report);
+    const int code = compare_files(options, report);
     return {code, report.str()};
 }
 
