@@ -32,7 +32,7 @@ struct Outcome {
     std::string report;
 };
 
-Outcome compare_files(const CompareOptions& options) {
+Outcome compare(const CompareOptions& options) {
     std::ostringstream report;
     const int code = compare_files(options, report);
     return {code, report.str()};
