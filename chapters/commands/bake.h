@@ -13,8 +13,8 @@ namespace crevice {
 
 struct BakeOptions {
     std::string scene;  // SCENE of the command line
-    RayAoSettings
-        rays;  // the radius, too: both bakes are of whole meshes, so it is unbounded unless it is given
+    // The radius, too: both bakes are of whole meshes, so the command leaves it unbounded unless it is given.
+    RayAoSettings rays;
     int texels = 512;  // of bake_lightmap: side of the map
     // Of bake_lightmap: the meshes' own texture coordinates, where they do not overlap.
     bool mesh_texcoords = false;
