@@ -8,10 +8,10 @@
 // Look for: the first picture, which is all silhouette; then the feet of the columns before and after.
 // Run: crevice chapter 01
 #include <array>
-#include <cstdio>
 #include <set>
 
 #include "chapters/notebook/chapter.h"
+#include "chapters/terminal/number_text.h"
 #include "rasterizer/draw/normal_depth.h"
 #include "scenes/builtin_scenes.h"
 #include "ssao/blur/bilateral_blur.h"
@@ -24,12 +24,6 @@ namespace crevice {
 namespace {
 
 const Image<float> kNoAo;  // an empty map: everything counts as open
-
-std::string text(double value) {
-    char characters[32];
-    std::snprintf(characters, sizeof characters, "%.4g", value);
-    return characters;
-}
 
 // How many different colours a picture holds.
 std::size_t colours_in(const Image3& picture) {
@@ -127,10 +121,12 @@ void constant_ambient(Notebook& book) {
     const double most = compare_images(change, ambient_change).max_abs;
     book.check("accessibility only takes light away", statistics.max <= 0,
                "change from " + exact_text(statistics.min) + " to " + exact_text(statistics.max));
-    book.check("it takes it from the ambient term only", most < 1e-6, "same change within " + text(most));
+    book.check("it takes it from the ambient term only", most < 1e-6,
+               "same change within " + significant_text(most, 4));
     const auto means = [](const char* name, const Image3& before, const Image3& after) {
         const double mean_before = buffer_statistics(before).mean, mean_after = buffer_statistics(after).mean;
-        return std::vector{std::string(name), text(mean_before), text(mean_after)};
+        return std::vector{std::string(name), significant_text(mean_before, 4),
+                           significant_text(mean_after, 4)};
     };
     book.table({"mean of the picture", "without AO", "with AO"},
                {means("ambient term", ambient, ambient_with_ao), means("all light", without_ao, with_ao)});

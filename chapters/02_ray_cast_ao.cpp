@@ -6,11 +6,11 @@
 // Look for: sockets and teeth that are dark though no light shines; the slope of -1/2; dots on the curves.
 // Run: crevice chapter 02
 #include <cmath>
-#include <cstdio>
 
 #include "chapters/notebook/chapter.h"
 #include "chapters/notebook/plot_picture.h"
 #include "chapters/props/closed_form_plot.h"
+#include "chapters/terminal/number_text.h"
 #include "chapters/terminal/stopwatch.h"
 #include "scenes/builtin_scenes.h"
 #include "scenes/carved_head.h"
@@ -24,12 +24,6 @@ namespace crevice {
 namespace {
 
 constexpr float kUnbounded = kTutorialRays.radius;
-
-std::string text(double value) {
-    char characters[32];
-    std::snprintf(characters, sizeof characters, "%.3g", value);
-    return characters;
-}
 
 Scene head_on_a_floor() {
     Scene scene = empty_scene();
@@ -54,8 +48,9 @@ void ask_the_octree(Notebook& book, const RayScene& rays, const std::vector<Surf
         occluded(octree, cast, kUnbounded).occluded == occluded(rays, cast, kUnbounded).occluded;
     const double count = double(cast.size());
     book.check("the tutorial's octree gives every ray the BVH's answer", same,
-               "each is tested against " + text(boxes / count) + " boxes and " + text(triangles / count) +
-                   " of " + std::to_string(points.size()) + " triangles");
+               "each is tested against " + significant_text(boxes / count, 3) + " boxes and " +
+                   significant_text(triangles / count, 3) + " of " + std::to_string(points.size()) +
+                   " triangles");
 }
 
 // The RMS error of points over their rays.
@@ -88,8 +83,9 @@ void count_the_rays(Notebook& book, const RayScene& rays, const std::vector<Surf
     double slope[2];  // on these axes
     for (int i = 0; i < 2; ++i) slope[i] = std::log2(curves[i].y.back() / curves[i].y.front()) / 8;
     book.check("four times the random rays halve the error", std::fabs(slope[0] + 0.5) < 0.03,
-               "slope " + text(slope[0]));
-    book.check("rays spread evenly do better", slope[1] < slope[0] - 0.1, "slope " + text(slope[1]));
+               "slope " + significant_text(slope[0], 3));
+    book.check("rays spread evenly do better", slope[1] < slope[0] - 0.1,
+               "slope " + significant_text(slope[1], 3));
 }
 
 void ray_cast_occlusion(Notebook& book) {
@@ -128,7 +124,8 @@ void ray_cast_occlusion(Notebook& book) {
         "cosine-weighted rays (blue) and uniform ones (orange).",
         {{"sphere_on_plane", sphere.picture}, {"long_wall", wall.picture}});
     book.check("rays give the closed forms", sphere.worst < 0.01 && wall.worst < 0.01,
-               "off by " + text(sphere.worst) + " and " + text(wall.worst) + " at most");
+               "off by " + significant_text(sphere.worst, 3) + " and " + significant_text(wall.worst, 3) +
+                   " at most");
     book.try_it({
         "Set `settings.rays = 4` before the clock: grain in every shade, of triangles' size.",
         "Set `settings.radius = 0.5f` there: sockets and contacts stay, the shade of the floor goes.",

@@ -3,28 +3,22 @@
 // The one idea: for each pixel, the normal and the depth of the nearest surface are enough to rebuild the
 // visible side of the scene. Both are in view space: x right, y up, z into the picture.
 //
-// Source: X_Jun, "Rendering normals and depths", "Transforming normals"; Luna and SSAO explored, the same pass.
+// Source: X_Jun, "Rendering normals and depths", "Transforming normals"; Luna and SSAO explored on
+//         the same pass.
 // Look for: how little of the range of ndc depth the scene uses; a floor that faces away from you because a
 //           translation has crept into its direction; a slanted box shaded as if it stood straight.
 // Run: crevice chapter 03
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "chapters/notebook/chapter.h"
 #include "chapters/notebook/plot_picture.h"
 #include "chapters/props/wrong_normals.h"
+#include "chapters/terminal/number_text.h"
 #include "scenes/builtin_scenes.h"
 
 namespace crevice {
 namespace {
-
-std::string text(double value) {
-    char characters[32];
-    std::snprintf(characters, sizeof characters, "%.3g", value);
-    return characters;
-}
-std::string percent(double share) { return text(100 * share) + " %"; }
 
 // Ndc depth over view depth.
 Picture ndc_curve(const CameraMatrices& m) {
@@ -70,8 +64,8 @@ ComparedNormals side_by_side(Notebook& book, const std::string& name, const Scen
     book.show_row("X_Jun's AO from the normals above.", {{name + "_ao_right", ao_picture(both.ao_right)},
                                                          {name + "_ao_wrong", ao_picture(both.ao_wrong)}});
     book.table({name, "largest angle off, degrees", "pixels off by over 1 degree", "shade lost", "invented"},
-               {{"wrong", text(both.off.most_deg), percent(both.off.share), percent(both.shade_lost),
-                 percent(both.shade_invented)}});
+               {{"wrong", significant_text(both.off.most_deg, 3), percent_text(both.off.share),
+                 percent_text(both.shade_lost), percent_text(both.shade_invented)}});
     return both;
 }
 
@@ -116,7 +110,7 @@ void float4_claim(Notebook& book, const Scene& scene) {
             const double off_deg = tutorial_error_deg(scene, scene.camera, product, erased);
             most.push_back(off_deg);
             rows.push_back({product == NormalProduct::float4 ? "float4(n, 0) M" : "n (float3x3) M",
-                            erased ? "erased" : "left in", text(off_deg)});
+                            erased ? "erased" : "left in", significant_text(off_deg, 3)});
         }
     }
     book.table({"M = (W^-1)^T V, normal by", "W's translation", "largest angle off, degrees"}, rows);

@@ -10,12 +10,12 @@
 // Run: crevice chapter 04
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/depth_error_plot.h"
 #include "chapters/props/position_ways.h"
 #include "chapters/props/stored_depth.h"
+#include "chapters/terminal/number_text.h"
 #include "scenes/builtin_scenes.h"
 #include "ssao/blur/bilateral_blur.h"
 #include "ssao/methods/luna_ssao.h"
@@ -23,12 +23,6 @@
 
 namespace crevice {
 namespace {
-
-std::string text(double value, int digits = 2) {
-    char characters[32];
-    std::snprintf(characters, sizeof characters, "%.*g", digits, value);
-    return characters;
-}
 
 void compare_positions(Notebook& book, const Scene& scene) {
     const GBuffer gbuffer = normal_depth(scene, scene.camera, book.size());
@@ -41,7 +35,7 @@ void compare_positions(Notebook& book, const Scene& scene) {
     std::vector<double> worst;
     for (const auto& [name, position] : kWays) {
         const PositionError error = position_error(inputs, position);
-        rows.push_back({name, text(error.mean), text(error.most)});
+        rows.push_back({name, significant_text(error.mean, 2), significant_text(error.most, 2)});
         worst.push_back(error.most);
         if (position == &by_near_plane || position == &as_misprinted) continue;
         cubes.push_back({std::string("cubes_") + name, unit_cubes(gbuffer, scene.camera, position)});
@@ -52,7 +46,8 @@ void compare_positions(Notebook& book, const Scene& scene) {
     book.show_row("X_Jun's AO of each: shade leaves its place, or comes where nothing is near.", occlusion);
     book.table({"p by", "off by, units, mean", "at most"}, rows);
     book.check("rays to the far and to the near plane give p to the last bits",
-               std::max(worst[0], worst[1]) < 1e-4, text(worst[0]) + " and " + text(worst[1]));
+               std::max(worst[0], worst[1]) < 1e-4,
+               significant_text(worst[0], 2) + " and " + significant_text(worst[1], 2));
     book.check("each other way is off by units", *std::min_element(worst.begin() + 2, worst.end()) > 0.5);
     const Vec3<float> p = as_misprinted(inputs.rays, 0.3f, 0.8f, 7);
     book.check("`(p.z/v/z) v` is (1, 1, 1) for every pixel",
@@ -67,7 +62,8 @@ void compare_storages(Notebook& book, const Scene& scene) {
     for (const DepthStorage& storage : kDepthStorages) {
         errors.push_back(stored_depth_error(scene, book.size(), storage));
         const StoredDepthError& e = errors.back();
-        rows.push_back({storage.name, text(e.most), text(e.most_of_z), text(e.most_of_z2)});
+        rows.push_back({storage.name, significant_text(e.most, 2), significant_text(e.most_of_z, 2),
+                        significant_text(e.most_of_z2, 2)});
         if (errors.size() <= 3)
             pictures.push_back({"stored_" + std::to_string(errors.size()), difference_picture(e.off, 0.01f)});
     }
@@ -79,8 +75,8 @@ void compare_storages(Notebook& book, const Scene& scene) {
     book.check(
         "16 bits of z: off by less than z / 1024; 16 bits of z / w: by about half a step, z^2 / |B| / 2^17",
         errors[0].most_of_z < 1.0 / 1024 && errors[1].most_of_z2 < 1.05 / (1.001 * 131072),
-        text(1024 * errors[0].most_of_z, 4) + " and " + text(1.001 * 131072 * errors[1].most_of_z2, 4) +
-            " of it");
+        significant_text(1024 * errors[0].most_of_z, 4) + " and " +
+            significant_text(1.001 * 131072 * errors[1].most_of_z2, 4) + " of it");
     book.check(
         "in this scene a 16-bit float of z is the coarser of the two; D24 is fifty times better than both",
         errors[1].most < errors[0].most && 50 * errors[2].most < errors[1].most);
@@ -90,9 +86,10 @@ void bounds(Notebook& book) {
     const DepthErrorTable errors = depth_error_table();
     book.text("The largest relative error of a view depth, stored and rebuilt:");
     book.table(errors.header, errors.rows);
-    book.check("all are inside the bound", errors.most_of_bound <= 1, text(errors.most_of_bound) + " of it");
+    book.check("all are inside the bound", errors.most_of_bound <= 1,
+               significant_text(errors.most_of_bound, 2) + " of it");
     book.check("reversed floats: below 2e-7 everywhere", errors.worst_reversed < 2e-7,
-               text(errors.worst_reversed));
+               significant_text(errors.worst_reversed, 2));
     book.show("depth_error", depth_error_plot(),
               "Relative error over z, planes at 1 and 1000: measured (dots) below the bound (lines). D16 "
               "orange, D24 blue, reversed D32F green.");
@@ -105,7 +102,7 @@ void false_occlusion(Notebook& book) {
                  from_d24 = depth_of_step(scene.camera, DepthFormat::d24, epsilon);
     book.check("between 1 and 1000 a step exceeds epsilon from z = 57 (D16) and 916 (D24) on",
                std::fabs(from_d16 - 57.3) < 0.1 && std::fabs(from_d24 - 916.4) < 1,
-               text(from_d16, 3) + " and " + text(from_d24, 3));
+               significant_text(from_d16, 3) + " and " + significant_text(from_d24, 3));
     std::vector<std::vector<std::string>> rows;
     std::vector<Notebook::Named> pictures;
     std::vector<double> means;
@@ -113,7 +110,8 @@ void false_occlusion(Notebook& book) {
         const WallAo walls = wall_ao(kDepthKinds[kind]);
         pictures.push_back({"walls_" + std::to_string(kind), ao_picture(walls.ao)});
         rows.push_back({kDepthKinds[kind].name});
-        for (const double mean : walls.means) means.push_back(mean), rows.back().push_back(text(mean, 3));
+        for (const double mean : walls.means)
+            means.push_back(mean), rows.back().push_back(significant_text(mean, 3));
     }
     book.show_row("AO of bare walls 25, 45, 65, 85 and 105 away with D16, D24, reversed D32F.", pictures);
     book.table({"mean AO of the wall at z =", "25", "45", "65", "85", "105"}, rows);
@@ -121,8 +119,6 @@ void false_occlusion(Notebook& book) {
                std::min(means[0], means[1]) > 0.99 && std::max(means[3], means[4]) < 0.97);
     book.check("D24 and reversed D32F: open", *std::min_element(means.begin() + 5, means.end()) > 0.999);
 }
-
-std::string number(float value) { return std::isnan(value) ? "NaN" : exact_text(value); }
 
 void half_floats(Notebook& book, const Scene& scene) {
     std::vector<Notebook::Named> pictures;
@@ -137,14 +133,16 @@ void half_floats(Notebook& book, const Scene& scene) {
         const double texels = double(ao.size.width) * ao.size.height / 100;
         nan.push_back(double(buffer_statistics(ao).nan) / texels);
         const std::string name = pictures.empty() ? "toward_zero" : "nearest";
-        rows.push_back({name, exact_text(sky), number(sky - sky), number(10 + 0 * (sky - 10)),
-                        text(nan.back(), 3), text(double(buffer_statistics(blurred).nan) / texels, 3)});
+        rows.push_back({name, exact_text(sky), exact_text(sky - sky), exact_text(10 + 0 * (sky - 10)),
+                        significant_text(nan.back(), 3),
+                        significant_text(double(buffer_statistics(blurred).nan) / texels, 3)});
         pictures.push_back({name, ao_picture(ao)});
     }
     book.table({"rounding", "1e5 is", "minus itself", "10 + 0 (it - 10)", "% NaN", "% NaN, blurred"}, rows);
     book.show_row("The sky at 1e5 in 16 bits: D3D rounds toward zero; to nearest, NaN (magenta).", pictures);
     book.check("toward zero next to nothing is NaN (only where r = p), to nearest the sky and every outline",
-               nan[0] < 0.1 && nan[1] > 5, text(nan[0]) + " and " + text(nan[1], 3) + " %");
+               nan[0] < 0.1 && nan[1] > 5,
+               significant_text(nan[0], 2) + " and " + significant_text(nan[1], 3) + " %");
 }
 
 void position_from_depth(Notebook& book) {
@@ -177,9 +175,8 @@ void position_from_depth(Notebook& book) {
         "`full_size`.",
         "*X_Jun:* calls the depth it keeps in alpha screen depth. It is view-space z, not distance: "
         "`unit_ray`.",
-        "*X_Jun, SSAO explored:* border and clear depth are 1e5, which 16 bits cannot hold; only D3D's "
-        "rounding "
-        "helps.",
+        "*X_Jun and SSAO explored:* border and clear depth are 1e5, which 16 bits cannot hold; only D3D's "
+        "rounding helps.",
     });
 }
 

@@ -14,6 +14,7 @@
 
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/switched_ao.h"
+#include "chapters/terminal/number_text.h"
 #include "ssao/judge/luna_limit.h"
 #include "ssao/judge/metrics.h"
 
@@ -117,7 +118,7 @@ void show_raw_vectors(Notebook& book) {
                    {"ao_raw", ao_picture(pictures[1])},
                    {"raw_minus_unit", difference_picture(difference_of(pictures[1], pictures[0]))}});
     book.check("raw vectors make at least a quarter more noise (RMS from their own mean over 32 seeds)",
-               noise[1] > 1.25 * noise[0], four_digits(noise[0]) + " and " + four_digits(noise[1]));
+               noise[1] > 1.25 * noise[0], decimal_text(noise[0], 4) + " and " + decimal_text(noise[1], 4));
     book.text(
         "Long samples may also pass the near plane, where no pixel shows what is there. The lab rejects "
         "those with raw vectors too; the tutorials go on to divide by `q_z <= 0`.");

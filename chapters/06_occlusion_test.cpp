@@ -8,10 +8,10 @@
 // Run: crevice chapter 06
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/switched_ao.h"
+#include "chapters/terminal/number_text.h"
 #include "scenes/builtin_scenes.h"
 #include "scenes/composing.h"
 #include "scenes/shapes.h"
@@ -21,11 +21,7 @@
 namespace crevice {
 namespace {
 
-std::string text(float value) {
-    char characters[32];
-    std::snprintf(characters, sizeof characters, "%.3f", static_cast<double>(value));
-    return characters;
-}
+std::string text(float value) { return decimal_text(static_cast<double>(value), 3); }
 std::string text(Vec3<float> a) { return text(a.x) + " " + text(a.y) + " " + text(a.z); }
 
 // Occlusion, up to 1, over dz from 0 to 2.5 scene units.
@@ -98,7 +94,7 @@ void remove_dp(Notebook& book, const SwitchedView& view) {
          {"ao_without_dp", ao_picture(view.ao(no_dp).raw)}});
     book.check("with dp every texel of the plane is open", buffer_statistics(with).min > 0.99f);
     const double mean = buffer_statistics(without).mean;
-    book.check("without dp it is not", mean < 0.7, "mean " + four_digits(mean));
+    book.check("without dp it is not", mean < 0.7, "mean " + decimal_text(mean, 4));
 }
 
 // The mean over texels that show a surface.
@@ -131,14 +127,15 @@ void turn_the_numbers(Notebook& book, const SwitchedView& view) {
     };
     const auto epsilon = row("Epsilon 0, .05 and .5: noise on level stone, contact shade, none left.",
                              {{"epsilon=0"}, {"epsilon=0.05"}, {"epsilon=0.5"}});
-    book.check(
-        "a larger epsilon only ever opens", epsilon[0] < epsilon[1] && epsilon[1] < epsilon[2],
-        "means " + four_digits(epsilon[0]) + ", " + four_digits(epsilon[1]) + ", " + four_digits(epsilon[2]));
+    book.check("a larger epsilon only ever opens", epsilon[0] < epsilon[1] && epsilon[1] < epsilon[2],
+               "means " + decimal_text(epsilon[0], 4) + ", " + decimal_text(epsilon[1], 4) + ", " +
+                   decimal_text(epsilon[2], 4));
     const auto fade = row("Fade end 1 (Luna), 2 (X_Jun), and no range check: halos grow.",
                           {{"fade_end=1"}, {"fade_end=2"}, {"fade_end=1e30"}});
     book.check("a wider range only ever closes; without one, columns shade the ground far behind them",
                fade[0] > fade[1] && fade[1] > fade[2],
-               "means " + four_digits(fade[0]) + ", " + four_digits(fade[1]) + ", " + four_digits(fade[2]));
+               "means " + decimal_text(fade[0], 4) + ", " + decimal_text(fade[1], 4) + ", " +
+                   decimal_text(fade[2], 4));
 }
 
 // HLSL's sign(0) is 0. It takes a normal along an axis and vectors that stay where they are.

@@ -14,6 +14,7 @@
 
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/switched_ao.h"
+#include "chapters/terminal/number_text.h"
 #include "scenes/builtin_scenes.h"
 #include "ssao/judge/luna_limit.h"
 #include "ssao/judge/metrics.h"
@@ -56,8 +57,8 @@ void sample_counts(Notebook& book, const AoInputs& inputs) {
         const Image<float> ao = luna_occlusion(inputs, settings, {});
         noise.push_back(compare_images(ao, limit).rmse);
         pictures.push_back({"samples_" + std::to_string(samples), ao_picture(ao)});
-        rows.push_back(
-            {std::to_string(samples), four_digits(noise.back()), four_digits(noise.back() / noise.front())});
+        rows.push_back({std::to_string(samples), decimal_text(noise.back(), 4),
+                        decimal_text(noise.back() / noise.front(), 4)});
     }
     book.show_row("1, 2, 4, 7, 10 and 14 samples, exponent 1: the noise shrinks, the shade stays.", pictures);
     book.table({"samples", "RMS noise before the exponent", "over that of 1"}, rows);
@@ -95,13 +96,13 @@ void bands_and_grain(Notebook& book) {
                    {"bands_blurred", ao_picture(bands.blurred)}});
     const double alike = likeness_of_neighbours(band_error), unlike = likeness_of_neighbours(grain_error);
     book.check("without random vectors neighbours err alike, with them much less", alike > 1.5 * unlike,
-               "correlation " + four_digits(alike) + " and " + four_digits(unlike));
+               "correlation " + decimal_text(alike, 4) + " and " + decimal_text(unlike, 4));
     const Image<float> blurred = bilateral_blur(limit, grain.inputs, grain.settings.blur);
     const double bands_left = compare_images(bands.blurred, blurred).rmse,
                  grain_left = compare_images(grain.blurred, blurred).rmse;
     book.check("the blur removes grain and leaves bands", grain_left < 0.9 * bands_left,
-               "RMS from the blurred mean of 32 seeds " + four_digits(grain_left) + " and " +
-                   four_digits(bands_left));
+               "RMS from the blurred mean of 32 seeds " + decimal_text(grain_left, 4) + " and " +
+                   decimal_text(bands_left, 4));
 }
 
 // Whether the random map repeats after a quarter of the picture.
@@ -124,7 +125,7 @@ void texels_and_pixels(Notebook& book, const SwitchedView& view) {
                   {{"full_size", ao_picture(full)}, {"half_minus_full", difference_picture(change)}});
     const double mean = buffer_statistics(change).mean;
     book.check("on average half size is about as dark as full size", std::fabs(mean) < 0.03,
-               four_digits(mean));
+               decimal_text(mean, 4));
 
     const SwitchedView walls("cornell", book.size());
     const Image<float> exact = walls.ao().raw, off = walls.ao({"texel_centre=off"}).raw;
@@ -135,7 +136,7 @@ void texels_and_pixels(Notebook& book, const SwitchedView& view) {
                    {"off_minus_exact", difference_picture(difference_of(off, exact))}});
     const double darker = buffer_statistics(difference_of(off, exact)).mean;
     book.check("misplaced points lie behind their own walls, which darken", darker < -0.002,
-               four_digits(darker));
+               decimal_text(darker, 4));
 }
 
 void sky_in_a_half(Notebook& book, const SwitchedView& view) {
@@ -181,8 +182,8 @@ void beyond_the_border(Notebook& book) {
     };
     book.check("a border changes the picture, and no policy knows what is really there",
                most(difference_of(edge, far)) > 0.05f && most(difference_of(wrap, far)) > 0.05f,
-               "by up to " + four_digits(static_cast<double>(most(difference_of(edge, far)))) + " and " +
-                   four_digits(static_cast<double>(most(difference_of(wrap, far)))));
+               "by up to " + decimal_text(static_cast<double>(most(difference_of(edge, far))), 4) + " and " +
+                   decimal_text(static_cast<double>(most(difference_of(wrap, far))), 4));
 }
 
 void raw_ao(Notebook& book) {
@@ -214,7 +215,7 @@ void raw_ao(Notebook& book) {
                       view.command({"exponent=6"}),
                   powers);
     book.check("6 instead of 4 takes at least a sixth more light away", means[3] > 7 * means[2] / 6,
-               "mean occlusion " + four_digits(means[2]) + " and " + four_digits(means[3]));
+               "mean occlusion " + decimal_text(means[2], 4) + " and " + decimal_text(means[3], 4));
     book.try_it({
         "Pass `{\"as_published=true\"}` to `view.ao`: raw vectors, mixed edge texels: wider shade, more "
         "noise.",

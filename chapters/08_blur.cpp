@@ -3,7 +3,7 @@
 // The one idea: average only over neighbours on the same surface: their normal must be nearly the centre's
 // (n . n >= 0.8), and their depth too (|z - z| <= 0.2). The weights of the others leave the divisor as well.
 //
-// Source: X_Jun, "The blur (bilateral)" and exercise 1; Luna, SsaoBlur.hlsl; SSAO explored.
+// Source: X_Jun, "The blur (bilateral)" and exercise 1; Luna, SsaoBlur.hlsl; SSAO explored, on its blur.
 // Look for: shade that the plain blur carries over silhouettes; the far floor in the last row, black without
 //           the cure.
 // Run: crevice chapter 08
@@ -12,6 +12,7 @@
 
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/switched_ao.h"
+#include "chapters/terminal/number_text.h"
 #include "ssao/blur/blur_edges.h"
 #include "ssao/judge/luna_limit.h"
 #include "ssao/judge/metrics.h"
@@ -52,9 +53,9 @@ void gaussian_or_bilateral(Notebook& book, const SwitchedView& view, const Switc
         return mean_error(ao, limit, kinds, region).squared.root();
     };
     for (const Region region : {Region::edge, Region::crease, Region::flat, Region::surface}) {
-        rows.push_back({region_name(region), four_digits(error(bilateral.raw, region)),
-                        four_digits(error(bilateral.blurred, region)),
-                        four_digits(error(plain.blurred, region))});
+        rows.push_back({region_name(region), decimal_text(error(bilateral.raw, region), 4),
+                        decimal_text(error(bilateral.blurred, region), 4),
+                        decimal_text(error(plain.blurred, region), 4)});
     }
     book.table({"texels", "RMS error, raw", "bilateral", "plain"}, rows);
     const auto better = [&](Region region) {
@@ -119,11 +120,11 @@ void grazing_floor(Notebook& book, const SwitchedView& view, const SwitchedAo& f
     book.check("past z = sqrt(0.2 * 3 f) the floor keeps next to none: the blur is horizontal only",
                of_fixed.without > 0.9 * of_fixed.far_floor,
                "z = " + exact_text(limit_z) + ", share " +
-                   four_digits(double{1} * of_fixed.without / of_fixed.far_floor));
+                   decimal_text(double{1} * of_fixed.without / of_fixed.far_floor, 4));
     book.check("measured from the centre's plane it keeps nearly all ten",
                of_slope.taps > 7 * of_slope.far_floor && of_fixed.taps < 0.5 * of_fixed.far_floor,
-               "on average " + four_digits(of_slope.taps / of_slope.far_floor) + " instead of " +
-                   four_digits(of_fixed.taps / of_fixed.far_floor));
+               "on average " + decimal_text(of_slope.taps / of_slope.far_floor, 4) + " instead of " +
+                   decimal_text(of_fixed.taps / of_fixed.far_floor, 4));
 }
 
 void blur(Notebook& book) {
@@ -150,7 +151,7 @@ void blur(Notebook& book) {
                    {"leak", difference_picture(difference_of(plain.blurred, bilateral.blurred))}});
     gaussian_or_bilateral(book, view, bilateral, plain);
     const double drift = buffer_statistics(bilateral.blurred).mean - buffer_statistics(bilateral.raw).mean;
-    book.check("four iterations keep the mean", std::fabs(drift) < 0.005, four_digits(drift));
+    book.check("four iterations keep the mean", std::fabs(drift) < 0.005, decimal_text(drift, 4));
     const AoInputs& in = bilateral.inputs;
     const auto leak = [&](BlurEdges edges) {
         const BlurSettings once{.iterations = 1, .edges = edges};
@@ -158,7 +159,7 @@ void blur(Notebook& book) {
     };
     book.check("nothing crosses a step in depth; blurred plainly, much does",
                leak(BlurEdges::fixed) == 0 && leak(BlurEdges::none) > 0.01,
-               "share of all texels " + four_digits(leak(BlurEdges::none)));
+               "share of all texels " + decimal_text(leak(BlurEdges::none), 4));
     grazing_floor(book, view, bilateral);
     book.try_it({
         "Add `\"blur_depth=10\"`: only normals hold shade back; floors get soft, parallel walls leak.",
@@ -166,9 +167,9 @@ void blur(Notebook& book) {
         "Add `\"blur_normal=-1\"`: shade turns corners; roof lines and steps fade.",
     });
     book.errata({
-        "*SSAO explored:* vertical first. X_Jun and Luna go horizontally first; the order changes the "
-        "result.",
-        "*X_Jun, Luna, SSAO explored:* a fixed 0.2 makes the blur one-dimensional on far floors (last row).",
+        "*SSAO explored:* blurs vertically first, X_Jun and Luna horizontally; the order changes the result.",
+        "*X_Jun, Luna and SSAO explored:* a fixed 0.2 makes the blur one-dimensional on far floors (last "
+        "row).",
         "*Luna, UpdateSsaoCB:* the weights are read as 12 floats; radius 5 has only 11 of them.",
     });
 }

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "chapters/notebook/chapter.h"
+#include "chapters/terminal/number_text.h"
 #include "scenes/builtin_scenes.h"
 #include "ssao/blur/bilateral_blur.h"
 #include "ssao/light/scene_shadow.h"
@@ -154,11 +155,11 @@ void final_image(Notebook& book) {
     )");
     LunaSettings xjun = kXjunSettings, luna = kLunaSettings;
     xjun.seed = luna.seed = book.seed();
-    const Tutorial seed_000{"columns_2022", xjun, xjun_fetch(xjun), kXjunBlur},
-        seed_002{"columns_luna", luna, luna_fetch(luna), kLunaBlur};
-    pipeline(book, seed_000);
-    pipeline(book, seed_002);
-    mapped_normals(book, seed_002);
+    const Tutorial xjun_tutorial{"columns_2022", xjun, xjun_fetch(xjun), kXjunBlur},
+        luna_book{"columns_luna", luna, luna_fetch(luna), kLunaBlur};
+    pipeline(book, xjun_tutorial);
+    pipeline(book, luna_book);
+    mapped_normals(book, luna_book);
     book.try_it({
         "Replace `kXjunBlur` by `{.iterations = 0}`: grain in the walls, crisp lines on the roof.",
         "Set `xjun.ao_scale = 1`: the lines between the roof tiles become even, at four times the cost.",
@@ -166,12 +167,11 @@ void final_image(Notebook& book) {
     });
     book.errata({
         "*X_Jun, vertex shader:* adds (w, w) to clip x, y before scaling by (0.5, -0.5), not (w, -w): v "
-        "is "
-        "too small by 1, which WRAP hides. Chapter 11 shows it, and `--param ao_lookup=slip_clamp`.",
+        "is too small by 1, which WRAP hides. Chapter 11 shows it, and `--param ao_lookup=slip_clamp`.",
         "*X_Jun, pixel shader:* multiplies only the ambient terms of directional lights. Those of other "
         "lights would shine into every crevice; this lab multiplies each ambient term.",
-        "*Luna's repository:* what the mirror spheres reflect is not scaled by AO, here neither: a "
-        "mirror in a niche shows a sky that it cannot see.",
+        "*Luna, repository:* AO does not scale what the mirror spheres reflect, and neither does this lab: "
+        "a mirror in a niche shows a sky that it cannot see.",
     });
 }
 

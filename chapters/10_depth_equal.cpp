@@ -11,6 +11,7 @@
 
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/depth_mismatch.h"
+#include "chapters/terminal/number_text.h"
 #include "rasterizer/base/image_summary.h"
 #include "scenes/builtin_scenes.h"
 #include "ssao/light/shade.h"
@@ -20,17 +21,13 @@ namespace {
 
 constexpr PositionOrder kFirstPass = PositionOrder::view_first, kSecondPass = PositionOrder::premultiplied;
 
-std::string percent(double share) {
-    return exact_text(static_cast<float>(std::round(1e5 * share) / 1e3)) + " %";
-}
-
 // What the tutorial's two formulas do under one camera.
 void mismatch(Notebook& book, const Scene& scene, const Camera& camera, const std::string& name) {
     const GBuffer first = normal_depth(scene, camera, book.size(), {.position_order = kFirstPass});
     const Image3 lit = shade(scene, camera, first.depth, {}, {DepthFunction::equal, kSecondPass, {}});
     const double holes = lit_shares(lit, lit, first.view_depth).holes;
     book.show(name, lit_picture(lit), "EQUAL with the tutorial's two formulas, camera " + name + ".");
-    book.check(name + ": more than a tenth of the surface is lost", holes > 0.1, percent(holes));
+    book.check(name + ": more than a tenth of the surface is lost", holes > 0.1, percent_text(holes));
     const auto differences = [&](DepthFormat format) {
         return depth_differences(scene, camera, book.size(), format, kFirstPass, kSecondPass);
     };
@@ -38,7 +35,8 @@ void mismatch(Notebook& book, const Scene& scene, const Camera& camera, const st
     book.show_row("Second depth minus first, -9 (or less) to 9 (or more) steps, 0 light: D32F, D24.",
                   {{name + "_d32f", bars_picture(d32f)}, {name + "_d24", bars_picture(d24)}});
     const auto row = [](const char* format, const std::vector<double>& s) -> std::vector<std::string> {
-        return {format, percent(1 - s[9]), percent(s[8] + s[10]), percent(s.front() + s.back())};
+        return {format, percent_text(1 - s[9]), percent_text(s[8] + s[10]),
+                percent_text(s.front() + s.back())};
     };
     book.table({name + ":", "unequal", "by one step", "by 9 or more"}, {row("D32F", d32f), row("D24", d24)});
     book.check(name + ": D24 does not hide it", d24[kMostSteps] < d32f[kMostSteps] + 0.05);
@@ -54,7 +52,7 @@ void cures(Notebook& book, const Scene& scene, const Camera& camera) {
         const LitShares shares = lit_shares(lit, right, first.view_depth);
         // A float's step in [1/2, 1) is 2^-24; at z = 10, with near = 1, a unit is 1/100 of ndc depth.
         const float reach = static_cast<float>(-settings.depth_bias.constant) / 16777216 * 100;
-        rows.push_back({name, percent(shares.holes), percent(shares.wrong), exact_text(reach)});
+        rows.push_back({name, percent_text(shares.holes), percent_text(shares.wrong), exact_text(reach)});
         return shares;
     };
     ShadeSettings less_equal{DepthFunction::less_equal, kSecondPass, {}};
@@ -67,9 +65,9 @@ void cures(Notebook& book, const Scene& scene, const Camera& camera) {
     const LitShares too_far = cured("large_bias", less_equal, "65536 steps: hidden things shine through.");
     book.table({"cure", "holes", "wrong surface", "pulls nearer at z = 10, units"}, rows);
     book.check("one formula leaves no hole and no wrong pixel", shared.holes == 0 && shared.wrong == 0);
-    book.check("LESS_EQUAL alone leaves holes", looser.holes > 0, percent(looser.holes));
+    book.check("LESS_EQUAL alone leaves holes", looser.holes > 0, percent_text(looser.holes));
     book.check("a small bias closes all but 1 in 10,000", biased.holes + biased.wrong < 1e-4);
-    book.check("a large one shows hidden surfaces", too_far.wrong > 0.001, percent(too_far.wrong));
+    book.check("a large one shows hidden surfaces", too_far.wrong > 0.001, percent_text(too_far.wrong));
 }
 
 // The same surfaces must be cut out by both passes; what happens when one of them does not.
@@ -87,7 +85,7 @@ void cutouts(Notebook& book) {
         shares.push_back(lit_shares(lit, right, first.view_depth));
         rows.push_back({first_cut ? "yes" : "no", second_cut ? "yes" : "no",
                         function == DepthFunction::equal ? "EQUAL" : "LESS_EQUAL",
-                        percent(shares.back().holes), percent(shares.back().wrong)});
+                        percent_text(shares.back().holes), percent_text(shares.back().wrong)});
         if (shares.size() != 2)
             pictures.push_back({"cut_" + std::to_string(shares.size()), lit_picture(lit)});
         return lit;
@@ -105,9 +103,9 @@ void cutouts(Notebook& book) {
     book.check("cut in both, EQUAL leaves no hole", shares[0].holes == 0 && shares[0].wrong == 0);
     book.check("cut in the first alone, EQUAL still gives the same bits: the depth itself is cut",
                content_hash(first_only) == content_hash(both));
-    book.check("but LESS_EQUAL closes the lattice", shares[2].wrong > 0.05, percent(shares[2].wrong));
+    book.check("but LESS_EQUAL closes the lattice", shares[2].wrong > 0.05, percent_text(shares[2].wrong));
     book.check("cut in the second alone, the background shows through every gap", shares[3].holes > 0.05,
-               percent(shares[3].holes));
+               percent_text(shares[3].holes));
 }
 
 void depth_equal(Notebook& book) {

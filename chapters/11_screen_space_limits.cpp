@@ -4,19 +4,19 @@
 // and how thick things are is not in it, so the same point's AO changes with the camera, and the truth does
 // not.
 //
-// Source: X_Jun, "Flaws of SSAO" (its last picture), "Multisampling", "Using the ambient map"; Luna,
-//         the samplers' border.
+// Source: X_Jun, "Flaws of SSAO" (its last picture), "Multisampling", "Using the ambient map"; Luna on the
+//         samplers' border.
 // Look for: the column's top, lighter as soon as the sphere over it leaves the picture; red rims; a plate's
 //           halo; rows that run down the whole picture.
 // Run: crevice chapter 11
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 #include "chapters/notebook/chapter.h"
 #include "chapters/notebook/plot_picture.h"
 #include "chapters/props/limit_scenes.h"
 #include "chapters/props/limit_sections.h"
+#include "chapters/terminal/number_text.h"
 #include "scenes/builtin_scenes.h"
 #include "ssao/judge/luna_limit.h"
 #include "ssao/methods/xjun_ssao.h"
@@ -26,12 +26,6 @@ namespace {
 
 // Counts below hang on places in pixels, so they are of pictures of this size.
 constexpr Size kSize = {320, 180};
-
-std::string text(double value) {
-    char characters[32];
-    std::snprintf(characters, sizeof characters, "%.3f", value);
-    return characters;
-}
 
 void look_down(Notebook& book, const Scene& scene) {
     const DownwardViews views = downward_views();
@@ -50,7 +44,7 @@ void look_down(Notebook& book, const Scene& scene) {
                  without = seen_ao(scene, views.without_sphere, kSize, views.top),
                  larger = seen_ao(scene, views.larger, {2 * kSize.width, 2 * kSize.height}, views.top);
     const auto row = [](const char* name, const SeenAo& ao) -> std::vector<std::string> {
-        return {name, text(ao.mean), std::to_string(ao.seen)};
+        return {name, decimal_text(ao.mean, 3), std::to_string(ao.seen)};
     };
     book.table({"the top's front", "accessibility", "points seen"},
                {row("rays of length 0.5", {truth, static_cast<int>(views.top.size())}),
@@ -69,7 +63,8 @@ void border(Notebook& book) {
         "A wall of noise, and its AO minus that of a larger picture cut to size: red is too bright.",
         {{"noise_wall", ao_picture(gain.ao)}, {"rim", difference_picture(gain.gained)}});
     book.check("outside counts as far: the outermost 4 pixels are too bright, the middle hardly differs",
-               gain.rim > 0.01 && gain.rim > 3 * gain.inside, text(gain.rim) + " and " + text(gain.inside));
+               gain.rim > 0.01 && gain.rim > 3 * gain.inside,
+               decimal_text(gain.rim, 3) + " and " + decimal_text(gain.inside, 3));
     book.text(R"(
         A sampler's address mode says what lies beyond: `far`, nothing (X_Jun and Luna, above); `edge`, the
         border pixel again, so that a wall goes on; `wrap`, the opposite side, which belongs to other things.
@@ -93,7 +88,7 @@ void thin_plate(Notebook& book) {
                            rays = ray_picture(scene, scene.camera, gbuffer, {.rays = 32});
         darkest.push_back({darkest_column(two), darkest_column(one), darkest_column(rays)});
         rows.push_back({exact_text(distance)});
-        for (const double d : darkest.back()) rows.back().push_back(text(d));
+        for (const double d : darkest.back()) rows.back().push_back(decimal_text(d, 3));
         if (distance == 1.4f)
             pictures = {{"fade_end_2", ao_picture(two)},
                         {"fade_end_1", ao_picture(one)},
@@ -131,8 +126,8 @@ void turntable(Notebook& book) {
               "Its accessibility from 16 directions (blue) and what is true (green).");
     const auto [least, most] = std::minmax_element(seen.y.begin(), seen.y.end());
     book.check("the point stays as it is, its AO does not", seen.y.size() > 12 && *most - *least > 0.05,
-               text(*least) + " .. " + text(*most) + " from " + std::to_string(seen.y.size()) +
-                   " views, truth " + text(truth));
+               decimal_text(*least, 3) + " .. " + decimal_text(*most, 3) + " from " +
+                   std::to_string(seen.y.size()) + " views, truth " + decimal_text(truth, 3));
     book.text("`crevice render columns --only ao_blurred --frames 0-35` turns the whole scene.");
 }
 
@@ -149,7 +144,7 @@ void hidden_layers(Notebook& book, const Scene& scene) {
         {{"all_layers", ao_picture(truth)}, {"one_layer_minus_all", difference_picture(lost)}});
     book.check("where layers are hidden shade is lost; where near and far are joined it is invented",
                buffer_statistics(lost).max > 0.3f && buffer_statistics(lost).min < -0.3f,
-               "mean " + text(buffer_statistics(lost).mean));
+               "mean " + decimal_text(buffer_statistics(lost).mean, 3));
 }
 
 void screen_space_limits(Notebook& book) {

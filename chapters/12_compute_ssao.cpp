@@ -4,15 +4,15 @@
 // into a small memory of its own, with an apron around; only what lies beyond is read from the map. No bit
 // changes.
 //
-// Source: X_Jun, exercise 2; X_Jun, SSAO.hlsl; groupshared memory after Direct3D 11.3, chapter 18.
+// Source: X_Jun, exercise 2 and SSAO.hlsl; groupshared memory as in Direct3D 11.3, chapter 18.
 // Look for: orange, where samples leave their group's apron (one is drawn blue): near the eye, where half a
 //           unit is many pixels; the table's reads, least in the middle.
 // Run: crevice chapter 12
 #include <algorithm>
-#include <cstdio>
 #include <vector>
 
 #include "chapters/notebook/chapter.h"
+#include "chapters/terminal/number_text.h"
 #include "chapters/terminal/stopwatch.h"
 #include "rasterizer/base/image_summary.h"
 #include "scenes/builtin_scenes.h"
@@ -24,12 +24,6 @@ namespace crevice {
 namespace {
 
 constexpr glm::vec3 kStrayed(0.9f, 0.45f, 0.05f), kApronBlue(0.1f, 0.35f, 0.9f);
-
-std::string text(double value) {
-    char characters[32];
-    std::snprintf(characters, sizeof characters, "%.1f", value);
-    return characters;
-}
 
 // What a pass returns, and its median wall time in ms, for the terminal.
 auto timed(const auto& pass) {
@@ -96,21 +90,22 @@ void count_reads(Notebook& book, const Scene& scene) {
         const double strays = buffer_statistics(grouped.strays).mean * 320 * 180;
         const int side = 2 * kAoGroup + 2 + 2 * apron;
         left.push_back(double(grouped.reads.grouped) / direct);
-        rows.push_back({std::to_string(apron), text(side * side * 4 / 1024.0), text(100 * strays / samples),
-                        text(left.back() * 4 * kCubeVectors), std::to_string(4 * kCubeVectors)});
+        rows.push_back({std::to_string(apron), decimal_text(side * side * 4 / 1024.0, 1),
+                        decimal_text(100 * strays / samples, 1),
+                        decimal_text(left.back() * 4 * kCubeVectors, 1), std::to_string(4 * kCubeVectors)});
     }
     book.table({"apron, pixels", "memory of a group, KB", "samples that stray, %", "reads of the map a texel",
                 "without groups"},
                rows);
     const auto best = std::min_element(left.begin(), left.end());
     book.check("at 640 x 360 groups save more than half of the reads", *best < 0.5,
-               text(100 * *best) + " % are left");
+               decimal_text(100 * *best, 1) + " % are left");
     book.check("with no apron too many samples stray, with the widest too much is loaded",
                best != left.begin() && best != left.end() - 1);
     const GroupedBlur blurred = bilateral_blur_in_groups(luna_occlusion(inputs, kXjunSettings, {}), inputs);
     const double saved = double(blurred.reads.direct) / double(blurred.reads.grouped);
     book.check("in groups the blur reads each map about once a pass, not eleven times", saved > 8,
-               text(saved) + " times fewer reads");
+               decimal_text(saved, 1) + " times fewer reads");
 }
 
 void compute_ssao(Notebook& book) {

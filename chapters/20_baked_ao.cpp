@@ -3,15 +3,15 @@
 // The one idea: cast them once and keep the answer with the mesh, at its vertices or in a map. What the store
 // is too coarse for is lost, and whatever moves leaves its shade behind.
 //
-// Source: Luna, BuildVertexAmbientOcclusion; the Unity notes, baked AO (lightmaps).
+// Source: Luna, BuildVertexAmbientOcclusion; the Unity notes on baked AO (lightmaps).
 // Look for: the shade on walls, which four vertices cannot hold; the black foot of the sunk box; the lines
 //           along edges without dilation; the shade of a box that has left.
 // Run: crevice chapter 20
 #include <algorithm>
-#include <cstdio>
 #include <limits>
 
 #include "chapters/notebook/chapter.h"
+#include "chapters/terminal/number_text.h"
 #include "scenes/builtin_scenes.h"
 #include "scenes/composing.h"
 #include "scenes/shapes.h"
@@ -23,12 +23,6 @@ namespace crevice {
 namespace {
 
 using Values = std::vector<float>;  // one a pixel that shows a surface
-
-std::string text(double value) {
-    char characters[32];
-    std::snprintf(characters, sizeof characters, "%.4f", value);
-    return characters;
-}
 
 // A scene as its camera sees it: points to cast rays from, the triangle each lies on, and truth.
 struct View {
@@ -70,7 +64,7 @@ void coarse_and_fine_floors(Notebook& book, const RayAoSettings& settings) {
         pictures.push_back({"floor_" + std::to_string(cells), view.picture(baked)});
     }
     book.show_row("A box sunk into floors of 1, 64 and 4096 cells, baked to vertices.", pictures);
-    book.check("one cell has twice the error of 64", errors[0] > 2 * errors[1], text(errors[0]));
+    book.check("one cell has twice the error of 64", errors[0] > 2 * errors[1], decimal_text(errors[0], 4));
     book.check("black vertices in the box darken its foot, truly 1/2", std::ranges::min(baked) < 0.4f);
 }
 
@@ -91,7 +85,8 @@ double vertices_and_map(Notebook& book, const Scene& scene, const View& view, co
         const ImageError e = view.error(values);
         pictures.insert(pictures.end(),
                         {{name, view.picture(values)}, {name + "_error", view.difference(values)}});
-        rows.push_back({name, std::to_string(stored), text(e.rmse), text(e.bias), text(e.max_abs)});
+        rows.push_back({name, std::to_string(stored), decimal_text(e.rmse, 4), decimal_text(e.bias, 4),
+                        decimal_text(e.max_abs, 4)});
         rmse.push_back(e.rmse);
     };
     add("centroids", joined(centroids).size(), looked_up(scene, view.rays, centroids, view.hits));
@@ -109,9 +104,10 @@ void baked_ao(Notebook& book) {
     book.text(R"(
         # 20 Baked ambient occlusion
 
-        Rays once; a frame looks the answer up. Luna keeps it in vertices: 32 rays from the middle of
-        each triangle, a vertex takes its triangles' mean. Engines (the Unity notes) keep it in a lightmap: a second
-        set of texture coordinates, rays up to a maximum distance, static objects, indirect light only.
+        Rays are cast once, and a frame looks the answer up. Luna keeps it in vertices: 32 rays start from the
+        middle of each triangle, and a vertex takes its triangles' mean. Engines, as the Unity notes tell, keep
+        it in a lightmap: a second set of texture coordinates, rays up to a maximum distance, static objects,
+        indirect light only.
     )");
     Scene scene = cornell_scene();
     scene.instances.push_back(placed(add_mesh(scene, box_mesh({1.2, 1.2, 1.2})), {-4.4f, 0.6f, 1.1f}));
@@ -140,7 +136,7 @@ void baked_ao(Notebook& book) {
     });
     book.errata({
         "*Luna:* a vertex without triangles gets 0 / 0; slivers count like large triangles.",
-        "*The Unity notes:* AO on direct light is, as its text says, not physically right; hence its "
+        "*Unity notes:* AO on direct light is, as their text says, not physically right; hence their "
         "default.",
     });
 }

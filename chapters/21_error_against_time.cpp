@@ -10,21 +10,15 @@
 // Run: crevice chapter 21; for times crevice bench --error columns
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "chapters/notebook/chapter.h"
 #include "chapters/notebook/plot_picture.h"
 #include "chapters/study/error_study.h"
+#include "chapters/terminal/number_text.h"
 #include "scenes/builtin_scenes.h"
 
 namespace crevice {
 namespace {
-
-std::string text(double value, int decimals = 4) {
-    char characters[32];
-    std::snprintf(characters, sizeof characters, "%.*f", decimals, value);
-    return characters;
-}
 
 ErrorPlan chapter_plan(Size size) {
     ErrorPlan plan;
@@ -49,8 +43,8 @@ void show_references(Notebook& book, const References& r) {
     const std::pair<const char*, const Reference*> references[] = {
         {"T", &r.soft}, {"S", &r.screen}, {"C", &r.limit}};
     for (const auto& [name, reference] : references)
-        rows.push_back(
-            {name, std::to_string(reference->rays), text(reference->mean), text(reference->mean_error)});
+        rows.push_back({name, std::to_string(reference->rays), decimal_text(reference->mean, 4),
+                        decimal_text(reference->mean_error, 4)});
     book.table({"reference", "rays or seeds", "mean", "mean standard error"}, rows);
 }
 
@@ -61,11 +55,12 @@ void show_regions(Notebook& book, const ErrorStudy& study) {
     std::vector<std::vector<std::string>> rows;
     for (const Region region : kRegions) {
         const RegionError& e = error.over(region);
-        rows.push_back({region_name(region), std::to_string(e.pixels), text(e.bias), text(e.rmse()),
-                        text(e.p50), text(e.p95), text(e.max_abs)});
+        rows.push_back({region_name(region), std::to_string(e.pixels), decimal_text(e.bias, 4),
+                        decimal_text(e.rmse(), 4), decimal_text(e.p50, 4), decimal_text(e.p95, 4),
+                        decimal_text(e.max_abs, 4)});
     }
-    book.text("The limit of `xjun` against T, by the kind of place; SSIM " + text(error.ssim, 3) + ", FLIP " +
-              text(error.flip_mean.value_or(0), 3) + ":");
+    book.text("The limit of `xjun` against T, by the kind of place; SSIM " + decimal_text(error.ssim, 3) +
+              ", FLIP " + decimal_text(error.flip_mean.value_or(0), 3) + ":");
     book.table({"where", "pixels", "bias", "RMSE", "p50", "p95", "max"}, rows);
     book.check("no NaN, no infinity", !error.failed());
     book.check("edges and creases are where it is wrong",
@@ -79,14 +74,16 @@ void show_parts(Notebook& book, const ErrorStudy& study) {
     double bias = 0, share = 0;
     for (const ErrorPart& part : study.parts.parts) {
         bias += part.bias, share += part.share;
-        rows.push_back({part.step, text(part.bias, 5), text(part.rmse), text(1e6 * part.share, 1)});
+        rows.push_back({part.step, decimal_text(part.bias, 5), decimal_text(part.rmse, 4),
+                        decimal_text(1e6 * part.share, 1)});
         std::string name = std::string(study.method->name) + "_" + part.step;
         std::replace_if(
             name.begin(), name.end(), [](char c) { return c == ' ' || c == ','; }, '_');
         pictures.push_back({name, difference_picture(part.difference)});
     }
     const ErrorPart& total = study.parts.total;
-    rows.push_back({"total", text(total.bias, 5), text(total.rmse), text(1e6 * total.share, 1)});
+    rows.push_back({"total", decimal_text(total.bias, 5), decimal_text(total.rmse, 4),
+                    decimal_text(1e6 * total.share, 1)});
     book.show_row(std::string(study.method->name) +
                       ", step by step from T to the frame's AO: red too open, blue too "
                       "closed.",
@@ -119,9 +116,11 @@ void show_curves(Notebook& book, const ErrorStudy& study) {
               "cast (green).");
     const double raw_gain = raw.y.front() / raw.y.back(), cast_gain = cast.y.front() / cast.y.back();
     book.check("rays converge to T, samples do not", cast_gain > 3 * raw_gain,
-               "32 rays for 1: error / " + text(cast_gain, 1) + "; 14 samples for 1: / " + text(raw_gain, 1));
+               "32 rays for 1: error / " + decimal_text(cast_gain, 1) + "; 14 samples for 1: / " +
+                   decimal_text(raw_gain, 1));
     book.check("with few samples the blur is worth more than samples are", blurred.y.front() < raw.y[2],
-               "1 sample, blurred: " + text(blurred.y.front()) + "; 4 samples: " + text(raw.y[2]));
+               "1 sample, blurred: " + decimal_text(blurred.y.front(), 4) +
+                   "; 4 samples: " + decimal_text(raw.y[2], 4));
 }
 
 void error_against_time(Notebook& book) {

@@ -32,12 +32,12 @@ std::span<const BuiltinScene> builtin_scenes();
 // Null when there is none of this name.
 const BuiltinScene* find_builtin_scene(std::string_view name);
 
-// X_Jun: a plane, ten columns with spheres on top, a house. Lights and materials of its 2020 chapter.
+// X_Jun's: a plane, ten columns with spheres on top, a house. Lights and materials of the text of 2020.
 Scene columns_scene(SceneDetail detail = SceneDetail::shapes, const Run& run = {});
-// The same with the lights and materials of its code of 2022: a quarter of the ambient light, more direct.
+// The same with the lights and materials of the code of 2022: a quarter of the ambient light, more direct.
 Scene columns_2022_scene(SceneDetail detail = SceneDetail::shapes, const Run& run = {});
 
-// Luna: a grid, ten tapered columns with spheres, a carved head on a pedestal.
+// Luna's: a grid, ten tapered columns with spheres, a carved head on a pedestal.
 Scene columns_luna_scene(SceneDetail detail = SceneDetail::shapes, const Run& run = {});
 
 // A sphere of radius 1 that rests on a plane at the origin. At distance x from the contact the plane's

@@ -1,4 +1,4 @@
-// The scene of X_Jun (MKXJun, chapter 32), as its text of 2020 and as its code of 2022 light it: window
+// The scene of X_Jun, chapter 32, as its text of 2020 and as its code of 2022 light it, in a window of
 // 1280x720. Positions, lights and reflectances are the tutorial's, its textures and its desert are not ours
 // to ship. Of the shapes alone, each material's reflectances are multiplied by the mean colour that such a
 // texture would have; of the surfaces, our own textures and sky stand in the place of the tutorial's. Neither
@@ -14,6 +14,7 @@
 #include "scenes/house.h"
 #include "scenes/shapes.h"
 #include "scenes/surfaces.h"
+#include "ssao/light/scene_shadow.h"
 
 namespace crevice {
 namespace {
@@ -100,7 +101,8 @@ Era era_2022() {
     return era;
 }
 
-Scene scene_of(const char* name, const Era& era, LightShadow shadow, SceneDetail detail, const Run& run) {
+Scene scene_of(const char* name, const Era& era, const SceneShadow& shadow, SceneDetail detail,
+               const Run& run) {
     const bool dressed = detail == SceneDetail::surfaces;
     const Dress worn = dress(detail, run);
     Scene scene;
@@ -111,7 +113,7 @@ Scene scene_of(const char* name, const Era& era, LightShadow shadow, SceneDetail
     scene.lighting = LightingModel::phong;
     scene.sky = glm::vec3(linear_from_srgb(0.75f));  // the chapter clears to silver
     scene.sky_cube = worn.sky;
-    if (dressed) scene.shadow = shadow;
+    if (dressed) scene.shadow = &shadow;
     scene.camera.eye = {0, 0, -10};
     scene.camera.target = {0, 0, 0};
     scene.camera.fov_y_rad = kPi / 3;
@@ -138,10 +140,10 @@ Scene scene_of(const char* name, const Era& era, LightShadow shadow, SceneDetail
 }  // namespace
 
 Scene columns_scene(SceneDetail detail, const Run& run) {
-    return scene_of("columns", era_2020(), LightShadow::xjun_2020, detail, run);
+    return scene_of("columns", era_2020(), kXjunSceneShadow2020, detail, run);
 }
 Scene columns_2022_scene(SceneDetail detail, const Run& run) {
-    return scene_of("columns_2022", era_2022(), LightShadow::xjun_2022, detail, run);
+    return scene_of("columns_2022", era_2022(), kXjunSceneShadow2022, detail, run);
 }
 
 }  // namespace crevice

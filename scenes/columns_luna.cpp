@@ -1,4 +1,4 @@
-// The scene of Luna (F. Luna, Introduction to 3D Game Programming with DirectX 12, chapter 21), window 800x600.
+// The scene of Luna, chapter 21, in a window of 800x600.
 // Positions, lights and materials are the book's. Of the shapes alone nothing has a texture and there is no
 // cube map to reflect, so the mirror spheres, whose albedo is 0, show highlights only; of the surfaces, our
 // own textures and sky stand in the place of the book's. Its skull and spheres have a white texture and a
@@ -14,6 +14,7 @@
 #include "scenes/composing.h"
 #include "scenes/shapes.h"
 #include "scenes/surfaces.h"
+#include "ssao/light/scene_shadow.h"
 
 namespace crevice {
 namespace {
@@ -71,7 +72,7 @@ Scene columns_luna_scene(SceneDetail detail, const Run& run) {
     // LightSteelBlue, to which the book clears.
     scene.sky = {linear_from_srgb(0.690196f), linear_from_srgb(0.768627f), linear_from_srgb(0.870588f)};
     scene.sky_cube = worn.sky;
-    if (dressed) scene.shadow = LightShadow::luna;
+    if (dressed) scene.shadow = &kLunaSceneShadow;
     scene.camera.eye = {0, 2, -15};
     scene.camera.target = {0, 2, 0};
     scene.camera.fov_y_rad = kPi / 4;

@@ -9,6 +9,7 @@
 #include "scenes/flat_mesh.h"
 #include "scenes/shapes.h"
 #include "scenes/surfaces.h"
+#include "ssao/light/scene_shadow.h"
 
 namespace crevice {
 namespace {
@@ -123,7 +124,7 @@ Scene fence_scene(SceneDetail detail, const Run& run) {
     scene.lights[0].direction = -desert_look().to_sun;
     scene.lights[0].diffuse = {0.75f, 0.70f, 0.60f};
     scene.sky_cube = worn.sky;
-    if (dressed) scene.shadow = LightShadow::bounds;
+    if (dressed) scene.shadow = &kBoundsSceneShadow;
     scene.camera.eye = {0.5, 1.9, -6.2};
     scene.camera.target = {-0.1, 0.95, 0.5};
     scene.camera.fov_y_rad = kPi / 4;

@@ -10,6 +10,7 @@
 #include "scenes/periodic_noise.h"
 #include "scenes/shapes.h"
 #include "scenes/surfaces.h"
+#include "ssao/light/scene_shadow.h"
 
 namespace crevice {
 namespace {
@@ -184,7 +185,7 @@ Scene leaves_scene(SceneDetail detail, const Run& run) {
     scene.lights[0].direction = -desert_look().to_sun;
     scene.lights[0].diffuse = {0.85f, 0.80f, 0.68f};
     scene.sky_cube = worn.sky;
-    if (dressed) scene.shadow = LightShadow::bounds;
+    if (dressed) scene.shadow = &kBoundsSceneShadow;
     scene.camera.eye = {0.4, 1.7, -4.9};
     scene.camera.target = {0.1, 1.25, 0};
     scene.camera.fov_y_rad = kPi / 4;

@@ -26,8 +26,8 @@ struct SkyLook {
     std::uint32_t seed;
 };
 
-// X_Jun's desertcube1024 and Luna's sunsetcube1024, by their mood: pale blue over sand, and a low
-// orange sun under purple. The suns stand where the scenes' first lights come from, the sunset's lower.
+// In the mood of X_Jun's desertcube1024 and Luna's sunsetcube1024: pale blue over sand, and a low orange sun
+// under purple. The suns stand where the scenes' first lights come from, the sunset's lower.
 SkyLook desert_look();
 SkyLook sunset_look();
 

@@ -39,7 +39,7 @@ double depth_in_rectangle(glm::dvec2 from_centre, glm::dvec2 half, double corner
     return corner - std::sqrt(glm::dot(outside, outside)) - std::min(std::max(beyond.x, beyond.y), 0.0);
 }
 
-SurfacePoint floor_tile(glm::dvec2 uv) {
+PaintedPoint floor_tile(glm::dvec2 uv) {
     const PatternCell cell = pattern_cell(uv, 4, 4, 0);
     const double grain = fractal_noise(uv.x * 64, uv.y * 64, 64, 3, 11);
     const double cloud =
@@ -60,7 +60,7 @@ SurfacePoint floor_tile(glm::dvec2 uv) {
             mix(0.15, 0.9 - 0.2 * speckle, tile)};
 }
 
-SurfacePoint brick(glm::dvec2 uv) {
+PaintedPoint brick(glm::dvec2 uv) {
     const PatternCell cell = pattern_cell(uv, 4, 10, 0.5);
     const double grain = fractal_noise(uv.x * 96, uv.y * 96, 96, 3, 21);
     const double chips = fractal_noise(uv.x * 24, uv.y * 24, 24, 4, 22);
@@ -79,7 +79,7 @@ SurfacePoint brick(glm::dvec2 uv) {
     return {blend(mortar, clay, body), mix(0.0014 * grain, face, body), mix(0.12, 0.4, body)};
 }
 
-SurfacePoint rough_stone(glm::dvec2 uv) {
+PaintedPoint rough_stone(glm::dvec2 uv) {
     // The plane is bent a little first, so that nothing runs straight.
     const glm::dvec2 bent = uv + 0.03 * glm::dvec2(fractal_noise(uv.x * 6, uv.y * 6, 6, 4, 31),
                                                    fractal_noise(uv.x * 6, uv.y * 6, 6, 4, 32));

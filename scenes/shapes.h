@@ -1,5 +1,5 @@
 // Simple surfaces as meshes: grid, box, sphere, cylinder. Tessellation and texture coordinates are those of
-// the GeometryGenerator that F. Luna builds its scene with: slices run around the y axis from +x
+// the GeometryGenerator that Luna builds the scene with: slices run around the y axis from +x
 // over +z, the seam's vertices are there twice, texture v = 0 is the top row.
 //
 // All lengths are scene units in object space, all shapes stand around the origin with y up, every mesh is

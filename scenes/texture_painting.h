@@ -12,8 +12,8 @@
 
 namespace crevice {
 
-// A point of a surface.
-struct SurfacePoint {
+// What is painted at a point of a surface.
+struct PaintedPoint {
     glm::dvec3 colour;        // albedo, linear light
     double height;            // out of the surface, in widths of the texture
     double shininess_factor;  // [0,1]
@@ -47,14 +47,14 @@ inline glm::vec3 as_colour(glm::dvec3 c) { return {glm::dvec3(saturate(c.x), sat
 // The normal map of a height field that repeats, by central differences; `shininess` becomes its alpha.
 Texture normal_map(const Image<float>& height, Image<float> shininess);
 
-// `surface_at`(uv) gives the SurfacePoint there and repeats with period 1.
+// `surface_at`(uv) gives the PaintedPoint there and repeats with period 1.
 template <class Surface>
 SurfaceTextures surface_textures(int side, const Surface& surface_at) {
     check_texture_side(side);
     Image3 colour({side, side}, glm::vec3(0));
     Image<float> height({side, side}, 0), shininess = height;
     for_each_texel(side, [&](int x, int y, glm::dvec2 uv) {
-        const SurfacePoint point = surface_at(uv);
+        const PaintedPoint point = surface_at(uv);
         colour.set(x, y, as_colour(point.colour));
         height.at(x, y) = static_cast<float>(point.height);
         shininess.at(x, y) = static_cast<float>(saturate(point.shininess_factor));

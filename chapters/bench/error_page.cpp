@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "chapters/bench/error.h"
+#include "chapters/bench/error_against_time.h"
 #include "chapters/notebook/html.h"
 #include "chapters/notebook/picture.h"
 #include "chapters/notebook/plot.h"

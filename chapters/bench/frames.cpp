@@ -51,7 +51,7 @@ double start_up_ms(const FramesOptions& options, const std::string& name) {
 }
 
 struct SceneFigures {
-    std::vector<Cell> row;
+    std::vector<TableValue> row;
     std::string note;
 };
 
@@ -64,16 +64,16 @@ SceneFigures measured(const FramesOptions& options, const std::string& name) {
     request.repeats = kBenchRuns;
     const Frame frame = render_frame(scene.scene, camera, request);
 
-    std::vector<Cell> row = {name, Cell(static_cast<double>(triangle_count(scene.scene)), 0)};
+    std::vector<TableValue> row = {name, TableValue(static_cast<double>(triangle_count(scene.scene)), 0)};
     for (const char* pass : kPasses) {
         const auto at = std::find_if(frame.passes.begin(), frame.passes.end(),
                                      [&](const PassTime& time) { return time.name == pass; });
-        row.push_back(Cell(at == frame.passes.end() ? 0 : at->wall_ms, 3));
+        row.push_back(TableValue(at == frame.passes.end() ? 0 : at->wall_ms, 3));
     }
     const PassTime& whole = frame.passes.back();
     for (const double ms : {whole.wall_ms, whole.wall_ms_mad, whole.cpu_ms, load.wall_ms, load.wall_ms_mad,
                             start_up_ms(options, name)}) {
-        row.push_back(Cell(ms, 3));
+        row.push_back(TableValue(ms, 3));
     }
     return {row, busy_note(whole, thread_count(options.run))};
 }

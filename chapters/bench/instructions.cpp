@@ -102,11 +102,11 @@ Table table_of(const InstructionFigures& stored, const InstructionFigures& measu
         const auto count = static_cast<double>(now.instructions);
         const InstructionCount* const before = find_count(stored, now.scene, now.pass);
         if (before == nullptr) {
-            table.rows.push_back({now.scene, now.pass, Cell(count, 0), Cell(), Cell()});
+            table.rows.push_back({now.scene, now.pass, TableValue(count, 0), TableValue(), TableValue()});
         } else {
             const auto was = static_cast<double>(before->instructions);
             table.rows.push_back(
-                {now.scene, now.pass, Cell(count, 0), Cell(was, 0), 100 * (count / was - 1)});
+                {now.scene, now.pass, TableValue(count, 0), TableValue(was, 0), 100 * (count / was - 1)});
         }
     }
     return table;

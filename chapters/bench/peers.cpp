@@ -8,6 +8,7 @@
 #include "chapters/bench/machine.h"
 #include "chapters/notebook/table.h"
 #include "chapters/study/statistics.h"
+#include "chapters/terminal/number_text.h"
 #include "chapters/terminal/progress.h"
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/image_summary.h"
@@ -99,17 +100,18 @@ void add_times(Table& table, const std::string& scene, const Duel& duel) {
         const PassSamples &ours = duel.ours.passes[i], &theirs = duel.theirs.passes[i];
         const PassTime our_time = ours.summary(), their_time = theirs.summary();
         const MedianInterval ratio = ratio_interval(theirs.wall_ms, ours.wall_ms);
-        table.rows.push_back({scene, kPeerPasses[i], Cell(our_time.wall_ms, 3), Cell(our_time.wall_ms_mad, 3),
-                              Cell(our_time.cpu_ms, 3), their_time.wall_ms, their_time.wall_ms_mad,
-                              their_time.cpu_ms, ratio.median, ratio.low, ratio.high,
-                              Cell(100 * ratio.confidence, 1), Cell(kAims[i], 0),
-                              verdict_name(verdict(ratio, kAims[i]))});
+        table.rows.push_back({scene, kPeerPasses[i], TableValue(our_time.wall_ms, 3),
+                              TableValue(our_time.wall_ms_mad, 3), TableValue(our_time.cpu_ms, 3),
+                              their_time.wall_ms, their_time.wall_ms_mad, their_time.cpu_ms, ratio.median,
+                              ratio.low, ratio.high, TableValue(100 * ratio.confidence, 1),
+                              TableValue(kAims[i], 0), verdict_name(verdict(ratio, kAims[i]))});
     }
     const PassSamples& frames = duel.ours.passes.back();
     const MedianInterval floor = noise_floor(frames.wall_ms);
-    table.rows.push_back({scene, "frame, ours/ours", Cell(frames.summary().wall_ms, 3), Cell(), Cell(),
-                          Cell(), Cell(), Cell(), Cell(floor.median, 3), Cell(floor.low, 3),
-                          Cell(floor.high, 3), Cell(100 * floor.confidence, 1), Cell(), Cell()});
+    table.rows.push_back({scene, "frame, ours/ours", TableValue(frames.summary().wall_ms, 3), TableValue(),
+                          TableValue(), TableValue(), TableValue(), TableValue(), TableValue(floor.median, 3),
+                          TableValue(floor.low, 3), TableValue(floor.high, 3),
+                          TableValue(100 * floor.confidence, 1), TableValue(), TableValue()});
 }
 
 // False when the two sides did not draw the same picture.
@@ -121,14 +123,12 @@ bool add_agreement(Table& table, const std::string& scene, const Duel& duel, std
     }
     for (const Agreement& a : duel.agreement) {
         same = same && a.holds();
-        table.rows.push_back({scene, a.buffer, a.measure, Cell(a.value, 5),
-                              a.limit ? Cell(*a.limit, 5) : Cell(),
+        table.rows.push_back({scene, a.buffer, a.measure, TableValue(a.value, 5),
+                              a.limit ? TableValue(*a.limit, 5) : TableValue(),
                               !a.limit ? "told" : (a.holds() ? "same" : "DIFFERENT")});
     }
     return same;
 }
-
-std::string size_text(Size size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
 
 }  // namespace
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <ostream>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "chapters/bench/threads.h"
 #include "chapters/study/statistics.h"
 #include "chapters/terminal/child.h"
+#include "chapters/terminal/number_text.h"
 #include "chapters/terminal/progress.h"
 #include "rasterizer/base/error.h"
 
@@ -39,10 +39,7 @@ struct Traced {
 };
 
 std::string length_text(const Json& length) {
-    if (length.is_string()) return length.get<std::string>();
-    char text[32];
-    std::snprintf(text, sizeof text, "%g", length.get<double>());
-    return text;
+    return length.is_string() ? length.get<std::string>() : significant_text(length.get<double>(), 6);
 }
 
 Traced traced(const Json& line) {
@@ -57,8 +54,8 @@ Traced traced(const Json& line) {
 }
 
 // Ratio, low, high and whether that meets an aim.
-void add_ratio(std::vector<Cell>& row, const MedianInterval& ratio, std::optional<double> aim) {
-    row.insert(row.end(), {Cell(ratio.median), Cell(ratio.low), Cell(ratio.high)});
+void add_ratio(std::vector<TableValue>& row, const MedianInterval& ratio, std::optional<double> aim) {
+    row.insert(row.end(), {TableValue(ratio.median), TableValue(ratio.low), TableValue(ratio.high)});
     if (aim) row.push_back(verdict_name(verdict(ratio, *aim)));
 }
 
@@ -83,15 +80,15 @@ Table rays_table(const std::string& scene, const std::vector<Traced>& all) {
         if (ours.tracer != "ours") continue;
         const Traced &single = find_traced(all, ours, "embree1", ours.threads),
                      &packet = find_traced(all, ours, "embree8", ours.threads);
-        std::vector<Cell> row = {scene,
-                                 ours.length,
-                                 Cell(ours.threads, 0),
-                                 Cell(ours.million_rays_a_second(), 1),
-                                 Cell(single.million_rays_a_second(), 1),
-                                 Cell(packet.million_rays_a_second(), 1)};
+        std::vector<TableValue> row = {scene,
+                                       ours.length,
+                                       TableValue(ours.threads, 0),
+                                       TableValue(ours.million_rays_a_second(), 1),
+                                       TableValue(single.million_rays_a_second(), 1),
+                                       TableValue(packet.million_rays_a_second(), 1)};
         add_ratio(row, ratio_interval(single.ms, ours.ms), kRayAim);
         add_ratio(row, ratio_interval(packet.ms, ours.ms), kRayAim);
-        row.insert(row.end(), {Cell(ours.differing1, 0), Cell(ours.differing8, 0)});
+        row.insert(row.end(), {TableValue(ours.differing1, 0), TableValue(ours.differing8, 0)});
         table.rows.push_back(row);
     }
     return table;
@@ -104,41 +101,42 @@ Table threads_table(const std::string& scene, const std::vector<Traced>& all) {
     for (const Traced& many : all) {
         if (many.threads == 1) continue;
         const Traced& one = find_traced(all, many, many.tracer, 1);
-        std::vector<Cell> row = {scene, many.length, many.tracer, Cell(many.threads, 0)};
+        std::vector<TableValue> row = {scene, many.length, many.tracer, TableValue(many.threads, 0)};
         const bool judged = many.tracer == "ours" && many.threads == 2;
         add_ratio(row, ratio_interval(one.ms, many.ms),
                   judged ? std::optional<double>(kTwoThreadAim) : std::nullopt);
-        if (!judged) row.push_back(Cell());
+        if (!judged) row.push_back(TableValue());
         table.rows.push_back(row);
     }
     return table;
 }
 
-std::vector<Cell> build_row(const std::string& scene, const Json& line) {
+std::vector<TableValue> build_row(const std::string& scene, const Json& line) {
     const auto ours = line.at("ours_ms").get<std::vector<double>>(),
                embree = line.at("embree_ms").get<std::vector<double>>();
-    std::vector<Cell> row = {scene, Cell(line.at("threads").get<int>(), 0),
-                             Cell(median_interval(ours).median), Cell(median_interval(embree).median)};
+    std::vector<TableValue> row = {scene, TableValue(line.at("threads").get<int>(), 0),
+                                   TableValue(median_interval(ours).median),
+                                   TableValue(median_interval(embree).median)};
     add_ratio(row, ratio_interval(embree, ours), std::nullopt);
     return row;
 }
 
-std::vector<Cell> agreement_row(const std::string& scene, const Json& line) {
+std::vector<TableValue> agreement_row(const std::string& scene, const Json& line) {
     const auto number = [&](const char* name) { return line.at(name).get<double>(); };
     const double same_rays = number("same_rays_errors"), own_rays = number("own_rays_errors");
     const bool same = std::abs(same_rays) < kMostErrors && std::abs(own_rays) < kMostErrors;
     return {scene,
             length_text(line.at("radius")),
-            Cell(number("points"), 0),
-            Cell(number("rays"), 0),
-            Cell(number("differing"), 0),
-            Cell(number("ours"), 5),
-            Cell(number("embree_same_rays"), 5),
-            Cell(number("embree_own_rays"), 5),
-            Cell(number("error"), 6),
-            Cell(same_rays, 3),
-            Cell(own_rays, 2),
-            Cell(number("point_rms_errors"), 3),
+            TableValue(number("points"), 0),
+            TableValue(number("rays"), 0),
+            TableValue(number("differing"), 0),
+            TableValue(number("ours"), 5),
+            TableValue(number("embree_same_rays"), 5),
+            TableValue(number("embree_own_rays"), 5),
+            TableValue(number("error"), 6),
+            TableValue(same_rays, 3),
+            TableValue(own_rays, 2),
+            TableValue(number("point_rms_errors"), 3),
             same ? "same" : "DIFFERENT"};
 }
 
@@ -226,7 +224,8 @@ int bench_ray_peers(const RayPeersOptions& options, std::ostream& out) {
         const std::vector<std::string> lines = ask_peer(scene, options);
         report.facts.push_back({scene, lines.front()});
         const std::vector<Table> tables = ray_tables(scene, lines);
-        for (const std::vector<Cell>& row : tables.back().rows) same = same && row.back().text == "same";
+        for (const std::vector<TableValue>& row : tables.back().rows)
+            same = same && row.back().text == "same";
         const std::string note = busy_traces_note(answers_of(scene, lines).traces);
         if (!note.empty()) out << scene << ": " << note << "\n";
         if (report.tables.empty()) {

@@ -74,12 +74,12 @@ Table point_table(const std::vector<ScaleStudy>& studies) {
         for (std::size_t i = 0; i < study.points.size(); ++i) {
             const BenchPoint& point = study.points[i];
             const PointFigures& figures = study.figures[i];
-            std::vector<Cell> row = {
+            std::vector<TableValue> row = {
                 study.name, std::to_string(point.size.width) + "x" + std::to_string(point.size.height),
-                Cell(figures.triangles, 0), Cell(point.samples, 0)};
-            for (const char* pass : kPasses) row.push_back(Cell(study.wall_ms(pass)[i], 3));
-            row.push_back(Cell(figures.passes.back().wall_ms_mad, 3));
-            row.push_back(Cell(figures.peak_bytes / kMegabyte, 1));
+                TableValue(figures.triangles, 0), TableValue(point.samples, 0)};
+            for (const char* pass : kPasses) row.push_back(TableValue(study.wall_ms(pass)[i], 3));
+            row.push_back(TableValue(figures.passes.back().wall_ms_mad, 3));
+            row.push_back(TableValue(figures.peak_bytes / kMegabyte, 1));
             table.rows.push_back(std::move(row));
         }
     }
@@ -87,14 +87,15 @@ Table point_table(const std::vector<ScaleStudy>& studies) {
 }
 
 Table memory_table(const MemoryNeed& need) {
-    const Cell limit(kMemoryLimit_bytes / kMegabyte, 0);
+    const TableValue limit(kMemoryLimit_bytes / kMegabyte, 0);
     return {"scale_memory",
             {"what", "value", "error", "limit"},
-            {{"bytes per pixel", Cell(need.bytes_per_pixel, 1), Cell(need.bytes_per_pixel_error, 1), Cell()},
-             {"bytes per triangle", Cell(need.bytes_per_triangle, 1), Cell(need.bytes_per_triangle_error, 1),
-              Cell()},
+            {{"bytes per pixel", TableValue(need.bytes_per_pixel, 1),
+              TableValue(need.bytes_per_pixel_error, 1), TableValue()},
+             {"bytes per triangle", TableValue(need.bytes_per_triangle, 1),
+              TableValue(need.bytes_per_triangle_error, 1), TableValue()},
              {std::string("MB at 7680x4320, ") + (need.measured ? "measured" : "from the line"),
-              Cell(need.largest_picture_bytes / kMegabyte, 0), Cell(), limit}}};
+              TableValue(need.largest_picture_bytes / kMegabyte, 0), TableValue(), limit}}};
 }
 
 }  // namespace

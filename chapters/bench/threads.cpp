@@ -41,9 +41,9 @@ Table thread_table() {
     }
     for (const std::string& name : names) {
         const MedianInterval ratio = ratio_interval(one[name], two[name]);
-        table.rows.push_back({name, Cell(median(one[name]), 3), Cell(median(two[name]), 3), ratio.median,
-                              ratio.low, ratio.high, Cell(100 * ratio.confidence, 1), Cell(kTwoThreadAim, 1),
-                              verdict_name(verdict(ratio, kTwoThreadAim))});
+        table.rows.push_back({name, TableValue(median(one[name]), 3), TableValue(median(two[name]), 3),
+                              ratio.median, ratio.low, ratio.high, TableValue(100 * ratio.confidence, 1),
+                              TableValue(kTwoThreadAim, 1), verdict_name(verdict(ratio, kTwoThreadAim))});
     }
     return table;
 }

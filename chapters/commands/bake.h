@@ -12,15 +12,23 @@
 namespace crevice {
 
 struct BakeOptions {
-    std::string scene;   // SCENE of the command line
-    RayAoSettings rays;  // rays and radius as given; both bakes are of whole meshes, so unbounded by
-                         // default
-    int texels = 512;    // of bake_lightmap: side of the map, texels
-    bool mesh_texcoords =
-        false;  // of bake_lightmap: the meshes' own texture coordinates, where they do not overlap
+    std::string scene;  // SCENE of the command line
+    // The radius, too: both bakes are of whole meshes, so the command leaves it unbounded unless it is given.
+    RayAoSettings rays;
+    int texels = 512;  // of bake_lightmap: side of the map
+    // Of bake_lightmap: the meshes' own texture coordinates, where they do not overlap.
+    bool mesh_texcoords = false;
     std::filesystem::path out = "out";
     Run run;
 };
+
+// Rays relative to the middle of the scene: its largest coordinate decides how far they start above their
+// surface, and is smallest from there. Vertices that are no numbers spoil the bounds; then rays are relative to
+// the origin. `name` is for the InputError that a scene without triangles that block rays ends with.
+RayScene centred_ray_scene(const Scene& scene, const std::string& name, const Run& run);
+
+// One line on stderr of `count` things, "SCENE: NAME: COUNT WHAT"; nothing when there are none.
+void print_warning(const BakeOptions& options, const char* name, std::size_t count, const char* what);
 
 // Writes OUT/NAME_vertex_ao.obj: the scene as one mesh, accessibility as vertex colours, and prints what it
 // took. Throws UsageError, InputError, OutputError.

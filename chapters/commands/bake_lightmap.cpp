@@ -1,10 +1,9 @@
-#include <cmath>
 #include <iostream>
-#include <sstream>
 
 #include "chapters/commands/bake.h"
 #include "chapters/frame/scene_argument.h"
 #include "chapters/notebook/picture.h"
+#include "chapters/terminal/number_text.h"
 #include "chapters/terminal/output_directory.h"
 #include "chapters/terminal/progress.h"
 #include "chapters/terminal/stopwatch.h"
@@ -18,13 +17,6 @@ namespace crevice {
 
 namespace {
 
-std::string fixed(double value, int digits) {
-    std::ostringstream text;
-    text.precision(digits);
-    text << std::fixed << value;
-    return text.str();
-}
-
 struct Bake {
     RayScene rays;
     LightmapCharts charts;
@@ -32,22 +24,10 @@ struct Bake {
     double build_ms = 0, charts_ms = 0, rays_ms = 0;
 };
 
-// What rays are relative to: the largest coordinate decides how far they start above their surface, and is
-// smallest from the middle. Vertices that are no numbers spoil the bounds.
-glm::dvec3 middle_of(const Scene& scene) {
-    const Bounds bounds = world_bounds(scene);
-    const glm::dvec3 middle = 0.5 * (bounds.low + bounds.high);
-    return std::isfinite(middle.x + middle.y + middle.z) ? middle : glm::dvec3(0);
-}
-
 Bake bake(const Scene& scene, const BakeOptions& options) {
     Bake result;
     const double start_ms = clocks().wall_ms;
-    result.rays = ray_scene(scene, middle_of(scene), options.run);
-    if (result.rays.triangles.empty())
-        throw InputError(options.scene + ": no triangle that could be baked (" +
-                         std::to_string(triangle_count(scene)) +
-                         " triangles in all); give a scene with triangles that have an area");
+    result.rays = centred_ray_scene(scene, options.scene, options.run);
     const double built_ms = clocks().wall_ms;
     result.charts =
         lightmap_charts(scene, result.rays,
@@ -64,33 +44,29 @@ Bake bake(const Scene& scene, const BakeOptions& options) {
 }
 
 void warn(const Bake& done, const BakeOptions& options) {
-    if (done.map.lifted_far > 0)
-        std::cerr << options.scene << ": offset-exceeds-radius/100: " << done.map.lifted_far
-                  << " texels start more than radius / 100 above their surface (radius "
-                  << options.rays.radius << "); take a larger --radius\n";
-    if (done.rays.not_finite > 0)
-        std::cerr << options.scene << ": not-finite: " << done.rays.not_finite
-                  << " triangles have a corner that is no finite number and are left out; mend the file\n";
+    print_warning(
+        options, "not-finite", done.rays.not_finite,
+        "triangles have a corner that is no finite number or beyond 2^36 units and are left out; mend the "
+        "file");
+    print_warning(options, "no-area", done.rays.degenerate, "triangles have no area and are left out");
+    print_warning(options, "offset-exceeds-radius/100", done.map.lifted_far,
+                  "texels' rays start more than radius / 100 above their surface; take a larger --radius");
     if (!done.charts.note.empty()) std::cerr << options.scene << ": " << done.charts.note << "\n";
-    if (done.rays.degenerate > 0)
-        std::cerr << options.scene << ": no-area: " << done.rays.degenerate
-                  << " triangles have no area and are left out\n";
 }
 
 void print(const Bake& done, std::ostream& out) {
     const LightmapAo& map = done.map;
     const double texels = double(done.charts.texels) * done.charts.texels;
-    const auto share = [&](std::size_t count) {
-        return fixed(100 * static_cast<double>(count) / texels, 1) + " %";
-    };
+    const auto share = [&](std::size_t count) { return percent_text(static_cast<double>(count) / texels); };
     const std::size_t centre = map.count(TexelKind::centre), touched = map.count(TexelKind::touched);
     out << done.charts.rects.size() << " charts for " << done.rays.triangles.size() << " triangles, "
-        << fixed(done.charts.density, 3) << " texels a scene unit\n"
+        << decimal_text(done.charts.density, 3) << " texels a scene unit\n"
         << share(centre + touched) << " of the texels are used, " << share(touched)
         << " of them at edges; dilation fills another " << share(map.count(TexelKind::dilated)) << "\n"
-        << map.rays_cast << " rays, " << fixed(static_cast<double>(map.rays_cast) / done.rays_ms / 1e3, 1)
-        << " million/s; BVH " << fixed(done.build_ms, 1) << " ms, charts " << fixed(done.charts_ms, 1)
-        << " ms, rays " << fixed(done.rays_ms, 1) << " ms\n";
+        << map.rays_cast << " rays, "
+        << decimal_text(static_cast<double>(map.rays_cast) / done.rays_ms / 1e3, 1) << " million/s; BVH "
+        << decimal_text(done.build_ms, 1) << " ms, charts " << decimal_text(done.charts_ms, 1) << " ms, rays "
+        << decimal_text(done.rays_ms, 1) << " ms\n";
 }
 
 }  // namespace

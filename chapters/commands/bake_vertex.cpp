@@ -1,5 +1,4 @@
 // The vertex bake of `crevice bake`.
-#include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -18,19 +17,6 @@ namespace crevice {
 
 namespace {
 
-// Rays relative to the middle of the scene, where its coordinates are smallest.
-RayScene centred_ray_scene(const Scene& scene, const std::string& name, const Run& run) {
-    const Bounds bounds = world_bounds(scene);
-    const glm::dvec3 middle = 0.5 * (bounds.low + bounds.high);
-    const bool finite = std::isfinite(middle.x) && std::isfinite(middle.y) && std::isfinite(middle.z);
-    RayScene rays = ray_scene(scene, finite ? middle : glm::dvec3(0), run);
-    if (rays.triangles.empty())
-        throw InputError(name + ": there is no triangle to bake (" + std::to_string(triangle_count(scene)) +
-                         " in the scene, " + std::to_string(rays.degenerate) + " without area, " +
-                         std::to_string(rays.not_finite) + " not finite); give a scene that has some");
-    return rays;
-}
-
 std::string comment_of(const Scene& scene, const RayAoSettings& settings) {
     std::ostringstream text;
     text << "Accessibility of " << scene.name << " as grey vertex colours, linear, 1 open. " << settings.rays
@@ -40,18 +26,17 @@ std::string comment_of(const Scene& scene, const RayAoSettings& settings) {
     return text.str();
 }
 
-// What the numbers of the bake cannot show; named as in the other bake.
+// What the numbers of the bake cannot show.
 void warn(const RayScene& rays, const VertexAo& ao, const BakeOptions& options) {
-    const auto note = [&](const char* name, std::size_t count, const char* what) {
-        if (count > 0) std::cerr << options.scene << ": " << name << ": " << count << " " << what << "\n";
-    };
-    note("not-finite", rays.not_finite,
-         "triangles have a corner that is no finite number or beyond 2^36 units and block no ray; mend the "
-         "file");
-    note("no-area", rays.degenerate, "triangles have no area and block no ray");
-    note("unused", ao.unused, "vertices belong to no triangle that blocks rays and are open");
-    note("offset-exceeds-radius/100", ao.lifted_far,
-         "rays' origins are more than radius / 100 above their surface; take a larger --radius");
+    print_warning(
+        options, "not-finite", rays.not_finite,
+        "triangles have a corner that is no finite number or beyond 2^36 units and block no ray; mend the "
+        "file");
+    print_warning(options, "no-area", rays.degenerate, "triangles have no area and block no ray");
+    print_warning(options, "unused", ao.unused,
+                  "vertices belong to no triangle that blocks rays and are open");
+    print_warning(options, "offset-exceeds-radius/100", ao.lifted_far,
+                  "rays' origins are more than radius / 100 above their surface; take a larger --radius");
 }
 
 }  // namespace

@@ -1,16 +1,17 @@
-#include "chapters/commands/bench_command.h"
-
+// `crevice bench`: one of several benchmarks, each with words of its own.
 #include <algorithm>
-#include <initializer_list>
 #include <iostream>
+#include <memory>
 
-#include "chapters/bench/error.h"
+#include "chapters/bench/error_against_time.h"
 #include "chapters/bench/frames.h"
 #include "chapters/bench/instructions.h"
-#include "chapters/bench/left_out.h"
+#include "chapters/bench/left_out_savings.h"
 #include "chapters/bench/peers.h"
 #include "chapters/bench/ray_peers.h"
 #include "chapters/bench/scale.h"
+#include "chapters/commands/commands.h"
+#include "chapters/commands/run_flags.h"
 #include "chapters/terminal/output_directory.h"
 #include "chapters/terminal/parse.h"
 #include "rasterizer/base/error.h"
@@ -19,14 +20,21 @@ namespace crevice {
 
 namespace {
 
+// As they were typed.
+struct BenchWords {
+    std::vector<std::string> scenes;
+    std::optional<std::string> scene, size, pairs, out, figures, point;
+    std::string threads = "0";
+    CameraFlags camera;
+    bool quick = false, bless = false;
+};
+
 std::optional<std::filesystem::path> directory_of(const BenchWords& words) {
     return words.out ? std::optional<std::filesystem::path>(*words.out) : std::nullopt;
 }
 
 Run run_of(const BenchWords& words) {
-    Run run;
-    run.threads = static_cast<int>(parse_whole("--threads", words.threads, 0, 1024));
-    return run;
+    return {.threads = static_cast<int>(parse_whole("--threads", words.threads, 0, 1024))};
 }
 
 FramesOptions frames_options(const BenchWords& words) {
@@ -39,6 +47,10 @@ FramesOptions frames_options(const BenchWords& words) {
     options.program = own_program();
     return options;
 }
+
+int frames(const BenchWords& words) { return bench_frames(frames_options(words), std::cout); }
+
+int left_out(const BenchWords& words) { return bench_left_out(frames_options(words), std::cout); }
 
 int peers(const BenchWords& words) {
     PeersOptions options;
@@ -72,7 +84,7 @@ int instructions(const BenchWords& words) {
     return bench_instructions(options, std::cout);
 }
 
-int error(const BenchWords& words) {
+int error_against_time(const BenchWords& words) {
     if (words.scenes.size() > 1)
         throw UsageError("bench --error: more than one scene (" + words.scenes[1] + "); give one at a time");
     BenchErrorOptions options;
@@ -91,62 +103,92 @@ int point(const BenchWords& words) {
     return static_cast<int>(ExitCode::done);
 }
 
-// The benchmarks, and which words belong to each.
-enum class Bench { frames, peers, scale, instructions, left_out, error, point };
+struct Benchmark {
+    const char* flag;   // that asks for it; empty: nothing does
+    const char* about;  // empty: not for --help
+    const char* reads;  // the words that it reads beside --out; CAMERA: all that describe the camera
+    int (*run)(const BenchWords& words);
+};
 
-Bench chosen_bench(const BenchWords& words) {
-    if (words.peers + words.scale + words.instructions + words.left_out + words.error > 1)
-        throw UsageError(
-            "bench: more than one of --peers --scale --instructions --left-out --error; give one at a time");
-    if (words.point) return Bench::point;
-    if (words.peers) return Bench::peers;
-    if (words.scale) return Bench::scale;
-    if (words.left_out) return Bench::left_out;
-    if (words.error) return Bench::error;
-    return words.instructions ? Bench::instructions : Bench::frames;
+constexpr Benchmark kBenchmarks[] = {
+    {"", "", "SCENE --size --threads CAMERA", frames},
+    {"--error", "error against run time: settings, ray casting, vertex bakes",
+     "SCENE --size --threads --quick CAMERA", error_against_time},
+    {"--peers", "our passes against the same on Mesa's llvmpipe, our rays against Embree's, in turns",
+     "--scene --size --threads --pairs CAMERA", peers},
+    {"--left-out", "what leaving out saves, kind by kind", "SCENE --size --threads CAMERA", left_out},
+    {"--scale", "time and memory over pixels, triangles, samples and threads", "--threads --quick", scale},
+    {"--instructions", "instructions per pass against the stored figures", "--bless --figures", instructions},
+    // One measurement of --scale, which starts this program for each of them.
+    {"--point", "", "", point},
+};
+
+std::string name_of(const Benchmark& benchmark) {
+    return *benchmark.flag == 0 ? "bench" : std::string("bench ") + benchmark.flag;
+}
+
+bool reads(const Benchmark& benchmark, const std::string& word) {
+    const bool of_camera = std::ranges::find(kCameraFlags, word) != std::end(kCameraFlags);
+    const std::string all = std::string(" --out ") + benchmark.flag + " " + benchmark.reads + " ";
+    return all.find(" " + (of_camera ? "CAMERA" : word) + " ") != std::string::npos;
+}
+
+const Benchmark& chosen_benchmark(const CLI::App& command) {
+    const Benchmark* chosen = &kBenchmarks[0];
+    for (const Benchmark& benchmark : kBenchmarks) {
+        if (*benchmark.flag == 0 || command.count(benchmark.flag) == 0) continue;
+        if (*chosen->flag != 0)
+            throw UsageError(std::string("bench: both ") + chosen->flag + " and " + benchmark.flag +
+                             "; give one at a time");
+        chosen = &benchmark;
+    }
+    return *chosen;
 }
 
 // A word that the benchmark would not look at is a mistake, not a wish.
-void require_used(const BenchWords& words, Bench bench) {
-    const auto only_with = [&](bool given, const char* flag, std::initializer_list<Bench> users,
-                               const char* which) {
-        if (!given || std::find(users.begin(), users.end(), bench) != users.end()) return;
-        throw UsageError(std::string(flag) + ": " + which + "; leave it away");
-    };
-    const CameraFlags& c = words.camera;
-    const bool camera = c.eye || c.target || c.fov_y || c.near_plane || c.far_plane || c.ortho;
-    only_with(!words.scenes.empty(), "SCENE", {Bench::frames, Bench::left_out, Bench::error},
-              "not with --peers --scale --instructions");
-    only_with(words.scene.has_value(), "--scene", {Bench::peers}, "only with --peers");
-    only_with(words.pairs.has_value(), "--pairs", {Bench::peers}, "only with --peers");
-    only_with(words.size.has_value(), "--size", {Bench::frames, Bench::peers, Bench::left_out, Bench::error},
-              "not with --scale --instructions");
-    only_with(camera, "camera flags", {Bench::frames, Bench::peers, Bench::left_out, Bench::error},
-              "not with --scale --instructions");
-    only_with(words.threads != "0", "--threads",
-              {Bench::frames, Bench::peers, Bench::left_out, Bench::scale, Bench::error},
-              "not with --instructions");
-    only_with(words.quick, "--quick", {Bench::scale, Bench::error}, "only with --scale and --error");
-    only_with(words.bless, "--bless", {Bench::instructions}, "only with --instructions");
-    only_with(words.figures.has_value(), "--figures", {Bench::instructions}, "only with --instructions");
+void require_read(const CLI::App& command, const Benchmark& chosen) {
+    for (const CLI::Option* option : command.get_options()) {
+        const std::string word = option->get_name();
+        if (option->count() == 0 || reads(chosen, word)) continue;
+        std::string readers;
+        for (const Benchmark& benchmark : kBenchmarks) {
+            if (reads(benchmark, word)) readers += (readers.empty() ? "" : ", ") + name_of(benchmark);
+        }
+        throw UsageError(word + ": " + name_of(chosen) + " does not read it, only " + readers +
+                         "; leave it away");
+    }
+}
+
+int run(const CLI::App& command, const BenchWords& words) {
+    const Benchmark& chosen = chosen_benchmark(command);
+    require_read(command, chosen);
+    if (words.out) try_output_directory(*words.out);
+    return chosen.run(words);
 }
 
 }  // namespace
 
-int bench_command(const BenchWords& words) {
-    const Bench bench = chosen_bench(words);
-    require_used(words, bench);
-    if (words.out) try_output_directory(*words.out);
-    switch (bench) {
-        case Bench::frames: return bench_frames(frames_options(words), std::cout);
-        case Bench::peers: return peers(words);
-        case Bench::scale: return scale(words);
-        case Bench::instructions: return instructions(words);
-        case Bench::left_out: return bench_left_out(frames_options(words), std::cout);
-        case Bench::error: return error(words);
-        case Bench::point: return point(words);
+Command add_bench_command(CLI::App& program) {
+    const auto words = std::make_shared<BenchWords>();
+    CLI::App* const bench =
+        program.add_subcommand("bench", "Measure: ms per pass of scenes, or what one of the flags asks for");
+    bench->add_option("SCENE", words->scenes, "scenes to measure; default: the built-in ones");
+    for (const Benchmark& benchmark : kBenchmarks) {
+        if (*benchmark.about != 0) bench->add_flag(benchmark.flag, benchmark.about);
     }
-    return static_cast<int>(ExitCode::usage);
+    bench->add_option("--scene", words->scene, "with --peers: one scene; default: columns and columns_luna");
+    bench->add_option("--size", words->size, "size of the picture in pixels, WxH; default: 1280x720");
+    bench->add_option("--pairs", words->pairs,
+                      "with --peers: how many pairs of frames, 15..999; default: 21");
+    add_camera_flags(*bench, words->camera);
+    bench->add_option("--threads", words->threads, "0: all; 1: a plain loop")->capture_default_str();
+    bench->add_flag("--quick", words->quick, "with --scale or --error: less of it, in under a minute");
+    bench->add_flag("--bless", words->bless, "with --instructions: store the figures instead of comparing");
+    bench->add_option("--figures", words->figures,
+                      "with --instructions: where they are stored; default: tests/golden/instructions.json");
+    bench->add_option("--out", words->out, "the directory for tables (CSV, JSON) and pages");
+    bench->add_option("--point", words->point)->group("");
+    return {bench, [bench, words] { return run(*bench, *words); }};
 }
 
 }  // namespace crevice

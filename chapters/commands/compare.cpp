@@ -120,9 +120,7 @@ DifferenceEntry file_entry(const CompareOptions& options) {
 
 }  // namespace
 
-int compare_command(const CompareOptions& options) { return compare_command(options, std::cout); }
-
-int compare_command(const CompareOptions& options, std::ostream& report) {
+int compare_files(const CompareOptions& options, std::ostream& report) {
     std::error_code ignored;
     const bool directories = fs::is_directory(options.a, ignored);
     if (directories != fs::is_directory(options.b, ignored)) {

@@ -19,7 +19,6 @@ struct CompareOptions {
 // (NAME_error.* of directories). PNG values count as k/255, as the file encodes them. Returns 0 when all
 // pairs have the same bits and no NaN, else 1. Throws InputError when a file cannot be read, the two are of
 // different kinds or shapes, or the directories hold no .npy at all; OutputError when writing fails.
-int compare_command(const CompareOptions& options);
-int compare_command(const CompareOptions& options, std::ostream& report);
+int compare_files(const CompareOptions& options, std::ostream& report);
 
 }  // namespace crevice

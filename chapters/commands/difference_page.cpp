@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 #include "chapters/notebook/html.h"
 #include "chapters/notebook/picture.h"
+#include "chapters/terminal/number_text.h"
 #include "rasterizer/lanes/approx_math.h"
 
 namespace crevice {
@@ -207,11 +207,7 @@ std::string section(const Judged& judged, const DifferenceLabels& labels) {
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> error_rows(const ImageError& error) {
-    const auto number = [](double value) {
-        char text[32];
-        std::snprintf(text, sizeof text, "%.6g", value);
-        return std::string(text);
-    };
+    const auto number = [](double value) { return significant_text(value, 6); };
     const std::string of_all = " of " + std::to_string(error.pixels);
     return {{"RMSE", number(error.rmse)},
             {"MAE", number(error.mae)},

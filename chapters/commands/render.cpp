@@ -10,6 +10,7 @@
 #include "chapters/frame/buffer_writer.h"
 #include "chapters/frame/demo_view.h"
 #include "chapters/terminal/output_directory.h"
+#include "chapters/terminal/parse.h"
 #include "rasterizer/base/write_file.h"
 
 namespace crevice {
@@ -124,7 +125,8 @@ PreparedRender prepared_render(const RenderOptions& options) {
     // Loads or makes no texture when nothing shows one.
     const bool surfaces = request.wanted.contains("lit") || asked.buffers.mapped_normals;
     SceneArgument argument = load_scene(options.scene, {.surfaces = surfaces, .run = request.run});
-    argument.scene.lights = lights_at(argument.scene, options.time_s);
+    named_as({{"time", "--time"}},
+             [&] { argument.scene.lights = lights_at(argument.scene, options.time_s); });
     const Camera camera = chosen_camera(argument, options.camera);
     const float ao_scale = request.settings.ao.ao_scale;
     request.settings = settings_of(*request.method, options.params, argument.scene.length_unit);
@@ -134,7 +136,7 @@ PreparedRender prepared_render(const RenderOptions& options) {
     return {std::move(argument), camera, std::move(request)};
 }
 
-void render_command(const RenderOptions& given) {
+void render(const RenderOptions& given) {
     const auto [argument, camera, request] = prepared_render(given);
     RenderOptions options = given;
     options.request = request;

@@ -30,6 +30,6 @@ PreparedRender prepared_render(const RenderOptions& options);
 
 // Writes OUT/NAME.npy and OUT/NAME.png for each wanted buffer and OUT/passes.json, and prints one line for
 // each. Throws InputError, UsageError, OutputError; the output directory is tried before anything is drawn.
-void render_command(const RenderOptions& options);
+void render(const RenderOptions& options);
 
 }  // namespace crevice

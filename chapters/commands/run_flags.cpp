@@ -8,10 +8,9 @@ namespace crevice {
 namespace {
 
 Isa isa_named(const std::string& word) {
-    for (const Isa isa : kEveryIsa) {
-        if (word == isa_name(isa)) return isa;
-    }
-    throw UsageError("--isa: no such instruction set (" + word + "); give baseline or avx2");
+    std::vector<std::pair<const char*, Isa>> choices;
+    for (const Isa isa : kEveryIsa) choices.emplace_back(isa_name(isa), isa);
+    return parse_choice("--isa", word, choices);
 }
 
 // The run with so many lanes: of the instruction set that was named, else of one that has as many.
@@ -49,8 +48,7 @@ Run run_of(const RunWords& words) {
         run = with_lanes(run, static_cast<int>(parse_whole("--lanes", words.lanes, 1, kMostLanes)),
                          !words.isa.empty());
     }
-    named_as("--isa", [&] { validate(Run{.isa = run.isa}); });
-    named_as("--tile", [&] { validate(Run{.tile_size = run.tile_size}); });
+    named_as({{"instruction set", "--isa"}, {"tile size", "--tile"}}, [&] { validate(run); });
     return run;
 }
 

@@ -10,6 +10,9 @@
 
 namespace crevice {
 
+// What SCENE is.
+inline constexpr const char* kSceneMeaning = "a built-in scene (crevice scenes) or the path of an OBJ file";
+
 // How to run, as it was typed.
 struct RunWords {
     std::string threads = "0", tile = "64", lanes, isa;
@@ -20,7 +23,7 @@ void add_run_flags(CLI::App& command, RunWords& words);
 // Throws UsageError.
 Run run_of(const RunWords& words);
 
-// --eye --target --fov-y --near --far --ortho
+inline constexpr const char* kCameraFlags[] = {"--eye", "--target", "--fov-y", "--near", "--far", "--ortho"};
 void add_camera_flags(CLI::App& command, CameraFlags& camera);
 
 }  // namespace crevice

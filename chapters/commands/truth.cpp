@@ -117,7 +117,7 @@ void print_reference(const NamedReference& r, std::size_t points) {
 
 }  // namespace
 
-void truth_command(const TruthOptions& options) {
+void write_truth(const TruthOptions& options) {
     ReferenceRequest request = options.request;
     validate(request.run);
     if (!request.method->computes_ao)

@@ -22,6 +22,6 @@ struct TruthOptions {
 
 // Writes OUT/truth_hard, truth_soft, truth_screen and truth_limit, each .npy and .png and with ..._error, and
 // OUT/passes.json, and prints one line for each. Throws InputError, UsageError, OutputError.
-void truth_command(const TruthOptions& options);
+void write_truth(const TruthOptions& options);
 
 }  // namespace crevice

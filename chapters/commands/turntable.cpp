@@ -78,7 +78,7 @@ Camera turned_camera(const Camera& camera, int frame) {
     return moved;
 }
 
-void turntable_command(const RenderOptions& options, FrameRange range, std::ostream& out) {
+void render_turntable(const RenderOptions& options, FrameRange range, std::ostream& out) {
     PreparedRender prepared = prepared_render(options);
     try_output_directory(options.out);
     const Camera start = prepared.camera;

@@ -23,7 +23,7 @@ FrameRange frames_of(const std::string& flag, const std::string& word);
 Camera turned_camera(const Camera& camera, int frame);
 
 // Writes OUT/frame_NNNN.png, the lit picture or the first of the buffers that were asked for, and OUT/turntable.webp where the
-// program img2webp (Debian package webp) is found; says so where it is not. Throws as render_command().
-void turntable_command(const RenderOptions& options, FrameRange frames, std::ostream& out);
+// program img2webp (Debian package webp) is found; says so where it is not. Throws as render().
+void render_turntable(const RenderOptions& options, FrameRange frames, std::ostream& out);
 
 }  // namespace crevice

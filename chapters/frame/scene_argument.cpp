@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <filesystem>
-#include <iomanip>
 #include <iostream>
 
 #include "chapters/terminal/parse.h"
@@ -53,20 +52,14 @@ Camera chosen_camera(const SceneArgument& argument, const CameraFlags& flags) {
         camera.projection = Projection::orthographic;
         camera.ortho_height = parse_number("--ortho", *flags.ortho);
     }
-    validate(camera);
+    named_as({{"eye", "--eye"},
+              {"target", "--target"},
+              {"fov_y_rad", "--fov-y"},
+              {"near_plane", "--near"},
+              {"far_plane", "--far"},
+              {"ortho_height", "--ortho"}},
+             [&] { validate(camera); });
     return camera;
-}
-
-void print_scenes(std::ostream& out) {
-    out << std::left << std::setw(18) << "scene" << std::right << std::setw(10) << "triangles"
-        << "  " << std::left << std::setw(22) << "unit"
-        << "purpose\n";
-    for (const BuiltinScene& builtin : builtin_scenes()) {
-        out << std::left << std::setw(18) << builtin.name << std::right << std::setw(10)
-            << triangle_count(builtin.make()) << "  " << std::left << std::setw(22) << builtin.unit
-            << builtin.purpose << "\n";
-    }
-    out << "or the path of an OBJ file\n";
 }
 
 }  // namespace crevice

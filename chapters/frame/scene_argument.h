@@ -34,7 +34,4 @@ struct CameraFlags {
 // eye looks at the middle of the scene unless a target is given too. Throws UsageError.
 Camera chosen_camera(const SceneArgument& scene, const CameraFlags& flags);
 
-// `crevice scenes`: the built-in scenes with triangle counts, unit and purpose.
-void print_scenes(std::ostream& out);
-
 }  // namespace crevice

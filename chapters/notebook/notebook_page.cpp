@@ -2,6 +2,7 @@
 
 #include "chapters/notebook/html.h"
 #include "chapters/notebook/notebook_text.h"
+#include "chapters/notebook/sources.h"
 
 namespace crevice {
 
@@ -83,6 +84,8 @@ std::string html_from_cells(const std::vector<Cell>& cells) {
 
 std::string notebook_page(const std::vector<NotebookSection>& sections) {
     std::string body = "<div class=\"with-contents\">\n" + contents(sections) + "<main>\n";
+    body +=
+        "<section id=\"sources\">\n<h2>Sources</h2>\n" + html_from_markdown(sources_table()) + "</section>\n";
     for (const NotebookSection& section : sections) {
         body += "<section id=\"" + escape_html(section.name) + "\">\n" + section.html + "</section>\n";
     }

@@ -18,7 +18,7 @@ struct NotebookSection {
     int failed_checks = 0;
 };
 
-// All sections under a list of contents; a section with a failed check is marked there.
+// The table of sources (sources.h) and all sections, beside a list of contents; a section with a failed check is marked there.
 std::string notebook_page(const std::vector<NotebookSection>& sections);
 
 }  // namespace crevice

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "chapters/notebook/html.h"
+#include "chapters/terminal/number_text.h"
 
 namespace crevice {
 
@@ -22,8 +23,6 @@ std::size_t shown_width(std::string_view text) {
     return static_cast<std::size_t>(std::count_if(
         text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
 }
-
-std::string size_text(Size size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
 
 std::string text_lines(const TextCell& cell, bool colour) {
     if (!colour) return cell.markdown + "\n";

@@ -2,10 +2,10 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <utility>
 
+#include "chapters/terminal/number_text.h"
 #include "rasterizer/base/image_io.h"
 #include "rasterizer/lanes/approx_math.h"
 
@@ -174,20 +174,12 @@ Picture grey_picture(const Image<float>& values, float low, float high) {
                            [low, high](float value) { return (value - low) / (high - low); });
 }
 
-std::string exact_text(float value) {
-    char text[32];
-    for (int digits = 6; digits <= 9; ++digits) {
-        std::snprintf(text, sizeof text, "%.*g", digits, static_cast<double>(value));
-        if (std::strtof(text, nullptr) == value) break;
-    }
-    return text;
-}
-
 std::string statistics_text(const BufferStatistics& statistics) {
-    char text[96];
-    std::snprintf(text, sizeof text, "min %.6g, mean %.6g, max %.6g", static_cast<double>(statistics.min),
-                  statistics.mean, static_cast<double>(statistics.max));
-    std::string line = statistics.finite > 0 ? text : "no finite value";
+    const auto digits = [](double value) { return significant_text(value, 6); };
+    std::string line = "no finite value";
+    if (statistics.finite > 0)
+        line = "min " + digits(double(statistics.min)) + ", mean " + digits(statistics.mean) + ", max " +
+               digits(double(statistics.max));
     if (statistics.nan > 0) line += ", " + std::to_string(statistics.nan) + " NaN";
     if (statistics.inf > 0) line += ", " + std::to_string(statistics.inf) + " infinite";
     return line;

@@ -47,8 +47,6 @@ Picture mask_picture(const Image<std::uint8_t>& mask);
 // Any other buffer: black at `low` (and below) to white at `high`, affine. `low` < `high`.
 Picture grey_picture(const Image<float>& values, float low, float high);
 
-// A value as text that reads back as the same float.
-std::string exact_text(float value);
 // "min 0.25, mean 0.8, max 1", and how many values are NaN or infinite where there are any.
 std::string statistics_text(const BufferStatistics& statistics);
 

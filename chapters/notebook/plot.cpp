@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "chapters/notebook/svg.h"
+#include "chapters/terminal/number_text.h"
 
 namespace crevice {
 
@@ -30,9 +30,7 @@ struct Axis {
 // 0.01, 0.02, 1, 100, then 1e5, 2e5.
 std::string tick_label(int factor, int exponent) {
     if (exponent > 4 || exponent < -3) return std::to_string(factor) + "e" + std::to_string(exponent);
-    char text[32];
-    std::snprintf(text, sizeof text, "%g", factor * std::pow(10.0, exponent));
-    return text;
+    return significant_text(factor * std::pow(10.0, exponent), 6);
 }
 
 // The decades that hold all of these values that can be drawn.

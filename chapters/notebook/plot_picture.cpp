@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <string_view>
 
 #include <glm/vec2.hpp>
 
+#include "chapters/terminal/number_text.h"
 #include "rasterizer/base/error.h"
 #include "rasterizer/lanes/approx_math.h"
 
@@ -105,25 +105,19 @@ struct Canvas {
     }
 };
 
-std::string label_text(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
-}
-
 void draw_grid(Canvas& canvas, const Axis& x, const Axis& y) {
     const auto middle = [](float at) { return static_cast<int>(at); };
     for (const double value : x.grid()) {
         const int column = std::min(middle(x.at(value)), canvas.x1 - 1);
         for (int row = canvas.y0; row < canvas.y1; ++row) canvas.pixels.set(column, row, kGrid);
-        const std::string text = label_text(value);
+        const std::string text = significant_text(value, 6);
         const int width = kGlyphWidth * static_cast<int>(text.size());
         canvas.label(std::min(column - width / 2, canvas.pixels.size().width - width), canvas.y1 + 4, text);
     }
     for (const double value : y.grid()) {
         const int row = std::min(middle(y.at(value)), canvas.y1 - 1);
         for (int column = canvas.x0; column < canvas.x1; ++column) canvas.pixels.set(column, row, kGrid);
-        const std::string text = label_text(value);
+        const std::string text = significant_text(value, 6);
         const int width = kGlyphWidth * static_cast<int>(text.size());
         canvas.label(canvas.x0 - 4 - width, row - kGlyphHeight / 2, text);
     }
@@ -153,9 +147,10 @@ void check(Size size, const PlotFrame& frame, std::span<const PlotSeries> series
         return std::isfinite(low) && std::isfinite(high) && low < high && (!frame.logarithmic || low > 0);
     };
     if (!usable(frame.x_low, frame.x_high) || !usable(frame.y_low, frame.y_high))
-        throw UsageError("plot: an axis ends before it begins (x " + label_text(frame.x_low) + " to " +
-                         label_text(frame.x_high) + ", y " + label_text(frame.y_low) + " to " +
-                         label_text(frame.y_high) + "); give low < high, above 0 if logarithmic");
+        throw UsageError("plot: an axis ends before it begins (x " + significant_text(frame.x_low, 6) +
+                         " to " + significant_text(frame.x_high, 6) + ", y " +
+                         significant_text(frame.y_low, 6) + " to " + significant_text(frame.y_high, 6) +
+                         "); give low < high, above 0 if logarithmic");
     for (const PlotSeries& s : series) {
         if (s.x.size() != s.y.size())
             throw UsageError("plot: " + std::to_string(s.x.size()) + " x for " + std::to_string(s.y.size()) +
@@ -176,8 +171,8 @@ Picture plot_picture(Size size, const PlotFrame& frame, std::span<const PlotSeri
     for (const PlotSeries& s : series) draw_series(canvas, x, y, s);
     Picture picture = colour_picture(canvas.pixels);
     picture.mapping = std::string("plot, ") + (frame.logarithmic ? "logarithmic" : "linear") + ": x " +
-                      label_text(frame.x_low) + " to " + label_text(frame.x_high) + ", y " +
-                      label_text(frame.y_low) + " to " + label_text(frame.y_high);
+                      significant_text(frame.x_low, 6) + " to " + significant_text(frame.x_high, 6) + ", y " +
+                      significant_text(frame.y_low, 6) + " to " + significant_text(frame.y_high, 6);
     return picture;
 }
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "chapters/notebook/html.h"
+#include "chapters/terminal/number_text.h"
 
 namespace crevice {
 
@@ -21,10 +21,8 @@ std::string attribute(std::string_view name, double value) { return attribute(na
 }  // namespace
 
 std::string svg_number(double value) {
-    char text[32];
     // Never "-0.0".
-    std::snprintf(text, sizeof text, "%.1f", std::fabs(value) < 0.05 ? 0.0 : value);
-    return text;
+    return decimal_text(std::fabs(value) < 0.05 ? 0.0 : value, 1);
 }
 
 std::string svg_line(SvgPoint from, SvgPoint to, std::string_view colour) {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdio>
 #include <ostream>
 
 #include <nlohmann/json.hpp>
 
+#include "chapters/terminal/number_text.h"
 #include "chapters/terminal/output_directory.h"
 #include "rasterizer/base/write_file.h"
 
@@ -16,11 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string shown(const Cell& cell) {
-    if (cell.kind != Cell::Kind::number) return cell.text;
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*f", cell.decimals, cell.number);
-    return text;
+std::string shown(const TableValue& cell) {
+    return cell.kind == TableValue::Kind::number ? decimal_text(cell.number, cell.decimals) : cell.text;
 }
 
 // The shortest text that reads back as the same number.
@@ -37,11 +34,11 @@ std::string csv_word(const std::string& text) {
     return quoted + "\"";
 }
 
-Json json_value(const Cell& cell) {
+Json json_value(const TableValue& cell) {
     switch (cell.kind) {
-        case Cell::Kind::nothing: return nullptr;
-        case Cell::Kind::text: return cell.text;
-        case Cell::Kind::number: return cell.number;
+        case TableValue::Kind::nothing: return nullptr;
+        case TableValue::Kind::text: return cell.text;
+        case TableValue::Kind::number: return cell.number;
     }
     return nullptr;
 }
@@ -58,9 +55,9 @@ std::string table_text(const Table& table) {
     std::vector<bool> numbers(table.columns.size(), false);
     for (std::size_t c = 0; c < table.columns.size(); ++c) {
         widths.push_back(table.columns[c].size());
-        for (const std::vector<Cell>& row : table.rows) {
+        for (const std::vector<TableValue>& row : table.rows) {
             widths[c] = std::max(widths[c], shown(row[c]).size());
-            numbers[c] = numbers[c] || row[c].kind == Cell::Kind::number;
+            numbers[c] = numbers[c] || row[c].kind == TableValue::Kind::number;
         }
     }
     std::string text;
@@ -72,7 +69,8 @@ std::string table_text(const Table& table) {
         text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
     };
     add_line([&](std::size_t c) { return table.columns[c]; });
-    for (const std::vector<Cell>& row : table.rows) add_line([&](std::size_t c) { return shown(row[c]); });
+    for (const std::vector<TableValue>& row : table.rows)
+        add_line([&](std::size_t c) { return shown(row[c]); });
     return text;
 }
 
@@ -88,9 +86,9 @@ std::string csv_text(const Table& table) {
     std::string text;
     for (const std::string& column : table.columns) text += (text.empty() ? "" : ",") + csv_word(column);
     text += "\n";
-    for (const std::vector<Cell>& row : table.rows) {
+    for (const std::vector<TableValue>& row : table.rows) {
         for (std::size_t c = 0; c < row.size(); ++c) {
-            const bool is_number = row[c].kind == Cell::Kind::number;
+            const bool is_number = row[c].kind == TableValue::Kind::number;
             text += (c == 0 ? "" : ",") + (is_number ? exact(row[c].number) : csv_word(row[c].text));
         }
         text += "\n";
@@ -103,7 +101,7 @@ std::string json_text(const BenchReport& report) {
     for (const auto& [name, value] : report.facts) facts[name] = value;
     for (const Table& table : report.tables) {
         Json rows = Json::array();
-        for (const std::vector<Cell>& row : table.rows) {
+        for (const std::vector<TableValue>& row : table.rows) {
             Json object = Json::object();
             for (std::size_t c = 0; c < row.size(); ++c) object[table.columns[c]] = json_value(row[c]);
             rows.push_back(std::move(object));

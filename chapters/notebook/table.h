@@ -10,7 +10,7 @@
 namespace crevice {
 
 // Text, a number, or nothing. Files hold the whole number; `decimals` is for the eye.
-struct Cell {
+struct TableValue {
     enum class Kind { nothing, text, number };
 
     Kind kind = Kind::nothing;
@@ -18,17 +18,17 @@ struct Cell {
     double number = 0;
     int decimals = 2;
 
-    Cell() = default;
-    Cell(const char* words) : kind(Kind::text), text(words) {}
-    Cell(std::string words) : kind(Kind::text), text(std::move(words)) {}
-    Cell(double value, int shown_decimals = 2)
+    TableValue() = default;
+    TableValue(const char* words) : kind(Kind::text), text(words) {}
+    TableValue(std::string words) : kind(Kind::text), text(std::move(words)) {}
+    TableValue(double value, int shown_decimals = 2)
         : kind(Kind::number), number(value), decimals(shown_decimals) {}
 };
 
 struct Table {
     std::string name;                  // of its file: bench_NAME.csv
     std::vector<std::string> columns;  // what and unit, as words joined by _
-    std::vector<std::vector<Cell>> rows;
+    std::vector<std::vector<TableValue>> rows;
 };
 
 using Facts = std::vector<std::pair<std::string, std::string>>;

@@ -1,18 +1,12 @@
 #include "chapters/props/depth_error_plot.h"
+#include "chapters/terminal/number_text.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 namespace crevice {
 
 namespace {
-
-std::string text(double value) {
-    char characters[32];
-    std::snprintf(characters, sizeof characters, "%.2g", value);
-    return characters;
-}
 
 Camera camera_between(std::pair<double, double> planes, const DepthKind& kind) {
     Camera camera;
@@ -41,7 +35,8 @@ DepthErrorTable depth_error_table() {
     for (const DepthKind& kind : kDepthKinds) table.header.push_back(kind.name);
     table.header.push_back("D24, rebuilt in float");
     for (const auto& planes : kPlanes) {
-        table.rows.push_back({text(planes.first) + " .. " + text(planes.second)});
+        table.rows.push_back(
+            {significant_text(planes.first, 2) + " .. " + significant_text(planes.second, 2)});
         double in_float = 0;
         for (const DepthKind& kind : kDepthKinds) {
             double worst = 0;
@@ -51,9 +46,9 @@ DepthErrorTable depth_error_table() {
                 if (kind.format == DepthFormat::d24) in_float = std::max(in_float, e.error_in_float / z);
             });
             if (kind.reversed_z) table.worst_reversed = std::max(table.worst_reversed, worst);
-            table.rows.back().push_back(text(worst));
+            table.rows.back().push_back(significant_text(worst, 2));
         }
-        table.rows.back().push_back(text(in_float));
+        table.rows.back().push_back(significant_text(in_float, 2));
     }
     return table;
 }

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "chapters/props/limit_scenes.h"
 #include "chapters/study/supersampled.h"
+#include "chapters/terminal/number_text.h"
 #include "ssao/light/ao_lookup.h"
 #include "ssao/methods/xjun_ssao.h"
 
@@ -14,12 +14,6 @@ namespace crevice {
 namespace {
 
 constexpr Size kSize = {320, 180};
-
-std::string text(double value) {
-    char characters[32];
-    std::snprintf(characters, sizeof characters, "%.3f", value);
-    return characters;
-}
 
 // The largest |a - b| over the rows from `first` to the one before `end`, without `rim` columns at each side.
 float most_apart(const Image<float>& a, const Image<float>& b, int first, int end, int rim = 0) {
@@ -48,8 +42,8 @@ void half_resolution(Notebook& book) {
         {{"floor", grey_picture(ao, 0.85f, 1)}, {"floor_misplaced", grey_picture(moved, 0.85f, 1)}});
     book.check("half a texel is enough for a floor to occlude itself",
                buffer_statistics(ao).min > 0.99f && buffer_statistics(moved).min < 0.9f,
-               "least " + text(double(buffer_statistics(ao).min)) + " and " +
-                   text(double(buffer_statistics(moved).min)));
+               "least " + decimal_text(double(buffer_statistics(ao).min), 3) + " and " +
+                   decimal_text(double(buffer_statistics(moved).min), 3));
 }
 
 void multisampling(Notebook& book, const Scene& columns) {
@@ -68,8 +62,8 @@ void multisampling(Notebook& book, const Scene& columns) {
          {"mismatch", difference_picture(s.off, 0.1f)},
          {"edges", mask_picture(s.edge)}});
     book.table({"pixels", "share", "mean difference"},
-               {{"edges", text(s.edge_share), text(s.off_at_edges)},
-                {"elsewhere", text(1 - s.edge_share), text(s.off_elsewhere)}});
+               {{"edges", decimal_text(s.edge_share, 3), decimal_text(s.off_at_edges, 3)},
+                {"elsewhere", decimal_text(1 - s.edge_share, 3), decimal_text(s.off_elsewhere, 3)}});
     book.check("AO of one sample is at least five times as wrong at edges as elsewhere",
                s.off_at_edges > 5 * s.off_elsewhere);
 }
@@ -100,7 +94,8 @@ void shifted_rows(Notebook& book, const Scene& columns) {
     const float mixed = most_apart(wrap, clamp, 0, 1, 1);
     book.check(
         "and WRAP is no cure: it mixes the lowest row into the top one, the left column into the right",
-        mixed > 0.01f && most_apart(wrap, clamp, 1, kSize.height - 1, 1) == 0, "by " + text(double(mixed)));
+        mixed > 0.01f && most_apart(wrap, clamp, 1, kSize.height - 1, 1) == 0,
+        "by " + decimal_text(double(mixed), 3));
 }
 
 }  // namespace crevice

@@ -1,6 +1,5 @@
 #include "chapters/props/switched_ao.h"
 
-#include <cstdio>
 #include <utility>
 
 #include "rasterizer/base/error.h"
@@ -64,12 +63,6 @@ Image<float> difference_of(Image<float> a, const Image<float>& b) {
         for (int x = 0; x < a.size.width; ++x) a.at(x, y) -= b.at(x, y);
     }
     return a;
-}
-
-std::string four_digits(double value) {
-    char characters[32];
-    std::snprintf(characters, sizeof characters, "%.4f", value);
-    return characters;
 }
 
 }  // namespace crevice

@@ -49,7 +49,4 @@ SwitchedView column_foot(Size size);
 // a - b, of images of one size.
 Image<float> difference_of(Image<float> a, const Image<float>& b);
 
-// Four digits after the point.
-std::string four_digits(double value);
-
 }  // namespace crevice

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "chapters/notebook/svg.h"
+#include "chapters/terminal/number_text.h"
 #include "rasterizer/base/error.h"
 
 namespace crevice {
@@ -39,12 +39,6 @@ double tick_step(double span) {
         if (factor * power >= least) return factor * power;
     }
     return 10 * power;
-}
-
-std::string short_number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
 }
 
 // The axis of values, from the tick below the lowest to the one above the highest.
@@ -84,7 +78,7 @@ std::string drawn_axis(const ValueAxis& axis, double right) {
     for (int tick = axis.first; tick <= axis.last; ++tick) {
         const double value = tick * axis.step, at = axis.at(value);
         svg += svg_line({kLeft, at}, {right, at}, tick == 0 ? "#000" : "#ddd") +
-               svg_text({kLeft - 6, at + 4}, short_number(value), TextAnchor::end);
+               svg_text({kLeft - 6, at + 4}, significant_text(value, 3), TextAnchor::end);
     }
     return svg;
 }
@@ -96,14 +90,15 @@ std::string drawn_bar(const StackedBar& bar, const ValueAxis& axis, double left,
     for (const auto& [name, value] : bar.parts) {
         double& end = value > 0 ? so_far.above : so_far.below;
         const auto index = std::find(names.begin(), names.end(), name) - names.begin();
-        svg += svg_box({left, axis.at(end)}, {left + kBar, axis.at(end + value)},
-                       series_colour(static_cast<std::size_t>(index)), name + ": " + short_number(value));
+        svg +=
+            svg_box({left, axis.at(end)}, {left + kBar, axis.at(end + value)},
+                    series_colour(static_cast<std::size_t>(index)), name + ": " + significant_text(value, 3));
         end += value;
     }
     const double sum = axis.at(heights_of(bar).sum);
     return svg +
            svg_box({left - 6, sum - 1}, {left + kBar + 6, sum + 1}, "#000",
-                   bar.name + ": " + short_number(heights_of(bar).sum)) +
+                   bar.name + ": " + significant_text(heights_of(bar).sum, 3)) +
            svg_text({left + kBar / 2, kHeight - kBottom + 18}, bar.name, TextAnchor::middle);
 }
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numeric>
 #include <tuple>
 
+#include "chapters/terminal/number_text.h"
 #include "rasterizer/base/error.h"
 
 namespace crevice {
@@ -54,12 +54,6 @@ const ErrorPoint* best_point(std::span<const ErrorPoint> points, const std::stri
     return best;
 }
 
-std::string short_number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%g", value);
-    return text;
-}
-
 }  // namespace
 
 std::vector<std::size_t> pareto_front(std::span<const ErrorPoint> points) {
@@ -81,18 +75,18 @@ Table equal_time_table(std::span<const ErrorPoint> points, std::span<const doubl
     check_points(points);
     Table table{"equal_time", {"method"}, {}};
     for (const double budget : budgets_ms) {
-        const std::string suffix = "_" + short_number(budget) + "_ms";
+        const std::string suffix = "_" + significant_text(budget, 6) + "_ms";
         for (const char* const what : {"setting", "time", "error"}) table.columns.push_back(what + suffix);
     }
     for (const std::string& method : methods_of(points)) {
-        std::vector<Cell> row = {Cell(method)};
+        std::vector<TableValue> row = {TableValue(method)};
         for (const double budget : budgets_ms) {
             const ErrorPoint* const found = best_point(points, method, [=](const ErrorPoint& point) {
                 return point.time_ms <= budget ? point.time_ms : -std::numeric_limits<double>::infinity();
             });
-            row.push_back(found ? Cell(found->setting) : Cell());
-            row.push_back(found ? Cell(found->time_ms, 2) : Cell());
-            row.push_back(found ? Cell(found->error, 4) : Cell());
+            row.push_back(found ? TableValue(found->setting) : TableValue());
+            row.push_back(found ? TableValue(found->time_ms, 2) : TableValue());
+            row.push_back(found ? TableValue(found->error, 4) : TableValue());
         }
         table.rows.push_back(std::move(row));
     }
@@ -103,17 +97,17 @@ Table equal_error_table(std::span<const ErrorPoint> points, std::span<const doub
     check_points(points);
     Table table{"equal_error", {"method"}, {}};
     for (const double error : errors) {
-        table.columns.push_back("setting_at_" + short_number(error));
-        table.columns.push_back("time_at_" + short_number(error));
+        table.columns.push_back("setting_at_" + significant_text(error, 6));
+        table.columns.push_back("time_at_" + significant_text(error, 6));
     }
     for (const std::string& method : methods_of(points)) {
-        std::vector<Cell> row = {Cell(method)};
+        std::vector<TableValue> row = {TableValue(method)};
         for (const double error : errors) {
             const ErrorPoint* const found = best_point(points, method, [=](const ErrorPoint& point) {
                 return point.error <= error ? -point.time_ms : -std::numeric_limits<double>::infinity();
             });
-            row.push_back(found ? Cell(found->setting) : Cell("not reached"));
-            row.push_back(found ? Cell(found->time_ms, 2) : Cell());
+            row.push_back(found ? TableValue(found->setting) : TableValue("not reached"));
+            row.push_back(found ? TableValue(found->time_ms, 2) : TableValue());
         }
         table.rows.push_back(std::move(row));
     }

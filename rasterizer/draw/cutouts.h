@@ -1,6 +1,6 @@
 // Holes in surfaces: fragments whose texture's alpha is below the material's cutoff, dropped the same way in
 // every pass of a view.
-// Source: X_Jun, clip(alpha - 0.1) in its normal, shadow and lit passes.
+// Source: X_Jun, which calls clip(alpha - 0.1) in its normal, shadow and lit passes
 #pragma once
 
 #include "rasterizer/draw/visibility.h"

@@ -1,5 +1,5 @@
 // The first pass of both tutorials: view-space normals and depth of the nearest surface at every pixel.
-// Source: X_Jun (normal/depth map in one target), Luna (DrawNormals).
+// Source: X_Jun (normals and depth in one target), Luna (DrawNormals.hlsl).
 // In:     a scene, its camera
 // Out:    GBuffer; background: normal (0,0,0), view_depth +inf, ndc_depth 1 (reversed z: 0)
 // Differs from the tutorials: the clear values say "nothing here" instead of a plausible normal; a method

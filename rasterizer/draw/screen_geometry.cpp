@@ -22,9 +22,9 @@ ScreenGeometry empty_geometry(Size size, const Run& run) {
     validate(run);
     constexpr int largest = static_cast<int>(kGuardBand_px);
     if (size.width < 1 || size.height < 1 || size.width > largest || size.height > largest) {
-        throw UsageError("image size: width and height must lie in 1.." + std::to_string(largest) + " (" +
+        throw UsageError("size: width and height must lie in 1.." + std::to_string(largest) + " (" +
                          std::to_string(size.width) + "x" + std::to_string(size.height) +
-                         "); give another --size");
+                         "); choose another");
     }
     ScreenGeometry geometry;
     geometry.size = size;

@@ -65,7 +65,7 @@ std::vector<std::string> warnings_of(const ObjReport& report, const std::string&
 
 glm::vec3 unit(glm::dvec3 v) { return glm::vec3(v / std::sqrt(glm::dot(v, v))); }
 
-// The lights of Luna.
+// The lights of Luna's scene.
 void add_light(Scene& scene) {
     scene.lighting = LightingModel::blinn_schlick;
     scene.ambient_light = {0.4f, 0.4f, 0.6f};

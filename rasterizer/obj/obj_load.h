@@ -42,7 +42,7 @@ struct LoadedObj {
 // One mesh and one identity instance, two-sided; a part is a run of faces of one material, in file order. The
 // file's right-handed coordinates become the lab's: z is negated for positions and normals and the winding
 // reversed; v of texture coordinates is flipped. Lengths are the file's. Materials see obj_materials.h,
-// normals vertex_normals.h. The light is Luna's, the camera framing_camera's. What could
+// normals vertex_normals.h. The lights are those of Luna's scene, the camera is framing_camera()'s. What could
 // not be drawn as the file says is in the report; a file whose every face was dropped is a scene without
 // triangles. Throws InputError when the file is missing, no regular file, too large, no OBJ, or has a number
 // or an index that is not one ("path:line: ..."); UsageError for an option out of range.

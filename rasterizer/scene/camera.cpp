@@ -13,14 +13,16 @@ namespace crevice {
 
 namespace {
 
-void require(bool holds, const char* flag, const char* what, double value) {
-    if (!holds) {
-        throw UsageError(std::string("camera: ") + what + " (" + std::to_string(value) + "); give another " +
-                         flag);
-    }
+void require(bool holds, const char* member, const char* what, double value) {
+    if (!holds)
+        throw UsageError(std::string(member) + ": " + what + " (" + std::to_string(value) +
+                         "); choose another");
 }
 
-bool finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+void require_finite(const char* member, const glm::dvec3& p) {
+    require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z), member,
+            "x, y and z must be finite numbers, their sum is", p.x + p.y + p.z);
+}
 
 // One off-centre-free frustum for both depth directions: with reversed z the roles of the two planes are
 // swapped, and the picture is measured on the plane that comes first.
@@ -38,24 +40,24 @@ glm::dmat4 clip_from_view_of(const Camera& camera, double aspect) {
 }  // namespace
 
 void validate(const Camera& camera) {
-    if (!finite(camera.eye) || !finite(camera.target) || !finite(camera.up)) {
-        throw UsageError("camera: eye, target and up must be finite numbers; give another --eye or --target");
-    }
+    require_finite("eye", camera.eye);
+    require_finite("target", camera.target);
+    require_finite("up", camera.up);
     const glm::dvec3 forward = camera.target - camera.eye;
-    require(glm::dot(forward, forward) > 0, "--target", "eye and target are the same point, x is",
+    require(glm::dot(forward, forward) > 0, "target", "eye and target are the same point, x is",
             camera.eye.x);
     const glm::dvec3 side = glm::cross(camera.up, glm::normalize(forward));
-    require(glm::dot(side, side) > 1e-12 * glm::dot(camera.up, camera.up), "--target",
+    require(glm::dot(side, side) > 1e-12 * glm::dot(camera.up, camera.up), "target",
             "the view direction is parallel to up, its y is", glm::normalize(forward).y);
-    require(std::isfinite(camera.near_plane) && camera.near_plane > 0, "--near", "near must be above 0",
+    require(std::isfinite(camera.near_plane) && camera.near_plane > 0, "near_plane", "near must be above 0",
             camera.near_plane);
-    require(std::isfinite(camera.far_plane) && camera.far_plane > camera.near_plane, "--far",
+    require(std::isfinite(camera.far_plane) && camera.far_plane > camera.near_plane, "far_plane",
             "far must be above near", camera.far_plane);
     if (camera.projection == Projection::orthographic) {
-        require(std::isfinite(camera.ortho_height) && camera.ortho_height > 0, "--ortho",
+        require(std::isfinite(camera.ortho_height) && camera.ortho_height > 0, "ortho_height",
                 "the height of an orthographic picture must be above 0", camera.ortho_height);
     } else {
-        require(camera.fov_y_rad > 1e-4 && camera.fov_y_rad < kPi - 1e-4, "--fov-y",
+        require(camera.fov_y_rad > 1e-4 && camera.fov_y_rad < kPi - 1e-4, "fov_y_rad",
                 "the vertical field of view must lie between 0 and 180 degrees",
                 camera.fov_y_rad * (180 / kPi));
     }
@@ -64,8 +66,8 @@ void validate(const Camera& camera) {
 CameraMatrices camera_matrices(const Camera& camera, Size size) {
     validate(camera);
     if (size.width < 1 || size.height < 1) {
-        throw UsageError("image size: width and height must be at least 1 (" + std::to_string(size.width) +
-                         "x" + std::to_string(size.height) + "); give another --size");
+        throw UsageError("size: width and height must be at least 1 (" + std::to_string(size.width) + "x" +
+                         std::to_string(size.height) + "); choose another");
     }
     const double aspect = static_cast<double>(size.width) / size.height;
     const double n = camera.near_plane, f = camera.far_plane;

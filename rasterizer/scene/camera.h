@@ -23,7 +23,7 @@ struct Camera {
     bool reversed_z = false;                // near at ndc depth 1 and far at 0
 };
 
-// Throws UsageError naming the first value that is out of range or not a number.
+// Throws UsageError naming the first member that is out of range or not a number.
 void validate(const Camera& camera);
 
 // All that a pass needs of a camera and an image size, rounded to float once, here.

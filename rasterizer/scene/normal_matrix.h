@@ -7,12 +7,12 @@ namespace crevice {
 
 // The matrix that turns object-space normals into view space: the cofactors of the upper 3x3 of
 // view_from_object, which is the inverse transpose up to a positive factor, exists for singular matrices too,
-// and knows nothing of the translation (X_Jun's InverseTranspose must erase it by hand). Its
-// sign follows the determinant.
+// and knows nothing of the translation (X_Jun's InverseTranspose must erase it by hand). Its sign
+// follows the determinant.
 glm::dmat3 normal_matrix(const glm::dmat3& view_from_object);
 
-// The ways of the tutorials. Only the first keeps every normal perpendicular to its
-// surface; the others exist to show what happens without (chapter 03).
+// The ways of the tutorials. Only the first keeps every normal perpendicular to its surface; the others show what
+// happens without it (chapter 03).
 enum class NormalMatrix {
     // normal_matrix(): what every pass uses.
     inverse_transpose,

@@ -42,13 +42,13 @@ struct Instance {
     glm::mat4 world_from_object = glm::mat4(1.0f);  // affine
 };
 
-// Both tutorials' parameters, all in linear light; Scene::lighting says which of them are used.
+// What either LightingModel wants to know, all in linear light; Scene::lighting says which it is.
 struct Material {
     std::string name;
-    glm::vec3 diffuse = glm::vec3(0.8f);     // 000: diffuse reflectance; 002: diffuse albedo
-    glm::vec3 ambient = glm::vec3(0.8f);     // 000 only: ambient reflectance (002 uses the albedo)
-    glm::vec3 specular = glm::vec3(0.2f);    // 000: specular reflectance; 002: Fresnel R0
-    float shininess = 16;                    // Phong exponent (000), 256 * (1 - roughness) (002)
+    glm::vec3 diffuse = glm::vec3(0.8f);     // phong: diffuse reflectance; blinn_schlick: diffuse albedo
+    glm::vec3 ambient = glm::vec3(0.8f);     // phong: ambient reflectance; blinn_schlick uses the albedo
+    glm::vec3 specular = glm::vec3(0.2f);    // phong: specular reflectance; blinn_schlick: Fresnel R0
+    float shininess = 16;                    // phong: the exponent; blinn_schlick: 256 * (1 - roughness)
     std::shared_ptr<const Texture> texture;  // multiplies diffuse and ambient; null: none
     // Red along u, green along v, alpha times the shininess (texture_colour.h); null: none.
     std::shared_ptr<const Texture> normal_map = nullptr;
@@ -59,9 +59,9 @@ struct Material {
 
 struct DirectionalLight {
     glm::vec3 direction = glm::vec3(0, -1, 0);  // unit, world space, the way the light travels
-    glm::vec3 ambient = glm::vec3(0);           // 000 only
-    glm::vec3 diffuse = glm::vec3(0);           // 000: diffuse intensity; 002: light strength
-    glm::vec3 specular = glm::vec3(0);          // 000 only
+    glm::vec3 ambient = glm::vec3(0);           // phong only
+    glm::vec3 diffuse = glm::vec3(0);           // phong: diffuse intensity; blinn_schlick: light strength
+    glm::vec3 specular = glm::vec3(0);          // phong only
 };
 
 enum class LightingModel {
@@ -69,14 +69,8 @@ enum class LightingModel {
     blinn_schlick,  // Luna: one ambient term, Blinn-Phong with the Schlick Fresnel approximation
 };
 
-// The shadow that the first light throws, as one of the tutorials has it (ssao/light/shadow_map.h).
-enum class LightShadow {
-    none,
-    bounds,  // Luna's, fitted to the scene's bounds
-    luna,
-    xjun_2020,
-    xjun_2022,
-};
+// How a shadow map is fitted to a scene and drawn; what draws it says what is in here (ssao/light/scene_shadow.h).
+struct SceneShadow;
 
 struct Scene {
     std::string name;
@@ -84,9 +78,9 @@ struct Scene {
     std::vector<Instance> instances;
     std::vector<Material> materials;  // at least one
     std::array<DirectionalLight, 3> lights;
-    LightShadow shadow = LightShadow::none;
+    const SceneShadow* shadow = nullptr;     // that the first light throws, not owned; null: none
     double light_spin_rad_per_s = 0;         // the lights turn about the y axis, from +z towards +x
-    glm::vec3 ambient_light = glm::vec3(0);  // 002 only
+    glm::vec3 ambient_light = glm::vec3(0);  // blinn_schlick only
     LightingModel lighting = LightingModel::blinn_schlick;
     glm::vec3 sky = glm::vec3(0.69f, 0.77f, 0.87f);  // linear light, behind everything
     // Drawn over `sky`; blinn_schlick surfaces mirror it. World space, linear light; null: none.

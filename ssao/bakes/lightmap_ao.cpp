@@ -8,16 +8,13 @@
 
 #include "rasterizer/base/parallel.h"
 #include "rasterizer/scene/world_mesh.h"
+#include "ssao/bakes/cast_in_pieces.h"
 #include "ssao/bakes/square_clip.h"
 #include "ssao/inputs/random_vectors.h"
 
 namespace crevice {
 
 namespace {
-
-// Rays are cast from in pieces of this many texels, so that progress can be told. Whatever the threads: each
-// piece has random numbers of its own.
-constexpr std::size_t kPiece = 4096;
 
 // How far from the edges of its triangle a point stays, texels; less in triangles that are thinner. The
 // floats of positions are far finer than that.
@@ -169,22 +166,10 @@ LightmapAo lightmap_ao(const RayScene& rays, const LightmapCharts& charts, const
     validate(settings);
     validate(run);
     const std::span<const SurfacePoint> all = points.texels.points;
-    std::vector<float> open;
-    open.reserve(all.size());
-    for (std::size_t first = 0; first < all.size(); first += kPiece) {
-        RayAoSettings of_piece = settings;
-        of_piece.seed = hash_of(settings.seed, static_cast<std::uint32_t>(first / kPiece), 0);
-        const auto piece = all.subspan(first, std::min(kPiece, all.size() - first));
-        const std::vector<float> values = ray_cast_ao(rays, piece, of_piece, run);
-        open.insert(open.end(), values.begin(), values.end());
-        if (on_progress) on_progress(static_cast<long long>(piece.size()));
-    }
+    const auto seed_of = [&](std::uint32_t piece) { return hash_of(settings.seed, piece, 0); };
+    const std::vector<float> open = cast_in_pieces(rays, all, settings, seed_of, run, on_progress);
     LightmapAo result{picture_of(points.texels, open), points.kind,
-                      static_cast<long long>(all.size()) * settings.rays, 0};
-    for (const SurfacePoint& p : all) {
-        const float offset = offset_origin(p.position, p.geometric_normal, p.geometric_normal).offset;
-        result.lifted_far += offset > settings.radius / 100 ? 1 : 0;
-    }
+                      static_cast<long long>(all.size()) * settings.rays, lifted_far(all, settings.radius)};
     return dilated(std::move(result), charts.gutter);
 }
 

@@ -1,5 +1,5 @@
 // Accessibility baked into a texture: rays from the middle of every texel that a surface covers.
-// Source: the Unity notes, baked ambient occlusion (a second set of texture coordinates, rays once); the texels at
+// Source: the Unity notes on baked ambient occlusion (a second set of texture coordinates, rays once); texels at
 //         the edges of charts as lightmap bakers treat them: sampled inside the triangle, then dilated
 // In:     Scene, the RayScene made of it, its charts
 // Out:    a square map, accessibility in [0,1], 1 = open, 1 where no surface lies

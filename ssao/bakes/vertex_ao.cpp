@@ -9,37 +9,12 @@
 #include <glm/geometric.hpp>
 
 #include "rasterizer/scene/world_mesh.h"
+#include "ssao/bakes/cast_in_pieces.h"
 #include "ssao/inputs/random_vectors.h"
 
 namespace crevice {
 
 namespace {
-
-// Points are cast from in pieces of this many, so that progress can be told. Independent of the threads: each
-// piece has random numbers of its own.
-constexpr std::size_t kPiece = 4096;
-
-// ray_cast_ao() of many points, `stream` telling different lists of points apart.
-std::vector<float> cast(const RayScene& scene, std::span<const SurfacePoint> points, RayAoSettings settings,
-                        std::uint32_t stream, const Run& run, const std::function<void(std::size_t)>& done) {
-    std::vector<float> open;
-    open.reserve(points.size());
-    const std::uint32_t seed = settings.seed;
-    for (std::size_t first = 0; first < points.size(); first += kPiece) {
-        const auto piece = points.subspan(first, std::min(kPiece, points.size() - first));
-        settings.seed = hash_of(seed, stream, static_cast<std::uint32_t>(first / kPiece));
-        const std::vector<float> values = ray_cast_ao(scene, piece, settings, run);
-        open.insert(open.end(), values.begin(), values.end());
-        done(piece.size());
-    }
-    return open;
-}
-
-std::size_t count_lifted_far(std::span<const SurfacePoint> points, float radius) {
-    return static_cast<std::size_t>(std::count_if(points.begin(), points.end(), [&](const SurfacePoint& p) {
-        return offset_origin(p.position, p.geometric_normal, p.geometric_normal).offset > radius / 100;
-    }));
-}
 
 // The vertices of a triangle, as indices into its instance's mesh.
 const std::array<std::uint32_t, 3>& vertices_of(const Scene& scene, const TriangleSource& source) {
@@ -186,12 +161,11 @@ VertexAo vertex_ao_from_centroids(const Scene& scene, const RayScene& rays, cons
     validate(settings);
     validate(run);
     const std::vector<SurfacePoint> points = triangle_centroids(rays);
-    const std::vector<float> open = cast(rays, points, settings, 0, run, [&](std::size_t triangles) {
-        if (on_progress) on_progress(static_cast<long long>(triangles));
-    });
+    const auto seed_of = [&](std::uint32_t piece) { return hash_of(settings.seed, 0, piece); };
+    const std::vector<float> open = cast_in_pieces(rays, points, settings, seed_of, run, on_progress);
     VertexAo ao = means_of_triangles(scene, rays, open);
     ao.rays_cast = static_cast<long long>(points.size()) * settings.rays;
-    ao.lifted_far = count_lifted_far(points, settings.radius);
+    ao.lifted_far = lifted_far(points, settings.radius);
     return ao;
 }
 
@@ -216,15 +190,18 @@ VertexAo vertex_ao_from_corners(const Scene& scene, const RayScene& rays, const 
         for (const std::size_t i : indices) points.push_back(point_of(rays, corners[i]));
         RayAoSettings share = settings;
         share.rays = each;
+        const auto seed_of = [&](std::uint32_t piece) {
+            return hash_of(settings.seed, static_cast<std::uint32_t>(each), piece);
+        };
         const std::vector<float> values =
-            cast(rays, points, share, static_cast<std::uint32_t>(each), run, [&](std::size_t more) {
+            cast_in_pieces(rays, points, share, seed_of, run, [&](long long more) {
                 const long long before = corners_done / 3;
-                corners_done += static_cast<long long>(more);
+                corners_done += more;
                 if (on_progress) on_progress(corners_done / 3 - before);
             });
         for (std::size_t i = 0; i < indices.size(); ++i) open[indices[i]] = values[i];
         ao.rays_cast += static_cast<long long>(points.size()) * each;
-        ao.lifted_far += count_lifted_far(points, settings.radius);
+        ao.lifted_far += lifted_far(points, settings.radius);
     }
     for (const Place& place : places) {
         const auto value = static_cast<float>(mean_by_area(rays, corners, open, place));

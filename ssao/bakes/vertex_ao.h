@@ -1,7 +1,7 @@
 // Accessibility baked to the vertices of a whole scene: rays once, nothing at run time, until something
 // moves.
-// Source: Luna, BuildVertexAmbientOcclusion; X_Jun, "ray casting" (both tell of the AmbientOcclusion
-//         program of F. Luna's D3D11 book)
+// Source: Luna, BuildVertexAmbientOcclusion; X_Jun on ray casting. Both tell of the program AmbientOcclusion of
+//         Luna's book on Direct3D 11.
 // In:     a Scene and the RayScene made of it
 // Out:    accessibility in [0,1], 1 = open, one a vertex of each instance; 1 where no triangle uses a vertex,
 //         which the tutorial divides 0 by 0 for
@@ -49,8 +49,9 @@ struct VertexAo {
 // Called with numbers of triangles that are done.
 using TrianglesDone = std::function<void(long long)>;
 
-// Luna's. settings.rays are those of a triangle. Differs: the centroid is lifted by offset_origin()
-// instead of .001 units, which is nothing for a large mesh and through the next wall of a small one. `rays`
+// Luna's way: each triangle casts settings.rays from its centroid, a vertex takes the mean of its triangles. Differs:
+// the centroid is lifted by offset_origin(), not by .001 units, which is nothing for a large mesh and leads
+// through the next wall of a small one. `rays`
 // must be ray_scene() of `scene`. Throws UsageError.
 VertexAo vertex_ao_from_centroids(const Scene& scene, const RayScene& rays,
                                   const RayAoSettings& settings = kTutorialRays, const Run& run = {},

@@ -5,8 +5,8 @@
 // Out:    the blurred AO map; background 1, but for BlurEdges::none. Where all taps are 1 the result is
 //         exactly 1
 // Reach:  5 texels in x and in y for each iteration
-// Differs from the tutorials: a tap outside the map is rejected (as Luna and SSAO explored; X_Jun repeats the
-//         edge texel).
+// Differs from X_Jun: a tap outside the map is rejected, as in Luna and SSAO explored, where X_Jun repeats the
+//         edge texel.
 // Cost:   normals and depths do not change between iterations: which taps count is decided once a texel, into
 //         ten bits a direction. Up to eight iterations run in one sweep down the map (blur_band.h), so that
 //         only a few rows of each are in use at a time. Texels that keep their value are only copied.
@@ -22,9 +22,9 @@ namespace crevice {
 inline constexpr int kBlurRadius = 5;
 using BlurWeights = std::array<float, 2 * kBlurRadius + 1>;
 
-// X_Jun: written out in its listing.
+// X_Jun's, as its listing has them.
 inline constexpr BlurWeights kXjunBlurWeights = {.05f, .05f, .1f, .1f, .1f, .2f, .1f, .1f, .1f, .05f, .05f};
-// Luna: Gaussian with sigma = 2.5, normalised.
+// Luna's: a Gaussian with sigma = 2.5, normalised.
 inline constexpr BlurWeights kLunaBlurWeights = {.022190548f, .045589000f, .079811408f, .119064630f,
                                                  .151360810f, .163967208f, .151360810f, .119064630f,
                                                  .079811408f, .045589000f, .022190548f};

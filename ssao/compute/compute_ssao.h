@@ -1,8 +1,8 @@
 // AO and blur as a compute shader does them: the map is cut into groups of threads, each with a small memory
 // of its own that it fills once, before all its threads read from it. The bits are those of luna_occlusion()
 // and bilateral_blur(): only where a value is read from differs.
-// Source: X_Jun, exercise 2 ("can SSAO be done in a compute shader?"); thread groups, groupshared memory
-//         and its limit of 32 KB after Direct3D 11.3, chapter 18 (cs_5_0).
+// Source: exercise 2 of X_Jun ("can SSAO be done in a compute shader?"); thread groups, groupshared memory
+//         and its limit of 32 KB as in Direct3D 11.3, chapter 18 (cs_5_0).
 // In:     as the pixel versions
 // Out:    as the pixel versions, and how many values were read from the maps
 // Reach:  as the pixel versions. A group of the AO pass keeps the depths of its own texels and of an apron

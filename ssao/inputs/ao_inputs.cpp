@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// X_Jun's clear depth as its 16-bit buffer keeps it.
+// X_Jun's clear depth as a buffer of 16-bit floats keeps it.
 float stored_background(BufferFormat format, const Camera& camera, SkyDepth sky) {
     const float value = static_cast<float>(kBackgroundOverFar * camera.far_plane),
                 stored = stored_as(value, format);
@@ -188,8 +188,8 @@ class TexelRow {
 Size ao_map_size(Size picture, float scale) {
     if (scale == 1.0f) return picture;
     if (scale != 0.5f) {
-        throw UsageError("--ao-scale: the AO map is half or full size (" + std::to_string(scale) +
-                         "); give .5 or 1");
+        throw UsageError("ao_scale: the AO map is half or full size (" + std::to_string(scale) +
+                         "); choose .5 or 1");
     }
     return {(picture.width + 1) / 2, (picture.height + 1) / 2};
 }

@@ -1,7 +1,7 @@
-// What an AO map's texel sees of the G-buffer: one normal and one depth, fetched the way the tutorial's
+// What an AO map's texel sees of the G-buffer: one normal and one depth, fetched the way the tutorials'
 // samplers fetch them, and the depth map its samples are compared with.
-// Source: X_Jun (normals and view depth, linear, border), Luna (normals point and renormalised, NDC
-//         depth linear, border far).
+// Source: X_Jun (normals and view depth linear, with a border) and Luna (normals by the nearest texel and
+//         renormalised, NDC depth linear, the border far).
 // In:     GBuffer
 // Out:    AoInputs; background: normal (0,0,0), view_depth +inf
 // Differs from the tutorials: a texel whose four pixels show more than one surface takes the nearest one,

@@ -1,6 +1,6 @@
 // The random parts of the tutorials' AO, from one integer hash and a stated seed: the same numbers on every
 // machine.
-// Source: X_Jun (BuildOffsetVectors, BuildRandomVectorTexture), Luna (the same by Luna).
+// Source: X_Jun (BuildOffsetVectors, BuildRandomVectorTexture), Luna (functions of the same names).
 #pragma once
 
 #include <array>

@@ -149,7 +149,7 @@ struct TexelFetch {
         return select(carried > F(0), carried, reference.z);
     }
 
-    // X_Jun, which filters its normals, clears them to (0, 0, -1), Luna to (0, 0, 1).
+    // Normals are cleared to (0, 0, -1) in X_Jun, which filters them, and to (0, 0, 1) in Luna.
     CREVICE_INLINE F cleared_normal_z() const { return F(inputs.fetch.point_normals ? 1.0f : -1.0f); }
 
     // The sampler's plain mean, the sky's clear values included.

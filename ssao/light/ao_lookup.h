@@ -1,4 +1,4 @@
-// The AO map as a pixel shader reads it: through a sampler, right or as X_Jun's vertex shader has it.
+// The AO map as a pixel shader reads it: through a sampler, right, or with the slip of X_Jun's vertex shader.
 //
 // That shader adds (w, w) to clip x and y before scaling by (1/2, -1/2), where (w, -w) is right: v comes out
 // too small by exactly 1. A sampler that wraps finds the right row all the same, so nobody noticed (the

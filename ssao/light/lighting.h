@@ -31,7 +31,7 @@ using ViewLights = std::vector<ViewLight>;
 // Material::shininess of a surface with no roughness (Luna).
 inline constexpr float kFullShininess = 256;
 
-// X_Jun: ambient, diffuse and Phong specular of each light; the texture multiplies the first two.
+// As in X_Jun: ambient, diffuse and Phong specular of each light; the texture multiplies the first two.
 template <class F>
 CREVICE_INLINE Vec3<F> phong(const LitPoint<F>& s, const Material& material, const ViewLights& lights) {
     const F zero = F(0);
@@ -67,7 +67,7 @@ inline float invisible_highlight(const Material& material) {
     return margin * exp2_of(log2_highest / m);
 }
 
-// Luna: one ambient term; each light's diffuse albedo plus a Blinn-Phong highlight, normalised, times
+// As in Luna: one ambient term; each light's diffuse albedo plus a Blinn-Phong highlight, normalised, times
 // Schlick's Fresnel term and brought into [0,1) for a low dynamic range. Highlights up to
 // `no_highlight_below` (0, or invisible_highlight of an untextured surface) are left out.
 template <class F>

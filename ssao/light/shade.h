@@ -6,9 +6,9 @@
 //         the shadow map of the scene's first light (null: all of it arrives)
 // Out:    RGB in linear light, >= 0, may exceed 1; sky colour where no fragment passed
 // Reads:  the AO map linear, clamped, at the pixel's centre
-// Differs from the tutorials: accessibility multiplies every ambient term (X_Jun's text: the directional
-//         lights' only); given the G-buffer, tiles where no depths tie are not drawn again but lit from the first
-//         pass's triangles, with the same bits.
+// Differs from the tutorials: accessibility multiplies every ambient term (in X_Jun's text only those of
+//         directional lights); given the G-buffer, tiles where no depths tie are not drawn again but lit from the
+//         first pass's triangles, with the same bits.
 #pragma once
 
 #include "rasterizer/base/tile_map.h"

@@ -1,5 +1,5 @@
 // The depth of the scene as the light sees it, for shade's first light.
-// Source: Luna (F. Luna, chapter 20 of the same book), X_Jun (its chapter on shadow maps); Williams
+// Source: Luna (chapter 20 of the book), X_Jun (the series' chapter on shadow maps); both after Williams
 //         1978.
 // In:     a scene, the way its light travels
 // Out:    ShadowMap: nearest depths from the light, bias included; where there is nothing: 1
@@ -41,7 +41,7 @@ struct ShadowSettings {
     int size_px = 2048;  // 1..kMaxShadowSide; the map is square. Finer maps: sharper edges, more time
     DepthFormat format = DepthFormat::d24;
     // Moves what casts away from the light, against acne; too much, and shadows part from what casts them.
-    // 100000 steps of D24 are 0.006 of far - near: 0.21 units in Luna, 0.24 in X_Jun.
+    // 100000 steps of D24 are 0.006 of far - near: 0.21 units in Luna's scene, 0.24 in X_Jun's.
     DepthBias bias = {100000, 1.0f};
     float shader_bias =
         0;  // ndc depth, taken from the depth of what is lit: the same cure, on the other side
@@ -55,7 +55,7 @@ struct ShadowSettings {
 inline constexpr int kMaxShadowSide = 16384;
 
 inline constexpr ShadowSettings kLunaShadow{};
-// X_Jun's text of 2020, and its code of 2022: no constant bias there, but one in the shader.
+// X_Jun's text of 2020 and code of 2022. The code has no constant bias, but one in the shader.
 inline constexpr ShadowSettings kXjunShadow2020{.comparison = DepthFunction::less, .cull_back_faces = false};
 inline constexpr ShadowSettings kXjunShadow2022{
     .bias = {0, 1.0f}, .shader_bias = 0.005f, .comparison = DepthFunction::less, .cull_back_faces = false};

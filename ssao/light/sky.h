@@ -1,5 +1,5 @@
 // The last drawing of both tutorials: the sky, where nothing else was drawn.
-// Source: X_Jun, Luna (Sky.hlsl: a sphere of 5000 units around the eye, drawn at z = w, LESS_EQUAL)
+// Source: X_Jun and Luna (Sky.hlsl: a sphere of 5000 units around the eye, drawn at z = w, LESS_EQUAL)
 // In:     the lit picture; the depth buffer of its passes; the camera; a cube map in world space
 // Out:    the picture; where the far plane's depth passes LESS_EQUAL (reversed z: GREATER_EQUAL) against the
 //         stored one, the colour of the cube map along the pixel's line of sight, linear light

@@ -1,7 +1,7 @@
 // The estimator that both tutorials share: up to 14 points around p, each compared with what the depth map
 // shows there.
-// Source: Luna 2016, ch. 21 (Luna); Shen's X_Jun port (X_Jun); formulas and traps in the order of the
-//         seeds' listings.
+// Source: Luna, chapter 21, and X_Jun, chapter 32, who took it over; formulas and traps stand in the order of
+//         their listings.
 // Out:    accessibility in [0,1]: 1 - (1/N) sum of dp * occlusion(p_z - r_z), to the power `exponent`
 // Reach:  radius (RandomVectors::raw: up to 5 radius) in view space around p
 // Differs from the tutorials: the random vector is normalised; a point q in front of the near plane is

@@ -1,4 +1,4 @@
-// SSAO as the D3D12 book computes it (Luna, Introduction to 3D Game Programming with DirectX 12, ch. 21; Luna).
+// SSAO as Luna computes it: Introduction to 3D Game Programming with DirectX 12, chapter 21.
 // In:     GBuffer, its camera
 // Out:    accessibility, AO map size (half the picture unless ao_scale = 1), 1 = open; background 1
 // Reads:  the nearest pixel's normal, renormalised; ndc depth linear, turned into view depth; border on the

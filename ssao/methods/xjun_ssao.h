@@ -1,4 +1,4 @@
-// SSAO as the D3D11 tutorial computes it (X_Jun, chapter 32; corrected notes in SSAO explored).
+// SSAO as X_Jun computes it: chapter 32 of the DirectX 11 tutorial, which SSAO explored retells.
 // In:     GBuffer, its camera
 // Out:    accessibility, AO map size (half the picture unless ao_scale = 1), 1 = open; background 1
 // Reads:  normals and view depth linear (the mean normal is not renormalised), border depth 100 far

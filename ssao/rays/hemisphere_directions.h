@@ -16,7 +16,7 @@ namespace crevice {
 
 enum class RayWeight {
     cosine,   // denser towards the normal: the mean is what a white sky would light
-    uniform,  // the same everywhere: Luna's rays
+    uniform,  // the same everywhere, as in Luna
 };
 
 enum class RaySequence {

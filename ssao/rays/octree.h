@@ -1,6 +1,6 @@
-// The tutorial's own way to find what a ray meets: a tree of cubes, each cut into eight halves as wide.
-// Source: X_Jun and Luna, "ray casting", which tell of the octree of F. Luna's D3D11 book: a cube of
-//         fewer than 60 triangles is a leaf, a triangle that straddles a plane is in several children.
+// The tutorials' own way to find what a ray meets: a tree of cubes, each cut into eight halves as wide.
+// Source: the octree of Luna's book on Direct3D 11, of which X_Jun and Luna tell in their sections on ray casting: a
+//         cube of fewer than 60 triangles is a leaf, a triangle that straddles a plane is in several children.
 // In:     triangles with finite corners, |coordinates| <= kRayReach
 // Out:    hit or not, the same as of the Bvh and of testing every triangle: boxes are entered as in
 //         ray_traverse.h and triangles met as in ray_triangle.h

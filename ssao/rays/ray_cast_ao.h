@@ -1,6 +1,6 @@
 // Ray-cast ambient occlusion: of many rays into the hemisphere over a point, the share that meets nothing.
-// Source: X_Jun and Luna, "ray casting" (both uniform; cosine weight is the irradiance of a white sky,
-//         Landis 2002)
+// Source: X_Jun and Luna on ray casting, both with uniform weight; with cosine weight it is the irradiance of a
+//         white sky (Landis 2002)
 // In:     RayScene; points in the space of its positions; scene units
 // Out:    accessibility in [0,1], 1 = open, one a point
 // Rules:  directions lie about the interpolated normal (Hemisphere); those below the triangle's own plane are

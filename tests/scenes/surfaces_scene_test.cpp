@@ -12,6 +12,7 @@
 #include "rasterizer/base/image_summary.h"
 #include "rasterizer/draw/cutouts.h"
 #include "scenes/builtin_scenes.h"
+#include "ssao/light/scene_shadow.h"
 
 using namespace crevice;
 
@@ -101,13 +102,13 @@ glm::vec2 most_texcoord(const Mesh& mesh) {
 }
 
 void check_shadow_and_sky(const Scene& scene) {
-    const LightShadow expected = scene.name == "columns"        ? LightShadow::xjun_2020
-                                 : scene.name == "columns_2022" ? LightShadow::xjun_2022
-                                 : scene.name == "columns_luna" ? LightShadow::luna
-                                 : has_cutouts(scene)           ? LightShadow::bounds
-                                                                : LightShadow::none;
+    const SceneShadow* const expected = scene.name == "columns"        ? &kXjunSceneShadow2020
+                                        : scene.name == "columns_2022" ? &kXjunSceneShadow2022
+                                        : scene.name == "columns_luna" ? &kLunaSceneShadow
+                                        : has_cutouts(scene)           ? &kBoundsSceneShadow
+                                                                       : nullptr;
     CHECK(scene.shadow == expected);
-    const bool outside = expected != LightShadow::none || scene.name == "field";
+    const bool outside = expected != nullptr || scene.name == "field";
     CHECK((scene.sky_cube != nullptr) == outside);
 }
 
@@ -147,7 +148,7 @@ TEST_CASE("surfaces: the shapes, and so AO, are the same bits, on any number of 
         CAPTURE(builtin.name);
         const Scene shapes = builtin.make(SceneDetail::shapes, {.threads = 1});
         const Scene surfaces = builtin.make(SceneDetail::surfaces, {.threads = 3});
-        CHECK(shapes.shadow == LightShadow::none);
+        CHECK(shapes.shadow == nullptr);
         CHECK(shapes.sky_cube == nullptr);
         for (const Mesh& mesh : shapes.meshes) CHECK(mesh.tangents.empty());
         check_same_shapes(shapes, surfaces);

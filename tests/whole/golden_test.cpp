@@ -13,6 +13,7 @@
 
 #include "chapters/commands/difference_page.h"
 #include "chapters/notebook/picture.h"
+#include "chapters/terminal/number_text.h"
 #include "rasterizer/base/error.h"
 #include "scenes/builtin_scenes.h"
 #include "tests/tools/golden_options.h"

@@ -34,7 +34,7 @@ struct Outcome {
 
 Outcome compare(const CompareOptions& options) {
     std::ostringstream report;
-    const int code = compare_command(options, report);
+    const int code = compare_files(options, report);
     return {code, report.str()};
 }
 

@@ -15,7 +15,7 @@ ErrorPoint point(const char* method, const char* setting, double time_ms, double
     return {method, setting, time_ms, error, error / 2, error * 2};
 }
 
-const Cell& cell(const Table& table, std::size_t row, const std::string& column) {
+const TableValue& cell(const Table& table, std::size_t row, const std::string& column) {
     for (std::size_t i = 0; i < table.columns.size(); ++i)
         if (table.columns[i] == column) return table.rows.at(row).at(i);
     FAIL("no column " << column);
@@ -71,8 +71,8 @@ TEST_CASE("equal_time_table: the slowest setting within each budget; ties go to 
     CHECK(cell(table, 0, "setting_80_ms").text == "4 too");
     CHECK(cell(table, 0, "time_80_ms").number == 19);
     CHECK(cell(table, 1, "setting_5_ms").text == "14");  // exactly 5 ms keeps the budget
-    CHECK(cell(table, 2, "setting_80_ms").kind == Cell::Kind::nothing);
-    CHECK(cell(table, 2, "error_80_ms").kind == Cell::Kind::nothing);
+    CHECK(cell(table, 2, "setting_80_ms").kind == TableValue::Kind::nothing);
+    CHECK(cell(table, 2, "error_80_ms").kind == TableValue::Kind::nothing);
     for (const auto& row : table.rows) CHECK(row.size() == table.columns.size());
 }
 
@@ -84,7 +84,7 @@ TEST_CASE("equal_error_table: the fastest setting that is no worse, or not reach
     CHECK(cell(table, 0, "time_at_0.05").number == 80);
     CHECK(cell(table, 0, "setting_at_0.02").text == "64");
     CHECK(cell(table, 1, "setting_at_0.05").text == "not reached");
-    CHECK(cell(table, 1, "time_at_0.05").kind == Cell::Kind::nothing);
+    CHECK(cell(table, 1, "time_at_0.05").kind == TableValue::Kind::nothing);
     for (const auto& row : table.rows) CHECK(row.size() == table.columns.size());
 }
 

@@ -154,24 +154,24 @@ TEST_CASE("every bad camera is refused by name") {
         std::function<void(Camera&)> spoil;
         const char* named;
     } cases[] = {
-        {[](Camera& c) { c.near_plane = c.far_plane; }, "--far"},
-        {[](Camera& c) { c.far_plane = 0.5; }, "--far"},
-        {[](Camera& c) { c.far_plane = kNan; }, "--far"},
-        {[](Camera& c) { c.far_plane = kInfinity; }, "--far"},
-        {[](Camera& c) { c.near_plane = 0; }, "--near"},
-        {[](Camera& c) { c.near_plane = -1; }, "--near"},
-        {[](Camera& c) { c.near_plane = kNan; }, "--near"},
-        {[](Camera& c) { c.fov_y_rad = 0; }, "--fov-y"},
-        {[](Camera& c) { c.fov_y_rad = kPi; }, "--fov-y"},
-        {[](Camera& c) { c.fov_y_rad = -1; }, "--fov-y"},
-        {[](Camera& c) { c.fov_y_rad = kNan; }, "--fov-y"},
-        {[](Camera& c) { c.target = c.eye; }, "--target"},
-        {[](Camera& c) { c.up = glm::dvec3(0, 0, 2); }, "--target"},
-        {[](Camera& c) { c.up = glm::dvec3(0, 0, -1e-3); }, "--target"},
-        {[](Camera& c) { c.up = glm::dvec3(0, 0, 0); }, "--target"},
-        {[](Camera& c) { c.eye.x = kNan; }, "--eye"},
-        {[](Camera& c) { c.target.y = kInfinity; }, "--target"},
-        {[](Camera& c) { c.up.z = kNan; }, "up"},
+        {[](Camera& c) { c.near_plane = c.far_plane; }, "far_plane: "},
+        {[](Camera& c) { c.far_plane = 0.5; }, "far_plane: "},
+        {[](Camera& c) { c.far_plane = kNan; }, "far_plane: "},
+        {[](Camera& c) { c.far_plane = kInfinity; }, "far_plane: "},
+        {[](Camera& c) { c.near_plane = 0; }, "near_plane: "},
+        {[](Camera& c) { c.near_plane = -1; }, "near_plane: "},
+        {[](Camera& c) { c.near_plane = kNan; }, "near_plane: "},
+        {[](Camera& c) { c.fov_y_rad = 0; }, "fov_y_rad: "},
+        {[](Camera& c) { c.fov_y_rad = kPi; }, "fov_y_rad: "},
+        {[](Camera& c) { c.fov_y_rad = -1; }, "fov_y_rad: "},
+        {[](Camera& c) { c.fov_y_rad = kNan; }, "fov_y_rad: "},
+        {[](Camera& c) { c.target = c.eye; }, "target: "},
+        {[](Camera& c) { c.up = glm::dvec3(0, 0, 2); }, "target: "},
+        {[](Camera& c) { c.up = glm::dvec3(0, 0, -1e-3); }, "target: "},
+        {[](Camera& c) { c.up = glm::dvec3(0, 0, 0); }, "target: "},
+        {[](Camera& c) { c.eye.x = kNan; }, "eye: "},
+        {[](Camera& c) { c.target.y = kInfinity; }, "target: "},
+        {[](Camera& c) { c.up.z = kNan; }, "up: "},
     };
     for (const auto& c : cases) {
         const auto index = &c - cases;
@@ -187,7 +187,7 @@ TEST_CASE("every bad camera is refused by name") {
             c.projection = Projection::orthographic;
             c.ortho_height = height;
         };
-        CHECK(refusal_of(spoil).find("--ortho") != std::string::npos);
+        CHECK(refusal_of(spoil).find("ortho_height: ") != std::string::npos);
     }
     CHECK(refusal_of([](Camera&) {}) == "");
     // What one projection does not use may be anything.

@@ -51,7 +51,7 @@ Scene everything() {
     scene.materials[2].specular = glm::vec3(0.9f);
     scene.materials[2].shininess = 200;
     scene.lights[0].direction = glm::normalize(glm::vec3(0.4f, -0.8f, 0.3f));
-    scene.shadow = LightShadow::bounds;
+    scene.shadow = &kBoundsSceneShadow;
     scene.sky_cube = std::make_shared<CubeMap>(
         build_cube_map(8, [](glm::vec3 d) { return 0.5f + 0.5f * glm::normalize(d); }));
     return scene;

@@ -143,7 +143,7 @@ TEST_CASE("lit: in the shadow the first light is as if it were off, beside it as
             scene.lights[0].specular = scene.lights[0].ambient = glm::vec3(0.25f);
             scene.lights[1] = scene.lights[0];
             scene.lights[1].direction = glm::normalize(glm::vec3(0.3f, -1, 0.1f));
-            scene.shadow = LightShadow::bounds;
+            scene.shadow = &kBoundsSceneShadow;
             const GBuffer g = normal_depth(scene, scene.camera, size);
             const ShadowMap map = scene_shadow(scene);
             const Image3 shadowed = shade(scene, scene.camera, g.depth, {}, ShadeSettings{}, {}, &map),

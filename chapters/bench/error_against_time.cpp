@@ -1,11 +1,11 @@
-#include "chapters/bench/error.h"
+#include "chapters/bench/error_against_time.h"
 
-#include <cstdio>
 #include <memory>
 #include <ostream>
 
 #include "chapters/bench/error_page.h"
 #include "chapters/bench/machine.h"
+#include "chapters/terminal/number_text.h"
 #include "chapters/terminal/progress.h"
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/write_file.h"
@@ -14,12 +14,6 @@ namespace crevice {
 
 namespace {
 
-std::string rounded(double value, int decimals) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*f", decimals, value);
-    return text;
-}
-
 // Every point of a study, whole.
 Table point_table(const ErrorStudy& study) {
     Table table{std::string("error_points_") + study.method->name,
@@ -27,11 +21,12 @@ Table point_table(const ErrorStudy& study) {
                  "standard_error", "truth_bias", "screen_rmse", "limit_rmse", "truth_rmse_fitted_power"},
                 {}};
     for (const StudyPoint& p : study.points) {
-        table.rows.push_back({p.method, p.setting, Cell(p.time.wall_ms, 3), Cell(p.time.wall_ms_mad, 3),
-                              Cell(p.time.runs, 0), Cell(p.truth.rmse, 5), Cell(p.truth.lowest, 5),
-                              Cell(p.truth.highest, 5), Cell(p.truth.error, 5), Cell(p.truth.bias, 5),
-                              Cell(p.screen.rmse, 5), p.limit ? Cell(p.limit->rmse, 5) : Cell(),
-                              p.fitted_rmse ? Cell(*p.fitted_rmse, 5) : Cell()});
+        table.rows.push_back(
+            {p.method, p.setting, TableValue(p.time.wall_ms, 3), TableValue(p.time.wall_ms_mad, 3),
+             TableValue(p.time.runs, 0), TableValue(p.truth.rmse, 5), TableValue(p.truth.lowest, 5),
+             TableValue(p.truth.highest, 5), TableValue(p.truth.error, 5), TableValue(p.truth.bias, 5),
+             TableValue(p.screen.rmse, 5), p.limit ? TableValue(p.limit->rmse, 5) : TableValue(),
+             p.fitted_rmse ? TableValue(*p.fitted_rmse, 5) : TableValue()});
     }
     return table;
 }
@@ -40,9 +35,11 @@ Table part_table(const ErrorStudy& study) {
     Table table{
         std::string("error_parts_") + study.method->name, {"step", "bias", "rmse_alone", "share_of_mse"}, {}};
     for (const ErrorPart& part : study.parts.parts)
-        table.rows.push_back({part.step, Cell(part.bias, 6), Cell(part.rmse, 6), Cell(part.share, 8)});
+        table.rows.push_back(
+            {part.step, TableValue(part.bias, 6), TableValue(part.rmse, 6), TableValue(part.share, 8)});
     const ErrorPart& total = study.parts.total;
-    table.rows.push_back({"total", Cell(total.bias, 6), Cell(total.rmse, 6), Cell(total.share, 8)});
+    table.rows.push_back(
+        {"total", TableValue(total.bias, 6), TableValue(total.rmse, 6), TableValue(total.share, 8)});
     return table;
 }
 
@@ -54,8 +51,8 @@ Table reference_table(const ErrorStudy& study) {
                                                                    {"screen", &study.references.screen},
                                                                    {"limit", &study.references.limit}};
     for (const auto& [name, r] : references) {
-        table.rows.push_back({name, Cell(static_cast<double>(r->rays), 0), Cell(r->mean, 5),
-                              Cell(r->mean_error, 6), Cell(r->max_error, 6)});
+        table.rows.push_back({name, TableValue(static_cast<double>(r->rays), 0), TableValue(r->mean, 5),
+                              TableValue(r->mean_error, 6), TableValue(r->max_error, 6)});
     }
     return table;
 }
@@ -69,16 +66,16 @@ Facts facts_of(const BenchErrorOptions& options, const ErrorPlan& plan,
     facts.push_back(
         {"timed", "the AO pass and its blur; the rays of ray casting; the rays of a bake; median of " +
                       std::to_string(plan.rounds) + " rounds in turns (" + std::to_string(plan.slow_rounds) +
-                      " above " + rounded(kSlow_ms, 0) + " ms)"});
+                      " above " + decimal_text(kSlow_ms, 0) + " ms)"});
     for (const ErrorStudy& study : studies) {
         const std::string name = study.method->name;
-        std::string fitted = rounded(study.fitted_exponent, 3) + ", fitted on";
+        std::string fitted = decimal_text(study.fitted_exponent, 3) + ", fitted on";
         for (const std::string& scene : study.fitted_on) fitted += " " + scene;
-        facts.push_back({name + ", radius", rounded(study.cast.radius, 3) + " scene units"});
+        facts.push_back({name + ", radius", decimal_text(study.cast.radius, 3) + " scene units"});
         facts.push_back({name + ", power", fitted});
-        facts.push_back({name + ", apart", "G-buffer and points " + rounded(study.references.points_ms, 1) +
-                                               " ms, both trees " + rounded(study.references.build_ms, 1) +
-                                               " ms"});
+        facts.push_back(
+            {name + ", apart", "G-buffer and points " + decimal_text(study.references.points_ms, 1) +
+                                   " ms, both trees " + decimal_text(study.references.build_ms, 1) + " ms"});
     }
     return facts;
 }

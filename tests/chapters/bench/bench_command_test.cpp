@@ -43,7 +43,7 @@ TEST_CASE("a wrong word is refused with exit code 2 and a line that names it") {
         {{"--peers", "columns"}, "SCENE"},
         {{"--peers", "--quick"}, "--quick"},
         {{"--scale", "--size", "320x180"}, "--size"},
-        {{"--scale", "--eye", "1,2,3"}, "camera"},
+        {{"--scale", "--eye", "1,2,3"}, "--eye"},
         {{"--instructions", "--pairs", "21"}, "--pairs"},
         {{"--scene", "columns"}, "--scene"},
         {{"--bless"}, "--bless"},

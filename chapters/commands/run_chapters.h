@@ -17,6 +17,4 @@ std::vector<const Chapter*> chosen_chapters(const std::string& which);
 // or 1 when a check failed or a chapter threw. Throws OutputError when a page cannot be written.
 int run_chapters(std::span<const Chapter* const> chapters, const NotebookOptions& options);
 
-int chapter_command(const std::string& which, const NotebookOptions& options);
-
 }  // namespace crevice

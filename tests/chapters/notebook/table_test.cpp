@@ -16,7 +16,7 @@ namespace {
 Table example() {
     return {"example",
             {"what", "ms"},
-            {{"a, \"b\"", Cell(0.1, 1)}, {"c", Cell()}, {"long word", Cell(1234.5678, 2)}}};
+            {{"a, \"b\"", TableValue(0.1, 1)}, {"c", TableValue()}, {"long word", TableValue(1234.5678, 2)}}};
 }
 
 }  // namespace

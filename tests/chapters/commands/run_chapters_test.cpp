@@ -1,4 +1,4 @@
-#include "chapters/commands/chapter_command.h"
+#include "chapters/commands/run_chapters.h"
 
 #include <fstream>
 #include <iostream>

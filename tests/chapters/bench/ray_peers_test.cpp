@@ -86,7 +86,7 @@ TEST_CASE("answers become rates, paired ratios and verdicts") {
     CHECK(number(threads, 0, "ratio_to_1") == 1.5);
     CHECK(threads.rows[0].back().text == "missed");
     CHECK(number(threads, 1, "ratio_to_1") == 2);
-    CHECK(threads.rows[1].back().kind == Cell::Kind::nothing);
+    CHECK(threads.rows[1].back().kind == TableValue::Kind::nothing);
     CHECK(number(builds, 0, "embree/ours") == 2.5);
     CHECK(agreement.rows[0][1].text == "unbounded");
     CHECK(agreement.rows[0].back().text == "same");

@@ -1,4 +1,4 @@
-#include "chapters/bench/left_out.h"
+#include "chapters/bench/left_out_savings.h"
 
 #include <ostream>
 
@@ -58,16 +58,17 @@ int bench_left_out(const FramesOptions& options, std::ostream& out) {
             // Triangles out of view cost nothing that a picture of the rest could be slower by.
             anything = anything || work.skip != Skip::off_screen_triangles;
             const MedianInterval& saved = savings[next++].saved_ms;
-            kinds.rows.push_back({name, skip_name(work.skip), Cell(static_cast<double>(work.count), 0),
-                                  Cell(static_cast<double>(work.of), 0), work.unit, Cell(saved.median, 3),
-                                  Cell(saved.low, 3), Cell(saved.high, 3)});
+            kinds.rows.push_back({name, skip_name(work.skip), TableValue(static_cast<double>(work.count), 0),
+                                  TableValue(static_cast<double>(work.of), 0), work.unit,
+                                  TableValue(saved.median, 3), TableValue(saved.low, 3),
+                                  TableValue(saved.high, 3)});
         }
         const MedianInterval ratio = overhead(argument.scene, camera, request);
         const bool slower = ratio.high >= kMostOverhead;
         holds = holds && (anything || !slower);
-        frames.rows.push_back({name, Cell(ratio.median, 3), Cell(ratio.low, 3), Cell(ratio.high, 3),
-                               Cell(100 * ratio.confidence, 1), Cell(kMostOverhead, 2),
-                               slower ? "slower" : "not slower"});
+        frames.rows.push_back({name, TableValue(ratio.median, 3), TableValue(ratio.low, 3),
+                               TableValue(ratio.high, 3), TableValue(100 * ratio.confidence, 1),
+                               TableValue(kMostOverhead, 2), slower ? "slower" : "not slower"});
     }
     BenchReport report{"left_out", machine_facts(options.run), {kinds, frames}};
     report.facts.push_back(

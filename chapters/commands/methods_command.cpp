@@ -1,0 +1,17 @@
+// `crevice methods`
+#include <iostream>
+
+#include "chapters/commands/commands.h"
+#include "chapters/frame/methods.h"
+#include "rasterizer/base/error.h"
+
+namespace crevice {
+
+Command add_methods_command(CLI::App& program) {
+    return {program.add_subcommand("methods", "List the ambient-occlusion methods"), [] {
+                print_methods(std::cout);
+                return static_cast<int>(ExitCode::done);
+            }};
+}
+
+}  // namespace crevice

@@ -1,0 +1,25 @@
+#include "chapters/commands/notebook_flags.h"
+
+#include "chapters/terminal/parse.h"
+
+namespace crevice {
+
+void add_notebook_flags(CLI::App& command, NotebookWords& words) {
+    command.add_option("--out", words.out, "the directory for pictures and pages")->capture_default_str();
+    command.add_option("--size", words.size, "size of the pictures in pixels, WxH; default: 640x360");
+    command.add_option("--seed", words.seed, "seed of whatever is random")->capture_default_str();
+    command.add_flag("--step", words.step, "wait for Enter after each cell");
+    command.add_flag("--quiet", words.quiet, "say only which checks fail");
+}
+
+NotebookOptions notebook_options_of(const NotebookWords& words) {
+    NotebookOptions options;
+    options.out = words.out;
+    if (words.size) options.size = parse_size("--size", *words.size);
+    options.seed = static_cast<std::uint32_t>(parse_whole("--seed", words.seed, 0, 0xffffffffLL));
+    options.step = words.step;
+    options.quiet = words.quiet;
+    return options;
+}
+
+}  // namespace crevice

@@ -1,0 +1,23 @@
+// The flags of whatever runs chapters: --out --size --seed --step --quiet.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "chapters/notebook/notebook.h"
+
+namespace crevice {
+
+// As they were typed.
+struct NotebookWords {
+    std::string out = "out", seed = "1";
+    std::optional<std::string> size;
+    bool step = false, quiet = false;
+};
+void add_notebook_flags(CLI::App& command, NotebookWords& words);
+// Throws UsageError.
+NotebookOptions notebook_options_of(const NotebookWords& words);
+
+}  // namespace crevice

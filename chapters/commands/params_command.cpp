@@ -1,0 +1,23 @@
+// `crevice params`
+#include <iostream>
+#include <memory>
+
+#include "chapters/commands/commands.h"
+#include "chapters/frame/methods.h"
+#include "chapters/terminal/parse.h"
+#include "rasterizer/base/error.h"
+
+namespace crevice {
+
+Command add_params_command(CLI::App& program) {
+    const auto method = std::make_shared<std::string>();
+    CLI::App* const params =
+        program.add_subcommand("params", "List a method's parameters: range, unit, default, effect");
+    params->add_option("METHOD", *method, "a method (crevice methods)")->required();
+    return {params, [method] {
+                named_as({{"--ao", "METHOD"}}, [&] { print_parameters(std::cout, find_method(*method)); });
+                return static_cast<int>(ExitCode::done);
+            }};
+}
+
+}  // namespace crevice

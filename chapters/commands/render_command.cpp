@@ -1,0 +1,115 @@
+// `crevice render`
+#include <iostream>
+#include <memory>
+
+#include "chapters/commands/commands.h"
+#include "chapters/commands/render.h"
+#include "chapters/commands/run_flags.h"
+#include "chapters/commands/turntable.h"
+#include "chapters/frame/methods.h"
+#include "chapters/frame/presets.h"
+#include "chapters/terminal/parse.h"
+#include "rasterizer/base/error.h"
+
+namespace crevice {
+
+namespace {
+
+// As they were typed.
+struct RenderWords {
+    std::string scene, size = "1280x720", ao, ao_scale = ".5", only, repeat = "1", time = "0", out = "out";
+    std::optional<std::string> preset, frames;
+    std::vector<std::string> params;
+    CameraFlags camera;
+    RunWords run;
+    bool inset = false;
+};
+
+WantedBuffers buffers_of(const std::string& list) {
+    if (list.empty()) return all_buffers();
+    WantedBuffers wanted;
+    std::size_t start = 0;
+    while (start <= list.size()) {
+        const std::size_t comma = std::min(list.find(',', start), list.size());
+        const std::string name = list.substr(start, comma - start);
+        if (!all_buffers().contains(name)) {
+            std::string known;
+            for (const char* buffer : kBufferNames) known += std::string(known.empty() ? "" : ", ") + buffer;
+            throw UsageError("--only: there is no such buffer (" + name + "); give some of " + known);
+        }
+        wanted.insert(name);
+        start = comma + 1;
+    }
+    return wanted;
+}
+
+RenderOptions options_of(const RenderWords& words) {
+    const Preset* const preset = words.preset ? &find_preset(*words.preset) : nullptr;
+    if (words.scene.empty() && preset == nullptr)
+        throw UsageError(
+            "crevice render: neither SCENE nor --preset; give one, such as crevice render columns");
+    if (preset != nullptr && !(words.scene.empty() && words.ao.empty()))
+        throw UsageError("--preset: names its own scene and method; leave SCENE and --ao away");
+    RenderOptions options;
+    options.scene = preset != nullptr ? preset->scene : words.scene;
+    options.camera = words.camera;
+    options.params = words.params;
+    options.time_s = parse_number("--time", words.time);
+    options.inset = words.inset;
+    options.out = words.out;
+    FrameRequest& request = options.request;
+    request.run = run_of(words.run);
+    request.size = parse_size("--size", words.size);
+    request.method = &find_method(preset != nullptr ? preset->method : words.ao.empty() ? "xjun" : words.ao);
+    request.settings.ao.ao_scale = static_cast<float>(parse_number("--ao-scale", words.ao_scale));
+    named_as({{"ao_scale", "--ao-scale"}}, [&] { ao_map_size(request.size, request.settings.ao.ao_scale); });
+    request.wanted = buffers_of(words.only);
+    request.repeats = static_cast<int>(parse_whole("--repeat", words.repeat, 1, 100000));
+    return options;
+}
+
+int run(const RenderWords& words) {
+    const RenderOptions options = options_of(words);
+    if (words.frames) {
+        render_turntable(options, frames_of("--frames", *words.frames), std::cout);
+    } else {
+        render(options);
+    }
+    return static_cast<int>(ExitCode::done);
+}
+
+}  // namespace
+
+Command add_render_command(CLI::App& program) {
+    const auto words = std::make_shared<RenderWords>();
+    CLI::App* const render = program.add_subcommand(
+        "render", "Draw a scene and write every buffer as NAME.npy and NAME.png, with passes.json");
+    render->add_option("SCENE", words->scene, kSceneMeaning);
+    render->add_option("--preset", words->preset, "instead of SCENE and --ao: xjun2020, xjun2022 or luna");
+    render->add_option("--size", words->size, "size of the picture in pixels, WxH")->capture_default_str();
+    add_camera_flags(*render, words->camera);
+    render->add_option("--ao", words->ao, "ambient-occlusion method (crevice methods); default: xjun");
+    render->add_option("--param", words->params, "name=value, any number of times (crevice params METHOD)")
+        ->allow_extra_args(false);
+    render->add_option("--ao-scale", words->ao_scale, "size of the AO map: .5 or 1 times the picture")
+        ->capture_default_str();
+    render->add_option("--only", words->only,
+                       "write only these buffers, comma-separated; the rest is left out");
+    render->add_flag("--keep-all", words->run.keep_all, "leave nothing out: the same buffers, more slowly");
+    add_run_flags(*render, words->run);
+    render
+        ->add_option("--repeat", words->repeat,
+                     "draw the frame this often: times are medians, and what leaving out saves is measured")
+        ->capture_default_str();
+    render->add_option("--time", words->time, "seconds that the scene's lights have been turning")
+        ->capture_default_str();
+    render->add_flag("--inset", words->inset,
+                     "the AO map over the lower right of lit.png, as the tutorials show it");
+    render->add_option(
+        "--frames", words->frames,
+        "A-B: a turntable of 36 frames a turn, as frame_NNNN.png and, with img2webp, turntable.webp");
+    render->add_option("--out", words->out, "the directory for the files")->capture_default_str();
+    return {render, [words] { return run(*words); }};
+}
+
+}  // namespace crevice
