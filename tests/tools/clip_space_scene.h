@@ -12,27 +12,9 @@
 #include <glm/vec4.hpp>
 
 #include "rasterizer/draw/raster_tile.h"
+#include "tests/tools/every_run.h"
 
 namespace crevice {
-
-// Reproducible numbers in tests: a 64-bit linear congruential sequence, its high bits. Two of them in one
-// expression need braces: the order in which arguments in parentheses are evaluated is the compiler's own.
-class RandomSequence {
- public:
-    explicit RandomSequence(std::uint64_t seed) : state_(seed * 0x9e3779b97f4a7c15u + 1) {}
-
-    std::uint32_t bits() {
-        state_ = state_ * 6364136223846793005u + 1442695040888963407u;
-        return static_cast<std::uint32_t>(state_ >> 32);
-    }
-    double between(double low, double high) { return low + (high - low) * (bits() / 4294967296.0); }
-    int whole(int low, int high) {  // inclusive
-        return low + static_cast<int>(bits() % static_cast<std::uint32_t>(high - low + 1));
-    }
-
- private:
-    std::uint64_t state_;
-};
 
 struct ClipSpaceScene {
     Size size;
@@ -69,9 +51,6 @@ struct CountedDrawing {
     Image<std::int32_t> count;  // how many fragments passed at each pixel
     DepthBuffer depth;
 };
-
-// One thread, so that a failing test is easy to step through.
-inline const Run kPlainRun = {.threads = 1};
 
 // Adds 1 wherever a fragment passes.
 struct CountingShader {

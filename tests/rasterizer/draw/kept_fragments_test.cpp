@@ -4,9 +4,10 @@
 
 #include <doctest/doctest.h>
 
+#include "rasterizer/base/hash.h"
 #include "rasterizer/draw/depth_only.h"
-#include "ssao/inputs/random_vectors.h"
 #include "tests/tools/clip_space_scene.h"
+#include "tests/tools/random_sequence.h"
 
 using namespace crevice;
 

@@ -9,7 +9,8 @@
 #include "rasterizer/base/error.h"
 #include "scenes/builtin_scenes.h"
 #include "ssao/bakes/lightmap_charts.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/still_life.h"
 
 using namespace crevice;
 

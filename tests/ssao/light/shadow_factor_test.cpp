@@ -5,8 +5,9 @@
 
 #include <doctest/doctest.h>
 
-#include "tests/tools/clip_space_scene.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/noise.h"
+#include "tests/tools/random_sequence.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 
