@@ -13,6 +13,7 @@
 
 #include "rasterizer/draw/raster_tile.h"
 #include "tests/tools/every_run.h"
+#include "tests/tools/image_checks.h"
 
 namespace crevice {
 
@@ -89,32 +90,6 @@ inline CountedDrawing draw(const ClipSpaceScene& scene, DepthFunction test = Dep
     CountedDrawing drawing{Image<std::int32_t>(), cleared_depth(scene.size, setup.format, false)};
     drawing.count = count_passing(geometry_of(scene, setup, run), test, drawing.depth, run);
     return drawing;
-}
-
-inline std::int64_t total(const Image<std::int32_t>& image) {
-    std::int64_t sum = 0;
-    for (int y = 0; y < image.size.height; ++y) {
-        for (int x = 0; x < image.size.width; ++x) sum += image.at(x, y);
-    }
-    return sum;
-}
-
-// "" when two pictures agree, else how many pixels differ and the first of them.
-inline std::string differences(const Image<std::int32_t>& actual, const Image<std::int32_t>& expected) {
-    std::string first;
-    int count = 0;
-    for (int y = 0; y < expected.size.height; ++y) {
-        for (int x = 0; x < expected.size.width; ++x) {
-            if (actual.at(x, y) == expected.at(x, y)) continue;
-            if (count++ > 0) continue;
-            first = "(" + std::to_string(x) + "," + std::to_string(y) + ") is " +
-                    std::to_string(actual.at(x, y)) + ", expected " + std::to_string(expected.at(x, y));
-        }
-    }
-    return count == 0 ? "" : std::to_string(count) + " pixels differ, the first: " + first;
-}
-inline std::string differences(const Image<std::int32_t>& actual, std::int32_t expected) {
-    return differences(actual, Image<std::int32_t>(actual.size, expected));
 }
 
 // Whether a triangle of corners in 1/256 pixel covers a pixel, in either winding: its centre, moved right by

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <string>
 
 #include "rasterizer/base/image.h"
@@ -40,6 +41,32 @@ inline std::string further_apart_than(double bound, const Image<float>& a, const
         const double first = a.at(x, y), second = b.at(x, y);
         return first == second || std::fabs(first - second) <= bound;
     });
+}
+
+inline std::int64_t total(const Image<std::int32_t>& image) {
+    std::int64_t sum = 0;
+    for (int y = 0; y < image.size.height; ++y) {
+        for (int x = 0; x < image.size.width; ++x) sum += image.at(x, y);
+    }
+    return sum;
+}
+
+// "" when two pictures agree, else how many pixels differ and the first of them.
+inline std::string differences(const Image<std::int32_t>& actual, const Image<std::int32_t>& expected) {
+    std::string first;
+    int count = 0;
+    for (int y = 0; y < expected.size.height; ++y) {
+        for (int x = 0; x < expected.size.width; ++x) {
+            if (actual.at(x, y) == expected.at(x, y)) continue;
+            if (count++ > 0) continue;
+            first = "(" + std::to_string(x) + "," + std::to_string(y) + ") is " +
+                    std::to_string(actual.at(x, y)) + ", expected " + std::to_string(expected.at(x, y));
+        }
+    }
+    return count == 0 ? "" : std::to_string(count) + " pixels differ, the first: " + first;
+}
+inline std::string differences(const Image<std::int32_t>& actual, std::int32_t expected) {
+    return differences(actual, Image<std::int32_t>(actual.size, expected));
 }
 
 }  // namespace crevice

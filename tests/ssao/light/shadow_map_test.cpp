@@ -9,8 +9,8 @@
 
 #include "rasterizer/base/error.h"
 #include "ssao/light/shadow_factor.h"
-#include "tests/tools/clip_space_scene.h"
 #include "tests/tools/every_run.h"
+#include "tests/tools/image_checks.h"
 #include "tests/tools/random_sequence.h"
 #include "tests/tools/small_scenes.h"
 #include "tests/tools/special_floats.h"

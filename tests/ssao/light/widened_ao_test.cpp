@@ -10,7 +10,6 @@
 #include <doctest/doctest.h>
 
 #include "rasterizer/base/image_summary.h"
-#include "tests/tools/clip_space_scene.h"
 #include "tests/tools/every_run.h"
 #include "tests/tools/image_checks.h"
 #include "tests/tools/noise.h"
