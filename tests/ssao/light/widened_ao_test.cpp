@@ -101,7 +101,7 @@ TEST_CASE("widened AO: the same bits with one lane or eight, any instruction set
     }
 }
 
-TEST_CASE_TEMPLATE("widened AO: the same bits in tiles of any size, rows in any order", F, float, Wide<8>) {
+TEST_CASE_TEMPLATE("widened AO: the same bits in tiles of any size, rows in any order", F, float, Wide<4>) {
     RandomSequence random(1);
     for (const SizePair& pair : kPairs) {
         const Image<float> map = noise_image(pair.map, 7);
@@ -115,7 +115,7 @@ TEST_CASE_TEMPLATE("widened AO: the same bits in tiles of any size, rows in any 
 }
 
 TEST_CASE_TEMPLATE("widened AO: an empty map is open everywhere, a constant one stays constant", F, float,
-                   Wide<8>) {
+                   Wide<4>) {
     RandomSequence random(1);
     for (const Size picture : {Size{1, 1}, {130, 9}}) {
         CHECK(other_than(in_tiles<F>({}, picture, 64, random), 1) == "");
