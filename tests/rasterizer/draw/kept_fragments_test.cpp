@@ -7,6 +7,7 @@
 #include "rasterizer/base/hash.h"
 #include "rasterizer/draw/depth_only.h"
 #include "tests/tools/clip_space_scene.h"
+#include "tests/tools/every_run.h"
 #include "tests/tools/random_sequence.h"
 
 using namespace crevice;

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "tests/tools/clip_space_scene.h"
+#include "tests/tools/every_run.h"
 #include "tests/tools/random_sequence.h"
 
 using namespace crevice;

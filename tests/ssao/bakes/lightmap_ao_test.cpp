@@ -8,8 +8,12 @@
 
 #include "rasterizer/base/image_summary.h"
 #include "rasterizer/lanes/approx_math.h"
+#include "scenes/shapes.h"
 #include "tests/tools/baked_scene.h"
 #include "tests/tools/every_run.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/special_floats.h"
+#include "tests/tools/still_life.h"
 
 using namespace crevice;
 

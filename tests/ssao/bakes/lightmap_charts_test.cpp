@@ -8,6 +8,7 @@
 
 #include "rasterizer/base/error.h"
 #include "scenes/builtin_scenes.h"
+#include "scenes/shapes.h"
 #include "ssao/bakes/lightmap_charts.h"
 #include "tests/tools/small_scenes.h"
 #include "tests/tools/still_life.h"

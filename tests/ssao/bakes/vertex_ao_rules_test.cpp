@@ -7,7 +7,11 @@
 
 #include "rasterizer/base/error.h"
 #include "scenes/composing.h"
+#include "scenes/shapes.h"
 #include "tests/tools/every_run.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/special_floats.h"
+#include "tests/tools/still_life.h"
 #include "tests/tools/vertex_ao_checks.h"
 
 using namespace crevice;

@@ -8,6 +8,7 @@
 
 #include "rasterizer/lanes/approx_math.h"
 #include "scenes/builtin_scenes.h"
+#include "scenes/shapes.h"
 #include "tests/tools/ao_cases.h"
 #include "tests/tools/image_checks.h"
 #include "tests/tools/small_scenes.h"

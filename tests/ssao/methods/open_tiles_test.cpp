@@ -4,8 +4,13 @@
 #include <doctest/doctest.h>
 
 #include "rasterizer/base/run.h"
+#include "tests/tools/ao_cases.h"
 #include "tests/tools/every_run.h"
+#include "tests/tools/image_checks.h"
+#include "tests/tools/noise.h"
 #include "tests/tools/open_tiles_checks.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/still_life.h"
 
 using namespace crevice;
 

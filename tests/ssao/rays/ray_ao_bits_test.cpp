@@ -10,6 +10,8 @@
 
 #include "tests/tools/every_run.h"
 #include "tests/tools/seen_ao.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/still_life.h"
 
 using namespace crevice;
 

@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "rasterizer/base/error.h"
+#include "scenes/shapes.h"
 #include "tests/tools/seen_ao.h"
 #include "tests/tools/small_scenes.h"
 #include "tests/tools/special_floats.h"

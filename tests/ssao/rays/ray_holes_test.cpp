@@ -8,6 +8,7 @@
 #include "rasterizer/base/error.h"
 #include "tests/tools/every_run.h"
 #include "tests/tools/seen_ao.h"
+#include "tests/tools/small_scenes.h"
 
 using namespace crevice;
 
