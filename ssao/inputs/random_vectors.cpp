@@ -15,23 +15,6 @@ constexpr glm::vec3 kCubeDirections[kCubeVectors] = {
 
 }  // namespace
 
-std::uint32_t hash_of(std::uint32_t seed, std::uint32_t a, std::uint32_t b) {
-    constexpr std::uint32_t kMultiplier = 1664525u, kIncrement = 1013904223u;
-    std::uint32_t x = seed * kMultiplier + kIncrement, y = a * kMultiplier + kIncrement,
-                  z = b * kMultiplier + kIncrement;
-    for (int round = 0; round < 2; ++round) {
-        x += y * z;
-        y += z * x;
-        z += x * y;
-        if (round == 0) {
-            x ^= x >> 16;
-            y ^= y >> 16;
-            z ^= z >> 16;
-        }
-    }
-    return x;
-}
-
 std::array<glm::vec3, kCubeVectors> cube_offsets(std::uint32_t seed) {
     std::array<glm::vec3, kCubeVectors> offsets;
     for (std::uint32_t i = 0; i < kCubeVectors; ++i) {

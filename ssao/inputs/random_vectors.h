@@ -9,12 +9,10 @@
 
 #include <glm/vec3.hpp>
 
+#include "rasterizer/base/hash.h"
 #include "rasterizer/lanes/vec3.h"
 
 namespace crevice {
-
-// A well-mixed 32-bit hash of a seed and two coordinates (Jarzynski & Olano 2020, pcg3d, first component).
-std::uint32_t hash_of(std::uint32_t seed, std::uint32_t a, std::uint32_t b);
 
 inline constexpr int kCubeVectors = 14;
 inline constexpr float kShortestOffset = 0.25f;

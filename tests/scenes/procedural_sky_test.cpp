@@ -7,7 +7,7 @@
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/noise.h"
 
 using namespace crevice;
 

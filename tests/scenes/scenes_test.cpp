@@ -7,6 +7,7 @@
 #include "rasterizer/draw/cutouts.h"
 #include "rasterizer/lanes/approx_math.h"
 #include "rasterizer/scene/camera.h"
+#include "rasterizer/scene/world_mesh.h"
 #include "scenes/builtin_scenes.h"
 
 using namespace crevice;
@@ -175,4 +176,17 @@ TEST_CASE("cornell: the published planes, areas and volumes") {
     const double room = 0.25 * (5.528 + 5.496 + 5.56 + 5.56) * 5.488 * 5.592;
     CHECK(air == doctest::Approx(room - 1.65 * short_top - 3.3 * tall_top).epsilon(0.002));
     CHECK(tangent(0.5 * scene.camera.fov_y_rad) == doctest::Approx(12.5 / 35).epsilon(1e-9));
+}
+
+TEST_CASE("world_mesh: the built-in scenes are as large as their bounds") {
+    for (const char* name : {"columns", "empty"}) {
+        CAPTURE(name);
+        const Scene scene = find_builtin_scene(name)->make();
+        const Mesh mesh = world_mesh(scene);
+        CHECK(mesh.triangles.size() == triangle_count(scene));
+        CHECK(mesh.normals.size() == mesh.positions.size());
+        const Bounds bounds = world_bounds(scene);
+        CHECK(bounds.empty == mesh.positions.empty());
+        if (!bounds.empty) check_bounds(bounds_of(mesh), bounds.low, bounds.high, 1e-5);
+    }
 }

@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "scenes/builtin_scenes.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/still_life.h"
 
 using namespace crevice;
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ssao/bakes/lightmap_ao.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/special_floats.h"
 
 namespace crevice {
 

@@ -13,27 +13,10 @@
 #include <glm/vec4.hpp>
 
 #include "rasterizer/draw/visibility.h"
+#include "tests/tools/every_run.h"
+#include "tests/tools/image_checks.h"
 
 namespace crevice {
-
-// Reproducible numbers in tests: a 64-bit linear congruential sequence, its high bits. Two of them in one
-// expression need braces: the order in which arguments in parentheses are evaluated is the compiler's own.
-class RandomSequence {
- public:
-    explicit RandomSequence(std::uint64_t seed) : state_(seed * 0x9e3779b97f4a7c15u + 1) {}
-
-    std::uint32_t bits() {
-        state_ = state_ * 6364136223846793005u + 1442695040888963407u;
-        return static_cast<std::uint32_t>(state_ >> 32);
-    }
-    double between(double low, double high) { return low + (high - low) * (bits() / 4294967296.0); }
-    int whole(int low, int high) {  // inclusive
-        return low + static_cast<int>(bits() % static_cast<std::uint32_t>(high - low + 1));
-    }
-
- private:
-    std::uint64_t state_;
-};
 
 struct ClipSpaceScene {
     Size size;
@@ -71,9 +54,6 @@ struct CountedDrawing {
     DepthBuffer depth;
 };
 
-// One thread, so that a failing test is easy to step through.
-inline const Run kPlainRun = {.threads = 1};
-
 // Adds 1 wherever a fragment passes, and cuts nothing out.
 inline Holes counting(Image<std::int32_t>& count) {
     return [&count](const FragmentGroup& group) {
@@ -110,32 +90,6 @@ inline CountedDrawing draw(const ClipSpaceScene& scene, DepthFunction test = Dep
                            const SetupSettings& setup = {.cull_back_faces = false},
                            const Run& run = kPlainRun) {
     return counted(geometry_of(scene, setup, run), test, cleared_depth(scene.size, setup.format, false), run);
-}
-
-inline std::int64_t total(const Image<std::int32_t>& image) {
-    std::int64_t sum = 0;
-    for (int y = 0; y < image.size.height; ++y) {
-        for (int x = 0; x < image.size.width; ++x) sum += image.at(x, y);
-    }
-    return sum;
-}
-
-// "" when two pictures agree, else how many pixels differ and the first of them.
-inline std::string differences(const Image<std::int32_t>& actual, const Image<std::int32_t>& expected) {
-    std::string first;
-    int count = 0;
-    for (int y = 0; y < expected.size.height; ++y) {
-        for (int x = 0; x < expected.size.width; ++x) {
-            if (actual.at(x, y) == expected.at(x, y)) continue;
-            if (count++ > 0) continue;
-            first = "(" + std::to_string(x) + "," + std::to_string(y) + ") is " +
-                    std::to_string(actual.at(x, y)) + ", expected " + std::to_string(expected.at(x, y));
-        }
-    }
-    return count == 0 ? "" : std::to_string(count) + " pixels differ, the first: " + first;
-}
-inline std::string differences(const Image<std::int32_t>& actual, std::int32_t expected) {
-    return differences(actual, Image<std::int32_t>(actual.size, expected));
 }
 
 // Whether a triangle of corners in 1/256 pixel covers a pixel, in either winding: its centre, moved right by

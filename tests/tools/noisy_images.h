@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "ssao/judge/reference_error.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/noise.h"
 
 namespace crevice {
 

@@ -4,7 +4,8 @@
 #include <string>
 
 #include "ssao/methods/open_tiles.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/ao_cases.h"
+#include "tests/tools/image_checks.h"
 
 namespace crevice {
 

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "ssao/rays/ray_cast_ao.h"
-#include "tests/tools/test_scenes.h"
 
 namespace crevice {
 

@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "ssao/bakes/vertex_ao.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/special_floats.h"
 
 namespace crevice {
 

@@ -2,7 +2,7 @@
 
 #include "tests/tools/closed_form_scenes.h"
 #include "tests/tools/closed_form_shapes.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/special_floats.h"
 
 namespace crevice {
 

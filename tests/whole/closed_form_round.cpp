@@ -4,7 +4,8 @@
 #include "scenes/shapes.h"
 #include "tests/tools/closed_form_scenes.h"
 #include "tests/tools/closed_form_shapes.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/special_floats.h"
 
 namespace crevice {
 

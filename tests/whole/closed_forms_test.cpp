@@ -7,7 +7,7 @@
 
 #include "tests/tools/closed_form_scenes.h"
 #include "tests/tools/closed_form_shapes.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 

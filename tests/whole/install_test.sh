@@ -1,38 +1,29 @@
 #!/bin/sh
-# Installs the libraries into a scratch directory and builds another program against them with find_package(crevice).
+# Installs the libraries into a scratch directory, builds the program of examples/ against them and draws a corner of two walls
+# and a floor, which must not be open everywhere.
 # usage: install_test.sh BUILD_DIRECTORY CXX_COMPILER
 set -eu
+here=$(CDPATH= cd -- "$(dirname -- "$0")" && pwd)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cmake --install "$1" --prefix "$scratch/installed" >/dev/null
-mkdir "$scratch/user"
-cat > "$scratch/user/CMakeLists.txt" <<'CMAKE'
-cmake_minimum_required(VERSION 3.25)
-project(user LANGUAGES CXX)
-find_package(crevice 0.1 REQUIRED)
-add_executable(user user.cpp)
-target_link_libraries(user PRIVATE crevice::ssao crevice::scenes)
-CMAKE
-cat > "$scratch/user/user.cpp" <<'CPP'
-#include <cstdio>
-
-#include <scenes/builtin_scenes.h>
-#include <ssao/methods/luna_ssao.h>
-
-int main() {
-    const crevice::Scene scene = crevice::find_builtin_scene("wall_corner")->make();
-    const crevice::GBuffer gbuffer = crevice::normal_depth(scene, scene.camera, {64, 36});
-    const crevice::Image<float> ao = crevice::luna_ssao(gbuffer, scene.camera);
-    float darkest = 1;
-    for (int y = 0; y < ao.size.height; ++y) {
-        for (int x = 0; x < ao.size.width; ++x) darkest = ao.at(x, y) < darkest ? ao.at(x, y) : darkest;
-    }
-    std::printf("darkest %g\n", static_cast<double>(darkest));
-    return darkest < 1 ? 0 : 1;
-}
-CPP
 flags=$(sed -n 's/^CREVICE_SANITIZE:STRING=//p' "$1/CMakeCache.txt")
-cmake -G Ninja -S "$scratch/user" -B "$scratch/build" -DCMAKE_PREFIX_PATH="$scratch/installed" -DCMAKE_CXX_COMPILER="$2" \
-    ${flags:+-DCMAKE_CXX_FLAGS=-fsanitize=$flags} >/dev/null
+cmake -G Ninja -S "$here/../../examples" -B "$scratch/build" -DCMAKE_PREFIX_PATH="$scratch/installed" \
+    -DCMAKE_CXX_COMPILER="$2" ${flags:+-DCMAKE_CXX_FLAGS=-fsanitize=$flags} >/dev/null
 cmake --build "$scratch/build" >/dev/null
-"$scratch/build/user"
+cat > "$scratch/corner.obj" <<'OBJ'
+v 0 0 0
+v 4 0 0
+v 0 4 0
+v 0 0 4
+v 4 4 0
+v 4 0 4
+v 0 4 4
+f 1 2 5 3
+f 1 3 7 4
+f 1 4 6 2
+OBJ
+"$scratch/build/occlusion_of_obj" "$scratch/corner.obj" "$scratch/corner.png"
+# A picture of one grey deflates to less.
+test "$(wc -c < "$scratch/corner.png")" -gt 4000
+! "$scratch/build/occlusion_of_obj" "$scratch/nothing.obj" "$scratch/nothing.png"

@@ -11,7 +11,12 @@
 #include "rasterizer/base/image_summary.h"
 #include "scenes/builtin_scenes.h"
 #include "tests/tools/clip_space_scene.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/every_run.h"
+#include "tests/tools/image_checks.h"
+#include "tests/tools/random_sequence.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/special_floats.h"
+#include "tests/tools/still_life.h"
 
 using namespace crevice;
 
@@ -207,8 +212,7 @@ TEST_CASE("counts: one component of one corner that is not finite, and only its 
                 scene.add_triangle(scene.at_screen(-9, -9), scene.at_screen(99, -9), scene.at_screen(0, 99));
                 scene.p_clip[scene.p_clip.size() - 3 + corner][component] = bad;
                 for (int i = 0; i < 3; ++i) add_speck(scene, 8 * i + 3, 20, 0.5);
-                for (const int lanes : {1, 0}) {
-                    const Run run{.threads = 1, .lanes = lanes};
+                for (const Run& run : {kPlainRun, kOneLane}) {
                     CHECK(total(draw(scene, DepthFunction::always, {.cull_back_faces = false}, run).count) ==
                           6);
                 }

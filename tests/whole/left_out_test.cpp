@@ -8,8 +8,9 @@
 #include "chapters/frame/frame.h"
 #include "rasterizer/base/image_summary.h"
 #include "scenes/builtin_scenes.h"
-#include "tests/tools/clip_space_scene.h"
-#include "tests/tools/test_scenes.h"
+#include "scenes/shapes.h"
+#include "tests/tools/random_sequence.h"
+#include "tests/tools/small_scenes.h"
 
 using namespace crevice;
 

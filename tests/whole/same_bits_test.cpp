@@ -6,7 +6,10 @@
 #include "chapters/frame/frame.h"
 #include "rasterizer/base/image_summary.h"
 #include "scenes/builtin_scenes.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/every_run.h"
+#include "tests/tools/noise.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/still_life.h"
 
 using namespace crevice;
 
@@ -18,14 +21,6 @@ constexpr bool kSlowBuild = true;
 #else
 constexpr bool kSlowBuild = false;
 #endif
-
-std::vector<Isa> available_isas() {
-    std::vector<Isa> isas;
-    for (const Isa isa : kEveryIsa) {
-        if (isa_available(isa)) isas.push_back(isa);
-    }
-    return isas;
-}
 
 FrameRequest request_for(const std::string& method, Size size,
                          const std::vector<std::string>& assignments = {}) {
@@ -46,9 +41,8 @@ std::string hashes_of(const Scene& scene, const FrameRequest& request) {
            content_hash(frame.lit);
 }
 
-// The plainest way there is: one lane, one thread, no special instructions.
 std::string plain_hashes(const Scene& scene, FrameRequest request) {
-    request.run = {.threads = 1, .lanes = 1, .isa = Isa::baseline, .tile_size = 64};
+    request.run = kOneLane;
     return hashes_of(scene, request);
 }
 
@@ -71,30 +65,20 @@ Scene odds_and_ends() {
 }  // namespace
 
 TEST_CASE("same bits: lanes x instruction sets x threads x tiles, odd sizes, both methods") {
+    const RunChoices many{.threads = {1, 2, 7}, .tile_sizes = {8, 32, 64}},
+        few{.threads = {7}, .tile_sizes = {32, 64}};
     for (const Scene& scene : {columns_scene(), columns_luna_scene(), cornell_scene()}) {
         for (const char* method : {"xjun", "luna"}) {
             for (const Size size : {Size{37, 23}, {1, 1}, {161, 91}}) {
                 FrameRequest request = request_for(method, size);
                 const std::string plain = plain_hashes(scene, request);
-                for (const int lanes : {1, 0}) {
-                    for (const Isa isa : available_isas()) {
-                        for (const int threads : {1, 2, 7}) {
-                            for (const int tile_size : {8, 32, 64}) {
-                                if (kSlowBuild && size.width > 37 && (threads != 7 || tile_size == 8))
-                                    continue;
-                                CAPTURE(scene.name);
-                                CAPTURE(std::string(method));
-                                CAPTURE(size.width);
-                                CAPTURE(lanes);
-                                CAPTURE(std::string(isa_name(isa)));
-                                CAPTURE(threads);
-                                CAPTURE(tile_size);
-                                request.run = {threads, lanes, isa, tile_size};
-                                CHECK(hashes_of(scene, request) == plain);
-                            }
-                        }
-                    }
-                }
+                CAPTURE(scene.name);
+                CAPTURE(std::string(method));
+                CAPTURE(size.width);
+                for_every_run(kSlowBuild && size.width > 37 ? few : many, [&](const Run& run) {
+                    request.run = run;
+                    CHECK(hashes_of(scene, request) == plain);
+                });
             }
         }
     }
@@ -127,18 +111,14 @@ TEST_CASE("same bits: every format, projection, texture and the published text")
                     FrameRequest request = request_for(method, {43, 31}, variant);
                     request.settings.ao.ao_scale = ao_scale;
                     const std::string plain = plain_hashes(scene, request);
-                    for (const int lanes : {1, 0}) {
-                        for (const Isa isa : available_isas()) {
-                            CAPTURE(static_cast<int>(projection));
-                            CAPTURE(std::string(method));
-                            CAPTURE(&variant - variants);
-                            CAPTURE(ao_scale);
-                            CAPTURE(lanes);
-                            CAPTURE(std::string(isa_name(isa)));
-                            request.run = {2, lanes, isa, 16};
-                            CHECK(hashes_of(scene, request) == plain);
-                        }
-                    }
+                    CAPTURE(static_cast<int>(projection));
+                    CAPTURE(std::string(method));
+                    CAPTURE(&variant - variants);
+                    CAPTURE(ao_scale);
+                    for_every_run({.tile_sizes = {16}}, [&](const Run& run) {
+                        request.run = run;
+                        CHECK(hashes_of(scene, request) == plain);
+                    });
                 }
             }
         }

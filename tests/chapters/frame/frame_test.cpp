@@ -9,7 +9,10 @@
 
 #include "rasterizer/base/image_summary.h"
 #include "scenes/builtin_scenes.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/image_checks.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/special_floats.h"
+#include "tests/tools/still_life.h"
 
 using namespace crevice;
 

@@ -1,19 +1,19 @@
 #include "chapters/notebook/picture.h"
 
-#include <limits>
-
 #include <doctest/doctest.h>
 
 #include "rasterizer/base/image_io.h"
 #include "rasterizer/textures/texture.h"
+#include "ssao/judge/flip.h"
+#include "tests/tools/image_checks.h"
+#include "tests/tools/noise.h"
 #include "tests/tools/scratch_directory.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 using Bytes = std::vector<std::uint8_t>;
 const Bytes kMagenta = {255, 0, 255};
 
@@ -138,4 +138,21 @@ TEST_CASE("a written picture reads back as its bytes") {
     const Image3 read = read_png8(scratch / "p.png");
     REQUIRE(read.size() == Size{3, 1});
     CHECK(read.at(1, 0) == glm::vec3(64.0f / 255));
+}
+
+TEST_CASE("displayed: accessibility as the bytes of its picture") {
+    const Image<float> ao = [] {
+        Image<float> image = noise_image({37, 11}, 7);
+        image.at(0, 0) = -1;
+        image.at(1, 0) = 2;
+        image.at(2, 0) = 0.5f / 255;  // the smallest that is not shown black
+        return image;
+    }();
+    const Picture picture = ao_picture(ao);
+    const Image<float> shown = displayed(ao);
+    CHECK(pixels_against(ao.size, [&](int x, int y) {
+              const std::uint8_t byte = picture.pixels[static_cast<std::size_t>(y * ao.size.width + x)];
+              return shown.at(x, y) == static_cast<float>(byte) / 255;
+          }) == "");
+    CHECK(std::isnan(displayed(Image<float>({1, 1}, kNan)).at(0, 0)));
 }

@@ -6,7 +6,7 @@
 
 #include "rasterizer/draw/cutouts.h"
 #include "scenes/builtin_scenes.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 

@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/image_checks.h"
 
 using namespace crevice;
 

@@ -5,7 +5,9 @@
 #include <doctest/doctest.h>
 
 #include "chapters/props/position_ways.h"
-#include "tests/tools/test_scenes.h"
+#include "ssao/methods/xjun_ssao.h"
+#include "tests/tools/image_checks.h"
+#include "tests/tools/still_life.h"
 
 using namespace crevice;
 

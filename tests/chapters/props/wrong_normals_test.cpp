@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include "rasterizer/base/image_summary.h"
-#include "tests/tools/test_scenes.h"
 
 using namespace crevice;
 

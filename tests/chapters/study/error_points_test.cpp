@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "rasterizer/base/error.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/noise.h"
 
 using namespace crevice;
 

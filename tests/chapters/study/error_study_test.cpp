@@ -7,7 +7,8 @@
 
 #include "chapters/study/error_chain.h"
 #include "rasterizer/base/image_summary.h"
-#include "tests/tools/test_scenes.h"
+#include "ssao/methods/luna_ssao.h"
+#include "tests/tools/still_life.h"
 
 using namespace crevice;
 

@@ -8,7 +8,8 @@
 #include "chapters/study/reference_cache.h"
 #include "rasterizer/base/image_io.h"
 #include "tests/tools/scratch_directory.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/still_life.h"
 
 using namespace crevice;
 

@@ -3,20 +3,18 @@
 
 #include <bit>
 #include <cstring>
-#include <limits>
 #include <string>
 
 #include <doctest/doctest.h>
 
 #include "rasterizer/base/error.h"
 #include "tests/tools/scratch_directory.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // Every kind of float: NaN with a payload, both infinities, -0, a denormal, and numbers that differ by pixel.
 Image<float> awkward_image(Size size) {

@@ -8,6 +8,7 @@
 
 #include "rasterizer/lanes/approx_math.h"
 #include "tests/tools/clip_space_scene.h"
+#include "tests/tools/random_sequence.h"
 #include "tests/tools/ray_reference.h"
 
 using namespace crevice;

@@ -5,7 +5,8 @@
 
 #include "rasterizer/base/image_summary.h"
 #include "ssao/light/shade.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/every_run.h"
+#include "tests/tools/small_scenes.h"
 
 using namespace crevice;
 
@@ -91,30 +92,19 @@ TEST_CASE("cut-outs: the same bits whatever the run, drawn again or lit from the
     const GBuffer g = gbuffer_of(scene);
     const std::string depth = content_hash(g.view_depth), normal = content_hash(g.normal),
                       lit = content_hash(shade(scene, scene.camera, g.depth, {}));
-    for (const int threads : {1, 7}) {
-        for (const int lanes : {1, 0}) {
-            for (const int tile : {8, 64}) {
-                for (const bool keep_all : {false, true}) {
-                    Run run;
-                    run.threads = threads;
-                    run.lanes = lanes;
-                    run.tile_size = tile;
-                    if (keep_all) run.kept = KeptWork::all();
-                    CAPTURE(threads);
-                    CAPTURE(lanes);
-                    CAPTURE(tile);
-                    CAPTURE(keep_all);
-                    NormalDepthSettings settings;
-                    settings.with_material = true;
-                    const ScreenGeometry geometry =
-                        screen_geometry(scene, scene.camera, kSize, geometry_settings(settings), run);
-                    const GBuffer again = normal_depth(scene, geometry, false, settings, run);
-                    CHECK(content_hash(again.view_depth) == depth);
-                    CHECK(content_hash(again.normal) == normal);
-                    CHECK(content_hash(shade(scene, scene.camera, geometry, again, {}, run).image) == lit);
-                }
-            }
-        }
+    for (const bool keep_all : {false, true}) {
+        CAPTURE(keep_all);
+        for_every_run({.threads = {1, 7}, .tile_sizes = {8, 64}}, [&](Run run) {
+            if (keep_all) run.kept = KeptWork::all();
+            NormalDepthSettings settings;
+            settings.with_material = true;
+            const ScreenGeometry geometry =
+                screen_geometry(scene, scene.camera, kSize, geometry_settings(settings), run);
+            const GBuffer again = normal_depth(scene, geometry, false, settings, run);
+            CHECK(content_hash(again.view_depth) == depth);
+            CHECK(content_hash(again.normal) == normal);
+            CHECK(content_hash(shade(scene, scene.camera, geometry, again, {}, run).image) == lit);
+        });
     }
 }
 

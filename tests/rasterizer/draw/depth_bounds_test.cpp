@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 
 #include "tests/tools/clip_space_scene.h"
+#include "tests/tools/random_sequence.h"
 
 using namespace crevice;
 

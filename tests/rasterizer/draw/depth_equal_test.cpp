@@ -9,6 +9,8 @@
 
 #include "rasterizer/draw/normal_depth.h"
 #include "tests/tools/clip_space_scene.h"
+#include "tests/tools/every_run.h"
+#include "tests/tools/random_sequence.h"
 
 using namespace crevice;
 
@@ -93,28 +95,13 @@ std::int64_t drawn_pixels(const DepthBuffer& depth, std::int32_t clear_code) {
     return drawn;
 }
 
-std::vector<Run> every_run() {
-    std::vector<Run> runs;
-    for (const Isa isa : kEveryIsa) {
-        if (!isa_available(isa)) continue;
-        for (const int lanes : {1, 0}) {
-            for (const int threads : {1, 2, 7}) {
-                for (const int tile_size : {8, 32, 64}) runs.push_back({threads, lanes, isa, tile_size});
-            }
-        }
-    }
-    return runs;
-}
-
-#define CAPTURE_RUN(run)                                                                                \
-    INFO("lanes " << run.lanes << ", " << isa_name(run.isa) << ", threads " << run.threads << ", tile " \
-                  << run.tile_size)
+const RunChoices kChoices{.threads = {1, 2, 7}, .tile_sizes = {8, 32, 64}};
 
 }  // namespace
 
 TEST_CASE("72 ordinary and 72 narrow triangles: every pixel of the first pass is EQUAL in the second") {
     const Size size = {200, 150};
-    const std::vector<Run> runs = every_run();
+    const std::vector<Run> runs = every_run(kChoices);
     for (std::uint64_t seed = 0; seed < 9; ++seed) {
         CAPTURE(seed);
         const DepthFormat format = kFormats[seed % 3];
@@ -131,7 +118,7 @@ TEST_CASE("72 ordinary and 72 narrow triangles: every pixel of the first pass is
 
 TEST_CASE("scenes under random cameras: every pixel of the first pass is EQUAL in the second") {
     const Size size = {120, 90};
-    const std::vector<Run> runs = every_run();
+    const std::vector<Run> runs = every_run(kChoices);
     for (std::uint64_t seed = 0; seed < 18; ++seed) {
         CAPTURE(seed);
         const Scene scene = random_scene(seed);
@@ -180,10 +167,9 @@ TEST_CASE("coverage and depth have the same bits for all lanes, instruction sets
     for (const Size size : {Size{131, 67}, {7, 5}}) {
         const ClipSpaceScene scene = random_triangles(11, size);
         const SetupSettings setup{false, DepthFormat::d24, {.constant = 3, .slope = 0.5f}};
-        const CountedDrawing expected =
-            draw(scene, DepthFunction::less, setup, {.threads = 1, .lanes = 1, .isa = Isa::baseline});
-        for (const Run& run : every_run()) {
-            CAPTURE_RUN(run);
+        const CountedDrawing expected = draw(scene, DepthFunction::less, setup, kOneLane);
+        for (const Run& run : every_run(kChoices)) {
+            INFO(run_text(run));
             const CountedDrawing actual = draw(scene, DepthFunction::less, setup, run);
             CHECK(differences(actual.count, expected.count) == "");
             CHECK(differences(actual.depth.codes, expected.depth.codes) == "");
@@ -210,9 +196,9 @@ TEST_CASE(
         const auto render = [&](const Run& run) {
             return normal_depth(scene, scene.camera, size, settings, run);
         };
-        const GBuffer expected = render({.threads = 1, .lanes = 1, .isa = Isa::baseline});
-        for (const Run& run : every_run()) {
-            CAPTURE_RUN(run);
+        const GBuffer expected = render(kOneLane);
+        for (const Run& run : every_run(kChoices)) {
+            INFO(run_text(run));
             const GBuffer actual = render(run);
             CHECK(differences(actual.depth.codes, expected.depth.codes) == "");
             CHECK(differences(bits_of(actual.view_depth), bits_of(expected.view_depth)) == "");

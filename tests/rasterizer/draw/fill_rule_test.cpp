@@ -4,6 +4,7 @@
 #include "rasterizer/base/error.h"
 #include "rasterizer/lanes/approx_math.h"
 #include "tests/tools/clip_space_scene.h"
+#include "tests/tools/random_sequence.h"
 
 using namespace crevice;
 

@@ -7,8 +7,12 @@
 #include <glm/geometric.hpp>
 
 #include "rasterizer/base/image_summary.h"
+#include "rasterizer/draw/normal_depth.h"
 #include "tests/tools/clip_space_scene.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/image_checks.h"
+#include "tests/tools/random_sequence.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 

@@ -4,9 +4,11 @@
 
 #include <doctest/doctest.h>
 
+#include "rasterizer/base/hash.h"
 #include "rasterizer/draw/triangle_pixels.h"
-#include "ssao/inputs/random_vectors.h"
 #include "tests/tools/clip_space_scene.h"
+#include "tests/tools/every_run.h"
+#include "tests/tools/random_sequence.h"
 
 using namespace crevice;
 

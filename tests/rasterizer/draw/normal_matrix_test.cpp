@@ -5,7 +5,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "rasterizer/draw/normal_depth.h"
-#include "tests/tools/cube_scene.h"
+#include "tests/tools/every_run.h"
+#include "tests/tools/random_sequence.h"
+#include "tests/tools/small_scenes.h"
 
 using namespace crevice;
 

@@ -5,6 +5,8 @@
 
 #include "rasterizer/draw/triangle_pixels.h"
 #include "tests/tools/clip_space_scene.h"
+#include "tests/tools/every_run.h"
+#include "tests/tools/random_sequence.h"
 
 using namespace crevice;
 

@@ -10,7 +10,10 @@
 
 #include "rasterizer/base/run.h"
 #include "tests/tools/clip_space_scene.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/every_run.h"
+#include "tests/tools/random_sequence.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 
@@ -115,6 +118,23 @@ ClipSpaceScene every_fate(RandomSequence& random, Size size, int count) {
     return scene;
 }
 
+// Small triangles that face anywhere, all within 1 of the origin.
+Mesh many_sides(RandomSequence& random, std::uint32_t triangle_count) {
+    Mesh mesh;
+    const auto near_by = [&](double reach) {
+        return glm::vec3{random.between(-reach, reach), random.between(-reach, reach),
+                         random.between(-reach, reach)};
+    };
+    for (std::uint32_t t = 0; t < triangle_count; ++t) {
+        const glm::vec3 centre = near_by(0.5);
+        for (int corner = 0; corner < 3; ++corner) mesh.positions.push_back(centre + near_by(0.3));
+        mesh.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+    }
+    mesh.normals.assign(mesh.positions.size(), {0, 0, -1});
+    mesh.parts = {{0, triangle_count, 0}};
+    return mesh;
+}
+
 }  // namespace
 
 TEST_CASE("setup lanes: several triangles at once have the bits of each alone, with every instruction set") {
@@ -184,7 +204,7 @@ TEST_CASE("setup lanes: mirrored and turned instances, one lane or eight: the sa
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
         CAPTURE(seed);
         RandomSequence random(seed);
-        Scene scene = scene_of({sphere_mesh(1, 13, 7)});  // 156 triangles: not a multiple of eight
+        Scene scene = scene_of({many_sides(random, 156)});  // not a multiple of eight
         scene.two_sided = seed % 2 == 1;
         scene.instances.clear();
         for (int i = 0; i < 4; ++i) {
@@ -228,13 +248,9 @@ TEST_CASE("setup lanes: with ALWAYS the last triangle submitted is the one seen"
                 }
             }
         }
-        for (const int lanes : {1, 0}) {
-            for (const int tile_size : {8, 64}) {
-                INFO(count << " triangles, lanes " << lanes << ", tile " << tile_size);
-                const Run run{.threads = 2, .lanes = lanes, .tile_size = tile_size};
-                CHECK(differences(draw(all, DepthFunction::always, {false}, run).depth.codes, expected) ==
-                      "");
-            }
-        }
+        CAPTURE(count);
+        for_every_run({.tile_sizes = {8, 64}}, [&](const Run& run) {
+            CHECK(differences(draw(all, DepthFunction::always, {false}, run).depth.codes, expected) == "");
+        });
     }
 }

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "tests/tools/clip_space_scene.h"
+#include "tests/tools/random_sequence.h"
 
 using namespace crevice;
 

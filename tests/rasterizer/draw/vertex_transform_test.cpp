@@ -8,7 +8,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "tests/tools/clip_space_scene.h"
-#include "tests/tools/cube_scene.h"
+#include "tests/tools/every_run.h"
+#include "tests/tools/random_sequence.h"
+#include "tests/tools/small_scenes.h"
 
 using namespace crevice;
 
@@ -88,23 +90,18 @@ TEST_CASE("every lane count and instruction set transforms to the same bits, acr
     scene.instances.push_back({0, glm::translate(glm::mat4(2.0f), glm::vec3(1, 2, 3))});
     const Size size = {801, 601};
     const auto transform = [&](const Run& run) { return transform_vertices(scene, {}, size, {}, run); };
-    const TransformedVertices expected = transform({.threads = 1, .lanes = 1, .isa = Isa::baseline});
+    const TransformedVertices expected = transform(kOneLane);
     REQUIRE(expected.projected.size() == 10006);
     CHECK(expected.first_vertex == std::vector<std::uint32_t>{0, 5003});
-    for (const Isa isa : kEveryIsa) {
-        if (!isa_available(isa)) continue;
-        for (const int lanes : {1, 0}) {
-            CAPTURE(isa_name(isa));
-            CAPTURE(lanes);
-            const TransformedVertices actual = transform({.threads = 3, .lanes = lanes, .isa = isa});
-            const auto same = [](const auto& a, const auto& b) {
-                return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
-            };
-            CHECK(same(actual.p_clip, expected.p_clip));
-            CHECK(same(actual.projected, expected.projected));
-            CHECK(same(actual.n_view, expected.n_view));
-        }
-    }
+    for_every_run({.threads = {3}}, [&](const Run& run) {
+        const TransformedVertices actual = transform(run);
+        const auto same = [](const auto& a, const auto& b) {
+            return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
+        };
+        CHECK(same(actual.p_clip, expected.p_clip));
+        CHECK(same(actual.projected, expected.projected));
+        CHECK(same(actual.n_view, expected.n_view));
+    });
 }
 
 TEST_CASE("normals stay perpendicular to their surface under rotation and scales from 1 to 1e6") {

@@ -6,11 +6,11 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/tools/special_floats.h"
+
 using namespace crevice;
 
 namespace {
-
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // The same through eight lanes, of which `lane` holds the value and the others something else.
 std::int32_t half_bits_in_lane(float a, HalfRounding rounding, int lane) {

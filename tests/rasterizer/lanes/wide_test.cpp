@@ -12,13 +12,11 @@
 
 #include "rasterizer/lanes/isa.h"
 #include "rasterizer/lanes/vec3.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 
 namespace {
-
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // Ordinary, tiny, huge and special values; a multiple of eight of them.
 const std::vector<float>& some_floats() {

@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -11,12 +10,11 @@
 
 #include "rasterizer/base/error.h"
 #include "rasterizer/lanes/approx_math.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 
 namespace {
-
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 struct TexturedMesh {
     std::vector<glm::vec3> positions, normals;

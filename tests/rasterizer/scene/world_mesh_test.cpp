@@ -4,9 +4,9 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "scenes/builtin_scenes.h"
-#include "tests/tools/cube_scene.h"
 #include "tests/tools/mesh_checks.h"
+#include "tests/tools/random_sequence.h"
+#include "tests/tools/small_scenes.h"
 
 using namespace crevice;
 
@@ -48,18 +48,5 @@ TEST_CASE("world_mesh: instances one after the other, fronts stay fronts, normal
         }
         const glm::dvec3 corner = glm::dmat4(placed) * glm::dvec4(scene.meshes[0].positions[5], 1);
         CHECK(mesh.positions[24 + 5] == glm::vec3(corner));
-    }
-}
-
-TEST_CASE("world_mesh: the built-in scenes are as large as their bounds") {
-    for (const char* name : {"columns", "empty"}) {
-        CAPTURE(name);
-        const Scene scene = find_builtin_scene(name)->make();
-        const Mesh mesh = world_mesh(scene);
-        CHECK(mesh.triangles.size() == triangle_count(scene));
-        CHECK(mesh.normals.size() == mesh.positions.size());
-        const Bounds bounds = world_bounds(scene);
-        CHECK(bounds.empty == mesh.positions.empty());
-        if (!bounds.empty) check_bounds(bounds_of(mesh), bounds.low, bounds.high, 1e-5);
     }
 }

@@ -5,9 +5,11 @@
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "rasterizer/base/error.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/noise.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 

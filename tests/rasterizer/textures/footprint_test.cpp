@@ -2,11 +2,12 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <limits>
 
 #include <doctest/doctest.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include "tests/tools/special_floats.h"
 
 #include "rasterizer/textures/sample_texture.h"
 #include "rasterizer/textures/texture_footprint.h"
@@ -14,9 +15,6 @@
 using namespace crevice;
 
 namespace {
-
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 Sampler filtered(TextureFilter filter) {
     Sampler sampler;

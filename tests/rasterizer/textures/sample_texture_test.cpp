@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <initializer_list>
-#include <limits>
 #include <vector>
 
 #include <doctest/doctest.h>
 #include <glm/vec2.hpp>
 
+#include "tests/tools/special_floats.h"
+
 using namespace crevice;
 
 namespace {
-
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // Texel (x, y) is red x, green y; its mips are constant and tell their level in blue.
 Texture labelled_texture(Size size) {

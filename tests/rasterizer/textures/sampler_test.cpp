@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <limits>
 
 #include <doctest/doctest.h>
 #include <glm/vec2.hpp>
@@ -11,13 +10,12 @@
 
 #include "rasterizer/base/error.h"
 #include "rasterizer/textures/sample_texture.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr AddressMode kModes[] = {AddressMode::wrap, AddressMode::clamp, AddressMode::border};
 constexpr TextureFilter kFilters[] = {TextureFilter::point, TextureFilter::bilinear, TextureFilter::trilinear,
                                       TextureFilter::anisotropic};

@@ -6,20 +6,19 @@
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
-#include <limits>
 #include <vector>
 
 #include <doctest/doctest.h>
 #include <glm/vec2.hpp>
 
+#include "tests/tools/every_run.h"
 #include "tests/tools/plain_texture_filter.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr AddressMode kModes[] = {AddressMode::wrap, AddressMode::clamp, AddressMode::border};
 constexpr TextureFilter kFilters[] = {TextureFilter::point, TextureFilter::bilinear, TextureFilter::trilinear,
                                       TextureFilter::anisotropic};
@@ -103,20 +102,6 @@ SampledBoth sample(const Texture& a, const Texture& b, const Sampler& sampler, c
     return result;
 }
 
-std::vector<Run> every_run() {
-    std::vector<Run> runs;
-    for (const Isa isa : kEveryIsa) {
-        for (const int lanes : {1, 0}) {
-            if (!isa_available(isa)) continue;
-            Run run;
-            run.isa = isa;
-            run.lanes = lanes;
-            runs.push_back(run);
-        }
-    }
-    return runs;
-}
-
 void check_pixels(const Texture& a, const Texture& b, const Sampler& sampler, const Pixels& pixels) {
     for (const Run& run : every_run()) {
         const SampledBoth sampled = sample(a, b, sampler, pixels, run);
@@ -130,11 +115,10 @@ void check_pixels(const Texture& a, const Texture& b, const Sampler& sampler, co
                 const auto n = static_cast<std::size_t>(k);
                 if (sampled.alone[n].of(lane) == expected && sampled.together[n].of(lane) == expected)
                     continue;
-                INFO("isa ", static_cast<int>(run.isa), ", lanes ", run.lanes, ", lane ", lane, ", texture ",
-                     k, " of ", texture.size().width, " x ", texture.size().height, ", filter ",
-                     static_cast<int>(sampler.filter), ", address ", static_cast<int>(sampler.address_u), " ",
-                     static_cast<int>(sampler.address_v), ", uv ", uv.x, " ", uv.y, ", steps ", dx.x, " ",
-                     dx.y, " ", dy.x, " ", dy.y);
+                INFO(run_text(run), ", lane ", lane, ", texture ", k, " of ", texture.size().width, " x ",
+                     texture.size().height, ", filter ", static_cast<int>(sampler.filter), ", address ",
+                     static_cast<int>(sampler.address_u), " ", static_cast<int>(sampler.address_v), ", uv ",
+                     uv.x, " ", uv.y, ", steps ", dx.x, " ", dx.y, " ", dy.x, " ", dy.y);
                 for (int c = 0; c < 4; ++c) {
                     CHECK(sampled.alone[n].of(lane)[c] == expected[c]);
                     CHECK(sampled.together[n].of(lane)[c] == expected[c]);

@@ -3,7 +3,8 @@
 #include <glm/geometric.hpp>
 
 #include "ssao/bakes/baked_lookup.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/still_life.h"
 
 using namespace crevice;
 

@@ -8,7 +8,12 @@
 
 #include "rasterizer/base/image_summary.h"
 #include "rasterizer/lanes/approx_math.h"
+#include "scenes/shapes.h"
 #include "tests/tools/baked_scene.h"
+#include "tests/tools/every_run.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/special_floats.h"
+#include "tests/tools/still_life.h"
 
 using namespace crevice;
 
@@ -167,22 +172,8 @@ TEST_CASE("lightmap: the same bits at every thread count, lane count, instructio
         return content_hash(baked(scene, {.texels = 96}, 16, run).map.ao);
     };
     const std::string expected = hash({});
-    for (const int threads : {1, 2, 7}) {
-        for (const int lanes : {1, 0}) {
-            for (const Isa isa : kEveryIsa) {
-                if (!isa_available(isa)) continue;
-                Run run;
-                run.threads = threads;
-                run.lanes = lanes;
-                run.isa = isa;
-                run.tile_size = threads == 2 ? 8 : 64;
-                CAPTURE(threads);
-                CAPTURE(lanes);
-                CAPTURE(isa_name(isa));
-                CHECK(hash(run) == expected);
-            }
-        }
-    }
+    for_every_run({.threads = {1, 2, 7}, .tile_sizes = {8, 64}},
+                  [&](const Run& run) { CHECK(hash(run) == expected); });
     Run kept;
     kept.kept = KeptWork::all();
     CHECK(hash(kept) == expected);

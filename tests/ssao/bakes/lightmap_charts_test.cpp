@@ -8,8 +8,10 @@
 
 #include "rasterizer/base/error.h"
 #include "scenes/builtin_scenes.h"
+#include "scenes/shapes.h"
 #include "ssao/bakes/lightmap_charts.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/still_life.h"
 
 using namespace crevice;
 

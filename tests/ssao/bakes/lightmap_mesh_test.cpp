@@ -3,7 +3,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "ssao/bakes/lightmap_mesh.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/still_life.h"
 
 using namespace crevice;
 

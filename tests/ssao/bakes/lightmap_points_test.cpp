@@ -9,6 +9,8 @@
 
 #include "tests/tools/baked_scene.h"
 #include "tests/tools/ray_checks.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/still_life.h"
 
 using namespace crevice;
 

@@ -7,6 +7,11 @@
 
 #include "rasterizer/base/error.h"
 #include "scenes/composing.h"
+#include "scenes/shapes.h"
+#include "tests/tools/every_run.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/special_floats.h"
+#include "tests/tools/still_life.h"
 #include "tests/tools/vertex_ao_checks.h"
 
 using namespace crevice;
@@ -155,23 +160,15 @@ TEST_CASE(
     settings.radius = 2;
     const std::vector<float> corners = joined(vertex_ao_from_corners(scene, rays, settings));
     const std::vector<float> centroids = joined(vertex_ao_from_centroids(scene, rays, settings));
-    for (const Isa isa : kEveryIsa) {
-        if (!isa_available(isa)) continue;
-        for (const int threads : {1, 2, 7}) {
-            Run run;
-            run.isa = isa;
-            run.threads = threads;
-            run.lanes = threads == 2 ? 1 : 0;
-            INFO(isa_name(isa) << ", " << threads << " threads");
-            long long done = 0, also_done = 0;
-            CHECK(joined(vertex_ao_from_corners(scene, rays, settings, run,
-                                                [&](long long n) { done += n; })) == corners);
-            CHECK(joined(vertex_ao_from_centroids(scene, rays, settings, run,
-                                                  [&](long long n) { also_done += n; })) == centroids);
-            CHECK(done == static_cast<long long>(rays.triangles.size()));
-            CHECK(also_done == done);
-        }
-    }
+    for_every_run({.threads = {1, 2, 7}}, [&](const Run& run) {
+        long long done = 0, also_done = 0;
+        CHECK(joined(vertex_ao_from_corners(scene, rays, settings, run, [&](long long n) { done += n; })) ==
+              corners);
+        CHECK(joined(vertex_ao_from_centroids(scene, rays, settings, run,
+                                              [&](long long n) { also_done += n; })) == centroids);
+        CHECK(done == static_cast<long long>(rays.triangles.size()));
+        CHECK(also_done == done);
+    });
 }
 
 TEST_CASE("vertex ao: a scene in other units has the same bits") {

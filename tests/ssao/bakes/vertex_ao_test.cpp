@@ -8,6 +8,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "rasterizer/lanes/approx_math.h"
+#include "scenes/shapes.h"
+#include "tests/tools/small_scenes.h"
 #include "tests/tools/vertex_ao_checks.h"
 
 using namespace crevice;

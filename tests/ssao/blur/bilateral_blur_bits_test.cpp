@@ -11,7 +11,11 @@
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/image_summary.h"
 #include "ssao/blur/bilateral_blur.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/ao_cases.h"
+#include "tests/tools/every_run.h"
+#include "tests/tools/image_checks.h"
+#include "tests/tools/noise.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 
@@ -102,24 +106,14 @@ Image<float> looped(Image<float> ao, const AoInputs& inputs, const BlurSettings&
     return ao;
 }
 
-// What is kept, lanes and instruction sets, each with each; and other numbers of threads.
+// Every run, each with what it may keep.
 std::vector<Run> all_runs() {
     std::vector<Run> runs;
     for (const KeptWork& kept : {KeptWork{}, KeptWork::only(Skip::open_tiles),
                                  KeptWork::only(Skip::background_pixels), KeptWork::all()}) {
-        Run run;
-        run.kept = kept;
-        for (const int threads : {1, 7}) {
-            run.threads = threads;
+        for (Run run : every_run({.threads = {1, 2, 7}})) {
+            run.kept = kept;
             runs.push_back(run);
-        }
-        run.threads = 2;
-        for (const int lanes : {1, 0}) {
-            for (const Isa isa : kEveryIsa) {
-                run.lanes = lanes;
-                run.isa = isa;
-                if (isa_available(isa)) runs.push_back(run);
-            }
         }
     }
     return runs;
@@ -131,8 +125,7 @@ std::string unlike_the_loop(const Image<float>& ao, const AoInputs& inputs, cons
     std::string unlike;
     for (const Run& run : all_runs()) {
         if (content_hash(bilateral_blur(ao, inputs, settings, run)) == expected) continue;
-        unlike += std::string(isa_name(run.isa)) + " lanes " + std::to_string(run.lanes) + " threads " +
-                  std::to_string(run.threads) + " open tiles left out " +
+        unlike += run_text(run) + ", open tiles left out " +
                   std::to_string(run.leaves_out(Skip::open_tiles)) + " background left out " +
                   std::to_string(run.leaves_out(Skip::background_pixels)) + "; ";
     }

@@ -8,7 +8,10 @@
 #include <doctest/doctest.h>
 
 #include "rasterizer/base/error.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/ao_cases.h"
+#include "tests/tools/image_checks.h"
+#include "tests/tools/noise.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 

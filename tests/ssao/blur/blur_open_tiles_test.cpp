@@ -8,7 +8,11 @@
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/image_summary.h"
 #include "ssao/blur/bilateral_blur.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/ao_cases.h"
+#include "tests/tools/every_run.h"
+#include "tests/tools/image_checks.h"
+#include "tests/tools/noise.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 
@@ -25,21 +29,18 @@ bool open_by_definition(const Image<float>& ao, int column, int row, int reach) 
     return true;
 }
 
-// "" when the map of open tiles is the one by definition, with both lane counts and two threads.
+// "" when the map of open tiles is the one by definition, however it is made.
 std::string unlike_definition(const Image<float>& ao, int iterations) {
     BlurSettings settings;
     settings.iterations = iterations;
-    for (const int lanes : {1, 0}) {
-        Run run;
-        run.lanes = lanes;
-        run.threads = lanes == 0 ? 2 : 1;
+    for (const Run& run : every_run()) {
         const TileMap map = open_blur_tiles(ao, settings, run);
         if (map.picture != ao.size || map.tile_px != kBlurTile) return "a map of another picture";
         const std::string unlike = pixels_against(map.tiles.size, [&](int column, int row) {
             const bool open = open_by_definition(ao, column, row, iterations * kBlurRadius);
             return map.tiles.at(column, row) == (open ? TileWork::open : TileWork::done);
         });
-        if (!unlike.empty()) return "lanes " + std::to_string(lanes) + ": tiles, " + unlike;
+        if (!unlike.empty()) return run_text(run) + ": tiles, " + unlike;
     }
     return "";
 }

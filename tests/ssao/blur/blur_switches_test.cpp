@@ -5,7 +5,10 @@
 #include <glm/geometric.hpp>
 
 #include "ssao/blur/bilateral_blur.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/ao_cases.h"
+#include "tests/tools/image_checks.h"
+#include "tests/tools/noise.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 

@@ -7,8 +7,12 @@
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/image_summary.h"
 #include "ssao/compute/compute_ssao.h"
+#include "tests/tools/ao_cases.h"
+#include "tests/tools/image_checks.h"
+#include "tests/tools/noise.h"
+#include "tests/tools/special_floats.h"
+#include "tests/tools/still_life.h"
 #include "tests/tools/switches.h"
-#include "tests/tools/test_scenes.h"
 
 using namespace crevice;
 

@@ -4,7 +4,10 @@
 #include <doctest/doctest.h>
 
 #include "rasterizer/base/image_summary.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/ao_cases.h"
+#include "tests/tools/image_checks.h"
+#include "tests/tools/special_floats.h"
+#include "tests/tools/still_life.h"
 
 using namespace crevice;
 

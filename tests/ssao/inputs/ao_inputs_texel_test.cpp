@@ -7,7 +7,10 @@
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/ao_cases.h"
+#include "tests/tools/image_checks.h"
+#include "tests/tools/special_floats.h"
+#include "tests/tools/still_life.h"
 
 using namespace crevice;
 

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "tests/tools/about.h"
+#include "tests/tools/noise.h"
 #include "tests/tools/noisy_images.h"
 
 using namespace crevice;

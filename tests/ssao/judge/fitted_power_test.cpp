@@ -6,7 +6,9 @@
 
 #include "rasterizer/base/error.h"
 #include "tests/tools/about.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/image_checks.h"
+#include "tests/tools/noise.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 

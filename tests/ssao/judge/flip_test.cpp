@@ -6,11 +6,12 @@
 
 #include <doctest/doctest.h>
 
-#include "chapters/notebook/picture.h"
 #include "rasterizer/base/error.h"
 #include "tests/tools/about.h"
 #include "tests/tools/colour_flip.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/image_checks.h"
+#include "tests/tools/noise.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 
@@ -183,21 +184,4 @@ TEST_CASE("FLIP refuses what has no answer") {
     // Values beyond [0,1] are shown as 0 and 1; infinities too.
     CHECK(flip(Image<float>({8, 8}, kInfinity), white_picture).mean == 0);
     CHECK(flip(Image<float>({8, 8}, 1.5f), white_picture).mean == 0);
-}
-
-TEST_CASE("displayed: accessibility as the bytes of its picture") {
-    const Image<float> ao = [] {
-        Image<float> image = noise_image({37, 11}, 7);
-        image.at(0, 0) = -1;
-        image.at(1, 0) = 2;
-        image.at(2, 0) = 0.5f / 255;  // the smallest that is not shown black
-        return image;
-    }();
-    const Picture picture = ao_picture(ao);
-    const Image<float> shown = displayed(ao);
-    CHECK(pixels_against(ao.size, [&](int x, int y) {
-              const std::uint8_t byte = picture.pixels[static_cast<std::size_t>(y * ao.size.width + x)];
-              return shown.at(x, y) == static_cast<float>(byte) / 255;
-          }) == "");
-    CHECK(std::isnan(displayed(Image<float>({1, 1}, kNan)).at(0, 0)));
 }

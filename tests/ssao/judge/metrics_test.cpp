@@ -2,18 +2,15 @@
 
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include <doctest/doctest.h>
 
 #include "rasterizer/base/error.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 
 namespace {
-
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 // A hash of the pixel as 24 bits in [0,1): the same on every machine.
 float noise(int x, int y, std::uint32_t seed) {

@@ -7,7 +7,9 @@
 #include "rasterizer/base/error.h"
 #include "ssao/judge/metrics.h"
 #include "tests/tools/about.h"
+#include "tests/tools/noise.h"
 #include "tests/tools/noisy_images.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 

@@ -8,7 +8,12 @@
 
 #include "rasterizer/lanes/approx_math.h"
 #include "scenes/builtin_scenes.h"
-#include "tests/tools/test_scenes.h"
+#include "scenes/shapes.h"
+#include "tests/tools/ao_cases.h"
+#include "tests/tools/image_checks.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/special_floats.h"
+#include "tests/tools/still_life.h"
 
 using namespace crevice;
 

@@ -6,7 +6,8 @@
 
 #include "rasterizer/base/image_summary.h"
 #include "ssao/light/widened_ao.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/image_checks.h"
+#include "tests/tools/noise.h"
 
 using namespace crevice;
 

@@ -8,7 +8,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "rasterizer/scene/camera.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/noise.h"
 
 using namespace crevice;
 

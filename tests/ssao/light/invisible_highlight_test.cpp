@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include "ssao/light/lighting.h"
-#include "tests/tools/clip_space_scene.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/random_sequence.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 

@@ -7,10 +7,14 @@
 #include "rasterizer/base/image_summary.h"
 #include "rasterizer/scene/tangents.h"
 #include "scenes/builtin_scenes.h"
+#include "scenes/shapes.h"
 #include "ssao/light/scene_shadow.h"
 #include "ssao/light/shade.h"
 #include "ssao/light/sky.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/every_run.h"
+#include "tests/tools/image_checks.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 
@@ -64,32 +68,20 @@ TEST_CASE("lit: textures, maps, shadow and mirrors together: the same bits whate
     const ShadowMap map = scene_shadow(scene);
     const std::string lit = content_hash(shade(
         scene, scene.camera, normal_depth(scene, scene.camera, kSize).depth, {}, ShadeSettings{}, {}, &map));
-    for (const int threads : {1, 5}) {
-        for (const int lanes : {1, 0}) {
-            for (const int tile : {8, 64}) {
-                for (const bool keep_all : {false, true}) {
-                    Run run;
-                    run.threads = threads;
-                    run.lanes = lanes;
-                    run.tile_size = tile;
-                    if (keep_all) run.kept = KeptWork::all();
-                    CAPTURE(threads);
-                    CAPTURE(lanes);
-                    CAPTURE(tile);
-                    CAPTURE(keep_all);
-                    NormalDepthSettings settings;
-                    settings.with_material = true;
-                    const ScreenGeometry geometry =
-                        screen_geometry(scene, scene.camera, kSize, geometry_settings(settings), run);
-                    const GBuffer g = normal_depth(scene, geometry, false, settings, run);
-                    const ShadowMap shadow = scene_shadow(scene, run);
-                    CHECK(content_hash(shade(scene, scene.camera, geometry, g, {}, run, &shadow).image) ==
-                          lit);
-                    CHECK(content_hash(shade(scene, scene.camera, geometry, g.depth, {}, ShadeSettings{}, run,
-                                             &shadow)) == lit);
-                }
-            }
-        }
+    for (const bool keep_all : {false, true}) {
+        CAPTURE(keep_all);
+        for_every_run({.threads = {1, 5}, .tile_sizes = {8, 64}}, [&](Run run) {
+            if (keep_all) run.kept = KeptWork::all();
+            NormalDepthSettings settings;
+            settings.with_material = true;
+            const ScreenGeometry geometry =
+                screen_geometry(scene, scene.camera, kSize, geometry_settings(settings), run);
+            const GBuffer g = normal_depth(scene, geometry, false, settings, run);
+            const ShadowMap shadow = scene_shadow(scene, run);
+            CHECK(content_hash(shade(scene, scene.camera, geometry, g, {}, run, &shadow).image) == lit);
+            CHECK(content_hash(shade(scene, scene.camera, geometry, g.depth, {}, ShadeSettings{}, run,
+                                     &shadow)) == lit);
+        });
     }
 }
 

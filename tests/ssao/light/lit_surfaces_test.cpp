@@ -11,7 +11,9 @@
 #include "ssao/light/cube_reflection.h"
 #include "ssao/light/scene_shadow.h"
 #include "ssao/light/shade.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/image_checks.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 

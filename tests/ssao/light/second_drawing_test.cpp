@@ -9,7 +9,12 @@
 #include "rasterizer/base/image_summary.h"
 #include "ssao/light/shade.h"
 #include "tests/tools/clip_space_scene.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/image_checks.h"
+#include "tests/tools/noise.h"
+#include "tests/tools/random_sequence.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/special_floats.h"
+#include "tests/tools/still_life.h"
 
 using namespace crevice;
 

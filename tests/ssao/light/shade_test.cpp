@@ -11,7 +11,9 @@
 #include "rasterizer/base/image_summary.h"
 #include "rasterizer/draw/normal_depth.h"
 #include "scenes/builtin_scenes.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/image_checks.h"
+#include "tests/tools/noise.h"
+#include "tests/tools/small_scenes.h"
 
 using namespace crevice;
 

@@ -9,8 +9,12 @@
 
 #include "rasterizer/base/error.h"
 #include "ssao/light/shadow_factor.h"
-#include "tests/tools/clip_space_scene.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/every_run.h"
+#include "tests/tools/image_checks.h"
+#include "tests/tools/random_sequence.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/special_floats.h"
+#include "tests/tools/still_life.h"
 
 using namespace crevice;
 
@@ -123,18 +127,9 @@ TEST_CASE("shadow map: the same bits for all lanes, threads, tiles and instructi
     const auto codes = [&](const Run& run) {
         return shadow_map(scene, {0.4f, -0.8f, 0.3f}, fit, settings, run).depth.codes;
     };
-    const Image<std::int32_t> plain = codes({.threads = 1, .lanes = 1, .isa = Isa::baseline});
-    for (const Isa isa : kEveryIsa) {
-        if (!isa_available(isa)) continue;
-        for (const int lanes : {1, 0}) {
-            for (const int tile_size : {16, 128}) {
-                CAPTURE(isa_name(isa));
-                CAPTURE(lanes);
-                CAPTURE(tile_size);
-                CHECK(differences(codes({.lanes = lanes, .isa = isa, .tile_size = tile_size}), plain) == "");
-            }
-        }
-    }
+    const Image<std::int32_t> plain = codes(kOneLane);
+    for_every_run({.tile_sizes = {16, 128}},
+                  [&](const Run& run) { CHECK(differences(codes(run), plain) == ""); });
     CHECK(differences(codes({.kept = KeptWork::all()}), plain) == "");
 }
 

@@ -6,9 +6,11 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "scenes/shapes.h"
 #include "ssao/light/shadow_factor.h"
 #include "ssao/rays/ray_cast.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 

@@ -5,7 +5,9 @@
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/ao_cases.h"
+#include "tests/tools/image_checks.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 

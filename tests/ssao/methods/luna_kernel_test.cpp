@@ -6,7 +6,9 @@
 
 #include "rasterizer/base/run.h"
 #include "rasterizer/lanes/wide_pairs.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/ao_cases.h"
+#include "tests/tools/noise.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 

@@ -8,7 +8,11 @@
 #include <doctest/doctest.h>
 
 #include "rasterizer/base/image_summary.h"
+#include "tests/tools/ao_cases.h"
+#include "tests/tools/noise.h"
 #include "tests/tools/open_tiles_checks.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/still_life.h"
 #include "tests/tools/switches.h"
 
 using namespace crevice;

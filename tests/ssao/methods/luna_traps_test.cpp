@@ -4,7 +4,11 @@
 
 #include <doctest/doctest.h>
 
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/ao_cases.h"
+#include "tests/tools/image_checks.h"
+#include "tests/tools/noise.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 

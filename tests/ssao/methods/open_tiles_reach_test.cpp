@@ -4,7 +4,10 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/tools/ao_cases.h"
+#include "tests/tools/image_checks.h"
 #include "tests/tools/open_tiles_checks.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 

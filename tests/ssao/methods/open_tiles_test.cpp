@@ -4,7 +4,13 @@
 #include <doctest/doctest.h>
 
 #include "rasterizer/base/run.h"
+#include "tests/tools/ao_cases.h"
+#include "tests/tools/every_run.h"
+#include "tests/tools/image_checks.h"
+#include "tests/tools/noise.h"
 #include "tests/tools/open_tiles_checks.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/still_life.h"
 
 using namespace crevice;
 
@@ -128,22 +134,10 @@ TEST_CASE("tiles are the same for every lane count, instruction set and thread c
     const AoInputs inputs = ao_inputs(g, made_up_camera(), luna_fetch(kLunaSettings));
     const TileMap expected = ao_tiles(inputs, kLunaSettings);
     CHECK(expected.count(TileWork::open) > 0);
-    for (const int lanes : {1, 0}) {
-        for (const Isa isa : kEveryIsa) {
-            for (const int threads : {1, 2}) {
-                if (!isa_available(isa)) continue;
-                CAPTURE(lanes);
-                CAPTURE(std::string(isa_name(isa)));
-                CAPTURE(threads);
-                Run run;
-                run.lanes = lanes;
-                run.isa = isa;
-                run.threads = threads;
-                const TileMap map = ao_tiles(inputs, kLunaSettings, run);
-                CHECK(pixels_against(map.tiles.size, [&](int x, int y) {
-                          return map.tiles.at(x, y) == expected.tiles.at(x, y);
-                      }) == "");
-            }
-        }
-    }
+    for_every_run({.threads = {1, 2}}, [&](const Run& run) {
+        const TileMap map = ao_tiles(inputs, kLunaSettings, run);
+        CHECK(pixels_against(map.tiles.size, [&](int x, int y) {
+                  return map.tiles.at(x, y) == expected.tiles.at(x, y);
+              }) == "");
+    });
 }

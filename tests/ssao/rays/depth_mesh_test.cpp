@@ -6,7 +6,9 @@
 
 #include "rasterizer/base/error.h"
 #include "ssao/rays/ray_cast_ao.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/special_floats.h"
+#include "tests/tools/still_life.h"
 
 using namespace crevice;
 

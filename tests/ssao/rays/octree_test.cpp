@@ -8,8 +8,9 @@
 
 #include "rasterizer/base/error.h"
 #include "scenes/builtin_scenes.h"
+#include "tests/tools/every_run.h"
 #include "tests/tools/ray_checks.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 
@@ -75,11 +76,8 @@ TEST_CASE("octree: every ray meets something exactly where testing every triangl
                 expected.push_back(nearest_of_all(set.triangles, ray, max_distance).triangle >= 0);
             CHECK((max_distance < kInfinity || std::count(expected.begin(), expected.end(), true) > 10));
             const OccludedRays bvh = occluded(scene, rays, max_distance);
-            for (const int lanes : {1, 0}) {
-                INFO(set.name << ", max_distance " << max_distance << ", lanes " << lanes);
-                Run run;
-                run.lanes = lanes;
-                run.threads = lanes == 1 ? 3 : 1;
+            for (const Run& run : every_run()) {
+                INFO(set.name << ", max_distance " << max_distance << ", " << run_text(run));
                 const OccludedRays found = occluded(octree, rays, max_distance, run);
                 CHECK(found.refused == 0);
                 for (std::size_t i = 0; i < rays.size(); ++i) {

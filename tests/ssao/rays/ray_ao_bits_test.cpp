@@ -8,7 +8,10 @@
 #include <glm/common.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "tests/tools/every_run.h"
 #include "tests/tools/seen_ao.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/still_life.h"
 
 using namespace crevice;
 
@@ -25,24 +28,6 @@ Scene still_life_on_grid() {
 
 bool same(const AoEstimate& a, const AoEstimate& b) {
     return a.mean == b.mean && a.error == b.error && a.half == b.half;
-}
-
-// Every instruction set this machine has, both lane counts, 1, 2 and 7 threads.
-std::vector<Run> every_run() {
-    std::vector<Run> runs;
-    for (const Isa isa : kEveryIsa) {
-        if (!isa_available(isa)) continue;
-        for (const int lanes : {1, 0}) {
-            for (const int threads : {1, 2, 7}) {
-                Run run;
-                run.isa = isa;
-                run.lanes = lanes;
-                run.threads = threads;
-                runs.push_back(run);
-            }
-        }
-    }
-    return runs;
 }
 
 }  // namespace
@@ -91,8 +76,7 @@ TEST_CASE("lanes, instruction sets and threads give the same bits") {
         for (const float a : hard) partly_open += a > 0 && a < 1 ? 1 : 0;
         CHECK(partly_open > 50);
         CHECK(soft != hard);
-        for (const Run& run : every_run()) {
-            INFO(std::string(isa_name(run.isa)) << ", lanes " << run.lanes << ", threads " << run.threads);
+        for_every_run({.threads = {1, 2, 7}}, [&](const Run& run) {
             CHECK(ray_cast_ao(rays, seen.points, settings, run) == hard);
             CHECK(ray_cast_ao(rays, seen.points, faded, run) == soft);
             const RayAoReference reference = ray_cast_reference(rays, seen.points, settings, &fade, run);
@@ -101,6 +85,6 @@ TEST_CASE("lanes, instruction sets and threads give the same bits") {
                     same(reference.hard[i], expected.hard[i]) && same(reference.soft[i], expected.soft[i]);
                 if (!all_same) FAIL_CHECK("point " << i);
             }
-        }
+        });
     }
 }

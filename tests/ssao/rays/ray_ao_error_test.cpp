@@ -5,7 +5,7 @@
 
 #include "ssao/rays/ray_cast_ao.h"
 #include "tests/tools/closed_form_shapes.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 

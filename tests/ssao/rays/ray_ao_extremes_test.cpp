@@ -6,8 +6,11 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "rasterizer/base/error.h"
-#include "tests/tools/cube_scene.h"
+#include "scenes/shapes.h"
 #include "tests/tools/seen_ao.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/special_floats.h"
+#include "tests/tools/still_life.h"
 
 using namespace crevice;
 

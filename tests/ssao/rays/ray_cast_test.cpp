@@ -5,27 +5,14 @@
 #include <doctest/doctest.h>
 
 #include "rasterizer/base/error.h"
+#include "tests/tools/every_run.h"
 #include "tests/tools/ray_checks.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 
 namespace {
-
-std::vector<Run> every_run() {
-    std::vector<Run> runs;
-    for (const Isa isa : kEveryIsa) {
-        for (const int lanes : {1, 0}) {
-            if (!isa_available(isa)) continue;
-            Run run;
-            run.isa = isa;
-            run.lanes = lanes;
-            run.threads = lanes == 1 ? 3 : 1;
-            runs.push_back(run);
-        }
-    }
-    return runs;
-}
 
 // From everywhere, and every fourth from inside and parallel to an axis or a plane of two axes.
 std::vector<Ray> rays_through(int count, std::uint32_t seed) {
@@ -67,8 +54,7 @@ TEST_CASE("every ray meets what testing every triangle finds") {
             }
             CHECK((hits > 10 || max_distance < 0.1f));
             for (const Run& run : every_run()) {
-                INFO(set.name << ", max_distance " << max_distance << ", " << isa_name(run.isa) << ", lanes "
-                              << run.lanes);
+                INFO(set.name << ", max_distance " << max_distance << ", " << run_text(run));
                 const OccludedRays any = occluded(scene, rays, max_distance, run);
                 const ClosestHits closest = closest_hits(scene, rays, max_distance, run);
                 CHECK(any.refused == 0);
@@ -154,7 +140,7 @@ TEST_CASE("rays that cannot be traced are named, and counted in batches") {
     std::vector<Ray> rays(std::begin(bad), std::end(bad));
     rays.push_back({o, d});
     for (const Run& run : every_run()) {
-        INFO(isa_name(run.isa) << ", lanes " << run.lanes);
+        INFO(run_text(run));
         const OccludedRays any = occluded(scene, rays, kInfinity, run);
         CHECK(any.refused == std::size(bad));
         CHECK(any.occluded == std::vector<std::uint8_t>{0, 0, 0, 0, 0, 0, 0, 0, 1});

@@ -6,7 +6,9 @@
 #include <doctest/doctest.h>
 
 #include "rasterizer/base/error.h"
+#include "tests/tools/every_run.h"
 #include "tests/tools/seen_ao.h"
+#include "tests/tools/small_scenes.h"
 
 using namespace crevice;
 
@@ -85,14 +87,8 @@ TEST_CASE(
     for (std::size_t i = 0; i < ao.size(); ++i) mean[0] += ao[i];
     for (const float v : seen_ao(solid, settings, {48, 32}).open) mean[1] += v;
     CHECK(mean[0] > mean[1]);
-    for (const int threads : {1, 3}) {
-        for (const int lanes : {1, 0}) {
-            Run run;
-            run.threads = threads;
-            run.lanes = lanes;
-            CHECK(ray_cast_ao(rays, points.points, settings, run) == ao);
-        }
-    }
+    for_every_run({.threads = {1, 3}},
+                  [&](const Run& run) { CHECK(ray_cast_ao(rays, points.points, settings, run) == ao); });
 }
 
 TEST_CASE("ray holes: reference points lie where the picture shows them, on the bars and behind the gaps") {

@@ -5,9 +5,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "rasterizer/base/error.h"
-#include "tests/tools/cube_scene.h"
 #include "tests/tools/ray_checks.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/special_floats.h"
+#include "tests/tools/still_life.h"
 
 using namespace crevice;
 

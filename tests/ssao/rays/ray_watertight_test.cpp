@@ -7,8 +7,10 @@
 
 #include "scenes/cube_sphere.h"
 #include "scenes/shapes.h"
+#include "tests/tools/noise.h"
 #include "tests/tools/ray_checks.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/special_floats.h"
 
 using namespace crevice;
 

@@ -8,7 +8,10 @@
 
 #include "rasterizer/base/error.h"
 #include "ssao/rays/ray_cast.h"
-#include "tests/tools/test_scenes.h"
+#include "tests/tools/every_run.h"
+#include "tests/tools/small_scenes.h"
+#include "tests/tools/special_floats.h"
+#include "tests/tools/still_life.h"
 
 using namespace crevice;
 
@@ -132,15 +135,9 @@ TEST_CASE(
     const Scene scene = still_life();
     const View view = views().back();
     const SurfacePoints points = surface_points(scene, view.camera, gbuffer_of(scene, view));
-    for (const int threads : {1, 7}) {
-        for (const int lanes : {1, 0}) {
-            Run run;
-            run.threads = threads;
-            run.lanes = lanes;
-            run.tile_size = threads == 1 ? 8 : 32;
-            CHECK(same(points, surface_points(scene, view.camera, gbuffer_of(scene, view, run), run)));
-        }
-    }
+    for_every_run({.threads = {1, 7}, .tile_sizes = {8, 32}}, [&](const Run& run) {
+        CHECK(same(points, surface_points(scene, view.camera, gbuffer_of(scene, view, run), run)));
+    });
     Scene far = scene;
     View far_view = view;
     const glm::dvec3 shift(262144, -262144, 524288);
