@@ -1,13 +1,13 @@
 #include "chapters/notebook/table.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
 #include <ostream>
 
 #include <nlohmann/json.hpp>
 
 #include "chapters/terminal/output_directory.h"
+#include "rasterizer/base/number_text.h"
 #include "rasterizer/base/write_file.h"
 
 namespace crevice {
@@ -21,13 +21,6 @@ std::string shown(const Cell& cell) {
     char text[64];
     std::snprintf(text, sizeof text, "%.*f", cell.decimals, cell.number);
     return text;
-}
-
-// The shortest text that reads back as the same number.
-std::string exact(double number) {
-    char text[32];
-    const auto [end, error] = std::to_chars(text, text + sizeof text, number);
-    return error == std::errc() ? std::string(text, end) : "";
 }
 
 std::string csv_word(const std::string& text) {
@@ -91,7 +84,7 @@ std::string csv_text(const Table& table) {
     for (const std::vector<Cell>& row : table.rows) {
         for (std::size_t c = 0; c < row.size(); ++c) {
             const bool is_number = row[c].kind == Cell::Kind::number;
-            text += (c == 0 ? "" : ",") + (is_number ? exact(row[c].number) : csv_word(row[c].text));
+            text += (c == 0 ? "" : ",") + (is_number ? shortest_text(row[c].number) : csv_word(row[c].text));
         }
         text += "\n";
     }
