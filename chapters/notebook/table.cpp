@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "chapters/terminal/output_directory.h"
-#include "rasterizer/base/number_text.h"
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/base/write_file.h"
 
 namespace crevice {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "rasterizer/base/error.h"
-#include "rasterizer/base/number_text.h"
+#include "rasterizer/base/float_text.h"
 
 namespace crevice {
 

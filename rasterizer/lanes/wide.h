@@ -139,36 +139,6 @@ template <class T, int N>
 CREVICE_INLINE WideDouble<N> to_double(WideOf<T, N> a) {
     return WideDouble<N>(__builtin_convertvector(a.v, typename WideDouble<N>::V));
 }
-// Where the compiler takes the elements one by one: GCC 12 on ARM, Clang in WebAssembly.
-#if defined(__aarch64__)
-CREVICE_INLINE WideInt<4> to_int(WideDouble<4> a) {
-    using Half = VectorOf<std::int64_t, 2>::type;
-    return WideInt<4>(even_words(__builtin_convertvector(low_half(a.v), Half),
-                                 __builtin_convertvector(high_half(a.v), Half)));
-}
-CREVICE_INLINE WideDouble<4> to_double(WideInt<4> a) {
-    using Half = VectorOf<double, 2>::type;
-    const auto words = __builtin_convertvector(a.v, VectorOf<std::int64_t, 4>::type);
-    return WideDouble<4>(joined(__builtin_convertvector(low_half(words), Half),
-                                __builtin_convertvector(high_half(words), Half)));
-}
-#elif defined(__wasm_simd128__)
-// Plus 1.5 * 2^52 a whole number stands in the lower word, negative ones as two's complement.
-CREVICE_INLINE WideInt<4> to_int(WideDouble<4> a) {
-    constexpr double kShift = 6755399441055744.0;
-    return WideInt<4>(even_words(__builtin_wasm_trunc_f64x2(low_half(a.v)) + kShift,
-                                 __builtin_wasm_trunc_f64x2(high_half(a.v)) + kShift));
-}
-CREVICE_INLINE Wide<4> to_float(WideDouble<4> a) {
-    const auto half = [](auto two) __attribute__((always_inline)) {
-        auto floats = __builtin_convertvector(joined(two, decltype(two){}), Wide<4>::V);
-        // Unseen by the optimizer, which else makes one conversion of both halves: there is no such instruction.
-        asm("" : "+r"(floats));
-        return floats;
-    };
-    return Wide<4>(__builtin_shufflevector(half(low_half(a.v)), half(high_half(a.v)), 0, 1, 4, 5));
-}
-#endif
 template <int N>
 CREVICE_INLINE WideInt<N> float_bits(Wide<N> a) {
     return WideInt<N>(__builtin_bit_cast(typename WideInt<N>::V, a.v));
@@ -276,3 +246,5 @@ CREVICE_INLINE I clamp_int(I a, I low, I high) {
 }
 
 }  // namespace crevice
+
+#include "rasterizer/lanes/wide_machines.h"

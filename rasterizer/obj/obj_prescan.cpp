@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "rasterizer/base/error.h"
-#include "rasterizer/base/number_text.h"
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/obj/ear_clip.h"
 #include "rasterizer/obj/obj_lines.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "rasterizer/base/error.h"
-#include "rasterizer/base/number_text.h"
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/base/write_file.h"
 
 namespace crevice {

@@ -1,5 +1,5 @@
 // Numbers as text: read to the nearest float or double, written so that they come back.
-#include "rasterizer/base/number_text.h"
+#include "rasterizer/base/float_text.h"
 
 #include <limits>
 #include <string>
@@ -19,7 +19,7 @@ std::from_chars_result read(const std::string& text, Number& value) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("number text: what is no number is refused, and what follows one is left", Number, float,
+TEST_CASE_TEMPLATE("float text: what is no number is refused, and what follows one is left", Number, float,
                    double) {
     for (const std::string text : {"", "-", "+1", " 1", "x", ".", "-.", "e5", "--1", "- 1"}) {
         CAPTURE(text);
@@ -52,7 +52,7 @@ TEST_CASE_TEMPLATE("number text: what is no number is refused, and what follows 
     CHECK(value == 7);
 }
 
-TEST_CASE("number text: rounded once, to the nearest float") {
+TEST_CASE("float text: rounded once, to the nearest float") {
     float value = 0;
     // Halfway between two floats but for the last digit: through a double it would become the lower one.
     CHECK(read("1.00000017881393432617187499", value).ec == std::errc());
@@ -61,7 +61,7 @@ TEST_CASE("number text: rounded once, to the nearest float") {
     CHECK(value == 0x1p-149f);
 }
 
-TEST_CASE("number text: the shortest digits that come back to the same bits") {
+TEST_CASE("float text: the shortest digits that come back to the same bits") {
     CHECK(shortest_text(0.1f) == "0.1");
     CHECK(shortest_text(0.1) == "0.1");
     CHECK(shortest_text(-2.5f) == "-2.5");

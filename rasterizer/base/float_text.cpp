@@ -1,4 +1,4 @@
-#include "rasterizer/base/number_text.h"
+#include "rasterizer/base/float_text.h"
 
 #include <cerrno>
 #include <cmath>
