@@ -15,10 +15,6 @@ std::string escape_html(std::string_view text);
 // RFC 4648, with padding, without line breaks.
 std::string base64(std::string_view bytes);
 
-// CommonMark with tables; raw HTML in it is shown, not obeyed. Throws InputError if the text cannot be
-// parsed.
-std::string html_from_markdown(std::string_view markdown);
-
 // An <img> with the PNG inside, at a whole multiple of its size that is at least kMinShownWidth wide; `alt`
 // and `classes` are plain text.
 inline constexpr int kMinShownWidth = 320;

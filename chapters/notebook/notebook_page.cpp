@@ -1,6 +1,7 @@
 #include "chapters/notebook/notebook_page.h"
 
 #include "chapters/notebook/html.h"
+#include "chapters/notebook/markdown.h"
 #include "chapters/notebook/notebook_text.h"
 #include "chapters/notebook/sources.h"
 

@@ -1,13 +1,13 @@
 #include "chapters/notebook/table.h"
 
 #include <algorithm>
-#include <charconv>
 #include <ostream>
 
 #include <nlohmann/json.hpp>
 
 #include "chapters/terminal/number_text.h"
 #include "chapters/terminal/output_directory.h"
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/base/write_file.h"
 
 namespace crevice {
@@ -18,13 +18,6 @@ using Json = nlohmann::ordered_json;
 
 std::string shown(const TableValue& cell) {
     return cell.kind == TableValue::Kind::number ? decimal_text(cell.number, cell.decimals) : cell.text;
-}
-
-// The shortest text that reads back as the same number.
-std::string exact(double number) {
-    char text[32];
-    const auto [end, error] = std::to_chars(text, text + sizeof text, number);
-    return error == std::errc() ? std::string(text, end) : "";
 }
 
 std::string csv_word(const std::string& text) {
@@ -89,7 +82,7 @@ std::string csv_text(const Table& table) {
     for (const std::vector<TableValue>& row : table.rows) {
         for (std::size_t c = 0; c < row.size(); ++c) {
             const bool is_number = row[c].kind == TableValue::Kind::number;
-            text += (c == 0 ? "" : ",") + (is_number ? exact(row[c].number) : csv_word(row[c].text));
+            text += (c == 0 ? "" : ",") + (is_number ? shortest_text(row[c].number) : csv_word(row[c].text));
         }
         text += "\n";
     }

@@ -4,23 +4,28 @@
 #include <cmath>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/float_text.h"
 
 namespace crevice {
 
 namespace {
 
 // The whole word, or nothing.
-template <class T>
-bool reads_as(const std::string& word, T& value) {
-    const char* const end = word.data() + word.size();
-    const auto [stopped, error] = std::from_chars(word.data(), end, value);
-    return error == std::errc() && stopped == end && !word.empty();
+bool is_whole(const std::string& word, std::from_chars_result read) {
+    return read.ec == std::errc() && read.ptr == word.data() + word.size() && !word.empty();
+}
+bool reads_as(const std::string& word, double& value) {
+    return is_whole(word, number_from_text(word.data(), word.data() + word.size(), value));
+}
+template <class Whole>
+bool reads_as(const std::string& word, Whole& value) {
+    return is_whole(word, std::from_chars(word.data(), word.data() + word.size(), value));
 }
 
 }  // namespace
 
 double parse_number(const std::string& flag, const std::string& word) {
-    // from_chars knows no leading plus or bare point on purpose: ".5" it reads, "+5" it does not.
+    // ".5" it reads, "+5" it does not, on purpose.
     double value = 0;
     if (!reads_as(word, value) || !std::isfinite(value)) {
         throw UsageError(flag + ": not a finite number (" + word + "); write it like 0.5 or 1e-3");

@@ -1,8 +1,9 @@
 #include "rasterizer/base/image_summary.h"
 
-#include <bit>
 #include <cmath>
 #include <cstdint>
+
+#include "rasterizer/lanes/wide.h"
 
 namespace crevice {
 
@@ -70,7 +71,7 @@ std::string hash_of(const AnyImage& image, Size size, std::uint32_t components) 
     hash.add(static_cast<std::uint32_t>(size.width));
     hash.add(static_cast<std::uint32_t>(size.height));
     hash.add(components);
-    for_each_value(image, [&hash](float value) { hash.add(std::bit_cast<std::uint32_t>(value)); });
+    for_each_value(image, [&hash](float value) { hash.add(static_cast<std::uint32_t>(float_bits(value))); });
     return hash.hex();
 }
 

@@ -2,19 +2,18 @@
 
 #include <algorithm>
 
+#if CREVICE_TBB
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
+#endif
 
 namespace crevice {
 
-void parallel_for(int count, const Run& run, const std::function<void(int)>& body) {
-    const int threads = thread_count(run);
-    if (threads == 1 || count <= 1) {
-        for (int i = 0; i < count; ++i) body(i);
-        return;
-    }
+#if CREVICE_TBB
+namespace {
+void on_threads(int threads, int count, const std::function<void(int)>& body) {
     // The arena is limited to the machine's cores unless the limit is raised while it works.
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(threads));
@@ -27,6 +26,16 @@ void parallel_for(int count, const Run& run, const std::function<void(int)>& bod
             },
             tbb::simple_partitioner());
     });
+}
+}  // namespace
+#endif
+
+void parallel_for(int count, const Run& run, const std::function<void(int)>& body) {
+    [[maybe_unused]] const int threads = thread_count(run);
+#if CREVICE_TBB
+    if (threads > 1 && count > 1) return on_threads(threads, count, body);
+#endif
+    for (int i = 0; i < count; ++i) body(i);
 }
 
 void parallel_rows(int height, const Run& run, const std::function<void(int, int)>& body) {

@@ -46,6 +46,7 @@ void validate(const Run& run) {
 }
 
 int thread_count(const Run& run) {
+    if (!CREVICE_TBB) return 1;
     if (run.threads > 0) return run.threads;
     const unsigned available = std::thread::hardware_concurrency();
     return available > 0 ? static_cast<int>(available) : 1;

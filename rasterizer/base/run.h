@@ -28,7 +28,7 @@ struct Run {
 // Throws UsageError when a member is out of its range or `isa` is not available here.
 void validate(const Run& run);
 
-// The number of threads meant by run.threads.
+// The number of threads meant by run.threads; 1 where the library was built without oneTBB.
 int thread_count(const Run& run);
 // The form of the kernels that is run: one lane exists in the baseline form only.
 int lane_count(const Run& run);

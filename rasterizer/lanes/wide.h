@@ -53,10 +53,15 @@ requires(kLanes<F> == 1) CREVICE_INLINE std::int32_t lane_index() { return 0; }
 
 // ---- N lanes
 
-// Joined to one 128-bit vector, then two 64-bit words: the shortest that both compilers find.
+// Joined to one 128-bit vector, then two 64-bit words: the shortest that both compilers find. WebAssembly has an
+// instruction for it.
 CREVICE_INLINE bool any(WideMask<4> m) {
+#ifdef __wasm_simd128__
+    return __builtin_wasm_any_true_v128(m.v) != 0;
+#else
     const auto words = __builtin_bit_cast(VectorOf<std::int64_t, 2>::type, m.v);
     return (words[0] | words[1]) != 0;
+#endif
 }
 CREVICE_INLINE bool any(WideMask<8> m) { return any(WideMask<4>{low_half(m.v) | high_half(m.v)}); }
 template <int N>
@@ -66,41 +71,45 @@ CREVICE_INLINE bool all(WideMask<N> m) {
 template <int N>
 CREVICE_INLINE std::int32_t largest_of(WideInt<N> a) {
     std::int32_t largest = a.v[0];
+    CREVICE_UNROLLED
     for (int i = 1; i < N; ++i) largest = a.v[i] > largest ? a.v[i] : largest;
     return largest;
 }
 // The upper 32 bits of each: the sign comes first.
-CREVICE_INLINE WideInt<4> upper_bits(WideDouble<4> a) {
-    const auto words = __builtin_bit_cast(VectorOf<std::int32_t, 8>::type, a.v);
-    return WideInt<4>(__builtin_shufflevector(words, words, 1, 3, 5, 7));
-}
-CREVICE_INLINE WideInt<8> upper_bits(WideDouble<8> a) {
-    typedef std::int32_t Words __attribute__((vector_size(64)));
-    const Words words = __builtin_bit_cast(Words, a.v);
-    return WideInt<8>(__builtin_shufflevector(words, words, 1, 3, 5, 7, 9, 11, 13, 15));
-}
-// The halves of a mask, as wide as the doubles they select.
 template <int N>
-struct DoubleMask {
-    typename VectorOf<std::int64_t, N / 2>::type low, high;
-};
-CREVICE_INLINE DoubleMask<4> double_mask(WideMask<4> m) {
-    using Half = VectorOf<std::int64_t, 2>::type;
-    return {__builtin_bit_cast(Half, __builtin_shufflevector(m.v, m.v, 0, 0, 1, 1)),
-            __builtin_bit_cast(Half, __builtin_shufflevector(m.v, m.v, 2, 2, 3, 3))};
+CREVICE_INLINE WideInt<N> upper_bits(WideDouble<N> a) {
+    return WideInt<N>(odd_words(low_half(a.v), high_half(a.v)));
 }
-CREVICE_INLINE DoubleMask<8> double_mask(WideMask<8> m) {
-    using Half = VectorOf<std::int64_t, 4>::type;
-    return {__builtin_convertvector(low_half(m.v), Half), __builtin_convertvector(high_half(m.v), Half)};
+// The bits of a where those of m are set, else those of b. Written out, because a compiler that no longer knows that
+// each element of m is all ones or all zeros compares it with zero first, of 64 bits one by one.
+template <class M, class V>
+CREVICE_INLINE V select_bits(M m, V a, V b) {
+    return __builtin_bit_cast(V, (__builtin_bit_cast(M, a) & m) | (__builtin_bit_cast(M, b) & ~m));
+}
+// Each word of the lower half of a mask twice, and of the upper: masks as wide as doubles.
+template <class V>
+CREVICE_INLINE V lower_twice(V m) {
+    if constexpr (kElements<V> == 8) {
+        return __builtin_shufflevector(m, m, 0, 0, 1, 1, 2, 2, 3, 3);
+    } else {
+        return __builtin_shufflevector(m, m, 0, 0, 1, 1);
+    }
+}
+template <class V>
+CREVICE_INLINE V upper_twice(V m) {
+    if constexpr (kElements<V> == 8) {
+        return __builtin_shufflevector(m, m, 4, 4, 5, 5, 6, 6, 7, 7);
+    } else {
+        return __builtin_shufflevector(m, m, 2, 2, 3, 3);
+    }
 }
 template <class T, int N>
 CREVICE_INLINE WideOf<T, N> select(WideMask<N> m, WideOf<T, N> a, WideOf<T, N> b) {
     if constexpr (sizeof(T) == sizeof(std::int32_t)) {
         return WideOf<T, N>(m.v ? a.v : b.v);
     } else {
-        const DoubleMask<N> wide = double_mask(m);
-        return WideOf<T, N>(
-            joined(wide.low ? low_half(a.v) : low_half(b.v), wide.high ? high_half(a.v) : high_half(b.v)));
+        return WideOf<T, N>(joined(select_bits(lower_twice(m.v), low_half(a.v), low_half(b.v)),
+                                   select_bits(upper_twice(m.v), high_half(a.v), high_half(b.v))));
     }
 }
 template <int N>
@@ -114,6 +123,7 @@ CREVICE_INLINE Wide<N> select(WideMask<N> m, Wide<N> a, float b) {
 template <int N>
 CREVICE_INLINE Wide<N> square_root(Wide<N> a) {
     Wide<N> r;
+    CREVICE_UNROLLED
     for (int i = 0; i < N; ++i) r.v[i] = __builtin_sqrtf(a.v[i]);
     return r;
 }
@@ -137,10 +147,16 @@ template <int N>
 CREVICE_INLINE Wide<N> float_from_bits(WideInt<N> a) {
     return Wide<N>(__builtin_bit_cast(typename Wide<N>::V, a.v));
 }
-template <class T, int N>
-CREVICE_INLINE WideOf<T, N> gather(const T* base, WideInt<N> index) {
-    WideOf<T, N> r;
-    for (int i = 0; i < N; ++i) r.v[i] = base[index.v[i]];
+template <class T>
+CREVICE_INLINE WideOf<T, 4> gather(const T* base, WideInt<4> index) {
+    const typename WideOf<T, 4>::V v = {base[index.v[0]], base[index.v[1]], base[index.v[2]],
+                                        base[index.v[3]]};
+    return WideOf<T, 4>(v);
+}
+template <class T>
+CREVICE_INLINE WideOf<T, 8> gather(const T* base, WideInt<8> index) {
+    WideOf<T, 8> r;
+    for (int i = 0; i < 8; ++i) r.v[i] = base[index.v[i]];
     return r;
 }
 template <class F, class T>
@@ -156,6 +172,7 @@ CREVICE_INLINE void store(T* at, WideOf<T, N> a) {
 template <class F>
 requires(kLanes<F> > 1) CREVICE_INLINE Int<F> lane_index() {
     Int<F> r;
+    CREVICE_UNROLLED
     for (int i = 0; i < kLanes<F>; ++i) r.v[i] = i;
     return r;
 }
@@ -229,3 +246,5 @@ CREVICE_INLINE I clamp_int(I a, I low, I high) {
 }
 
 }  // namespace crevice
+
+#include "rasterizer/lanes/wide_machines.h"

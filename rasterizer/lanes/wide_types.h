@@ -12,6 +12,14 @@ namespace crevice {
 
 #define CREVICE_INLINE [[gnu::always_inline]] inline
 
+// Before a loop over the elements of a vector: each pass of it becomes straight code, for else the vector would go
+// through memory.
+#ifdef __clang__
+#define CREVICE_UNROLLED _Pragma("clang loop unroll(full)")
+#else
+#define CREVICE_UNROLLED _Pragma("GCC unroll 8")
+#endif
+
 // The native vector of N elements. A trait, because GCC 12 drops vector_size written inside a class template.
 template <class T, int N>
 struct VectorOf;
@@ -32,8 +40,8 @@ CREVICE_VECTOR(std::int64_t, 4)
 CREVICE_VECTOR(std::int64_t, 8)
 #undef CREVICE_VECTOR
 
-// As many doubles as there are floats in a register fill two registers. They are compared and selected half by
-// half: GCC 12 compares and selects vectors wider than the register one element at a time.
+// As many doubles as there are floats in a register fill two registers. They are compared, selected and shuffled
+// half by half: GCC 12 does that to vectors wider than the register one element at a time.
 template <class V>
 inline constexpr int kElements = static_cast<int>(sizeof(V) / sizeof(V{}[0]));
 
@@ -62,6 +70,52 @@ CREVICE_INLINE auto joined(Half low, Half high) {
     }
 }
 
+// Eight words whose middle pairs change places: shuffles inside each half of a 256-bit register are cheap, and so is
+// this way back.
+CREVICE_INLINE auto in_lane_order(VectorOf<std::int32_t, 8>::type words) {
+    const auto pairs = __builtin_bit_cast(VectorOf<std::int64_t, 4>::type, words);
+    return __builtin_bit_cast(VectorOf<std::int32_t, 8>::type,
+                              __builtin_shufflevector(pairs, pairs, 0, 2, 1, 3));
+}
+
+// The 32-bit words of two vectors that stand at even places, or those at odd places. Of eight 64-bit elements the
+// lower words are the even ones.
+template <class Half>
+CREVICE_INLINE auto even_words(Half low, Half high) {
+    using Words = typename VectorOf<std::int32_t, sizeof(Half) / sizeof(std::int32_t)>::type;
+    const auto a = __builtin_bit_cast(Words, low), b = __builtin_bit_cast(Words, high);
+    if constexpr (kElements<Words> == 8) {
+        return in_lane_order(__builtin_shufflevector(a, b, 0, 2, 8, 10, 4, 6, 12, 14));
+    } else {
+        return __builtin_shufflevector(a, b, 0, 2, 4, 6);
+    }
+}
+template <class Half>
+CREVICE_INLINE auto odd_words(Half low, Half high) {
+    using Words = typename VectorOf<std::int32_t, sizeof(Half) / sizeof(std::int32_t)>::type;
+    const auto a = __builtin_bit_cast(Words, low), b = __builtin_bit_cast(Words, high);
+    if constexpr (kElements<Words> == 8) {
+        return in_lane_order(__builtin_shufflevector(a, b, 1, 3, 9, 11, 5, 7, 13, 15));
+    } else {
+        return __builtin_shufflevector(a, b, 1, 3, 5, 7);
+    }
+}
+
+// The scalar in every element: the form of which each compiler makes one broadcast. Of four elements that is a shuffle
+// (GCC 12 inserts those of a loop one by one, Clang keeps the loop in WebAssembly), of eight a loop (GCC 12 inserts
+// those of a shuffle).
+template <class V, class T>
+CREVICE_INLINE V spread_vector(T scalar) {
+    if constexpr (kElements<V> == 8) {
+        V v;
+        for (int i = 0; i < 8; ++i) v[i] = scalar;
+        return v;
+    } else {
+        const V first = {scalar};
+        return __builtin_shufflevector(first, first, 0, 0, 0, 0);
+    }
+}
+
 // One truth value a lane: all bits set, or none.
 template <int N>
 struct WideMask {
@@ -80,10 +134,7 @@ struct WideOf {
     V v;
 
     CREVICE_INLINE WideOf() = default;
-    // Lane by lane: GCC 12 makes one broadcast of this, and eight inserts of {scalar, scalar, ...}.
-    CREVICE_INLINE WideOf(T scalar) {
-        for (int i = 0; i < N; ++i) v[i] = scalar;
-    }
+    CREVICE_INLINE WideOf(T scalar) : v(spread_vector<V>(scalar)) {}
     CREVICE_INLINE explicit WideOf(V vector) : v(vector) {}
 
     CREVICE_INLINE T operator[](int lane) const { return v[lane]; }
@@ -122,23 +173,12 @@ struct WideOf {
     }
 
  private:
-    // The lower 32 bits of each 64-bit element.
-    template <class Half>
-    CREVICE_INLINE static typename WideMask<N>::V low_words(Half low, Half high) {
-        using HalfWords = typename VectorOf<std::int32_t, N>::type;
-        const auto a = __builtin_bit_cast(HalfWords, low), b = __builtin_bit_cast(HalfWords, high);
-        if constexpr (N == 8) {
-            return __builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14);
-        } else {
-            return __builtin_shufflevector(a, b, 0, 2, 4, 6);
-        }
-    }
     template <class Comparison>
     CREVICE_INLINE static WideMask<N> compare(WideOf a, WideOf b, Comparison holds) {
         if constexpr (sizeof(T) == sizeof(std::int32_t)) {
             return {holds(a.v, b.v)};
         } else {
-            return {low_words(holds(low_half(a.v), low_half(b.v)), holds(high_half(a.v), high_half(b.v)))};
+            return {even_words(holds(low_half(a.v), low_half(b.v)), holds(high_half(a.v), high_half(b.v)))};
         }
     }
 };

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/obj/ear_clip.h"
 #include "rasterizer/obj/obj_lines.h"
 
@@ -49,7 +50,7 @@ struct Scanner {
         const bool plus = token.size() > 1 && token[0] == '+' && token[1] != '-';
         const char* const end = token.data() + token.size();
         float value = 0;
-        const auto [stop, error] = std::from_chars(token.data() + plus, end, value);
+        const auto [stop, error] = number_from_text(token.data() + plus, end, value);
         if (stop == end && error == std::errc()) return value;
         if (stop == end && error == std::errc::result_out_of_range) return beyond_float(token);
         if (is_microsoft_nan(token)) return std::numeric_limits<float>::quiet_NaN();

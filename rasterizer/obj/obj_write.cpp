@@ -1,12 +1,12 @@
 #include "rasterizer/obj/obj_write.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <initializer_list>
 #include <utility>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/base/write_file.h"
 
 namespace crevice {
@@ -17,13 +17,6 @@ namespace {
 struct ObjText {
     std::string text;
 
-    template <class Number>
-    void add_number(Number value) {
-        char digits[32];
-        const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value);
-        text.append(digits, end);
-    }
-
     // "keyword 1 2 3". `index` tells a number that is not finite from others, counted from 1 as in the file.
     void add_values(const char* keyword, std::size_t index, std::initializer_list<float> values) {
         text += keyword;
@@ -33,22 +26,22 @@ struct ObjText {
                                  " holds a number that is not finite (" + std::to_string(value) +
                                  "); leave its triangles out");
             text += ' ';
-            add_number(value);
+            text += shortest_text(value);
         }
         text += '\n';
     }
 
     // Position, texture coordinate and normal of one corner; they share their index.
     void add_corner(std::uint32_t vertex, bool with_texcoord, bool with_normal) {
-        const std::uint64_t index = std::uint64_t{vertex} + 1;
+        const std::string index = std::to_string(std::uint64_t{vertex} + 1);
         text += ' ';
-        add_number(index);
+        text += index;
         if (!with_texcoord && !with_normal) return;
         text += '/';
-        if (with_texcoord) add_number(index);
+        if (with_texcoord) text += index;
         if (!with_normal) return;
         text += '/';
-        add_number(index);
+        text += index;
     }
 };
 

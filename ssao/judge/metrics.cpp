@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <string>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/lanes/wide.h"
 #include "ssao/judge/percentile.h"
 
 namespace crevice {
@@ -37,9 +37,7 @@ void check_alike(const PlaneList& a, const PlaneList& b) {
                      ", width x height x components); give two of the same shape with at least one pixel");
 }
 
-bool same_bits(float a, float b) {
-    return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
-}
+bool same_bits(float a, float b) { return float_bits(a) == float_bits(b); }
 
 bool differs_at(const PlaneList& a, const PlaneList& b, int x, int y) {
     for (std::size_t c = 0; c < a.size(); ++c) {

@@ -2,7 +2,6 @@
 // the hash of the raw values, on every compiler and machine; the .npy beside it only serves to show what
 // changed.
 #include <algorithm>
-#include <bit>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -15,6 +14,7 @@
 #include "chapters/notebook/picture.h"
 #include "chapters/terminal/number_text.h"
 #include "rasterizer/base/error.h"
+#include "rasterizer/lanes/wide.h"
 #include "scenes/builtin_scenes.h"
 #include "tests/tools/golden_options.h"
 #include "tests/tools/scratch_directory.h"
@@ -174,7 +174,7 @@ TEST_CASE("golden: the gate sees one bit, a missing image, another size and NaN"
     bless({buffer}, directory.path());
     CHECK(complaint() == "");
 
-    buffer.values[0].at(3, 2) = std::bit_cast<float>(std::bit_cast<std::int32_t>(0.25f) + 1);
+    buffer.values[0].at(3, 2) = float_from_bits(float_bits(0.25f) + 1);
     CHECK(complaint().find("pixel (3, 2) is 0.25000003, expected 0.25; 1 pixels differ") == 0);
     buffer.values[0].at(3, 2) = std::numeric_limits<float>::quiet_NaN();
     CHECK(complaint() == "1 values are NaN");

@@ -1,13 +1,13 @@
 #include "rasterizer/base/image_io.h"
 #include "rasterizer/textures/texture.h"
 
-#include <bit>
 #include <cstring>
 #include <string>
 
 #include <doctest/doctest.h>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/lanes/wide.h"
 #include "tests/tools/scratch_directory.h"
 #include "tests/tools/special_floats.h"
 
@@ -18,7 +18,7 @@ namespace {
 
 // Every kind of float: NaN with a payload, both infinities, -0, a denormal, and numbers that differ by pixel.
 Image<float> awkward_image(Size size) {
-    const float special[] = {std::bit_cast<float>(0x7fc12345u), kInfinity, -kInfinity, -0.0f, 1e-42f};
+    const float special[] = {float_from_bits(0x7fc12345), kInfinity, -kInfinity, -0.0f, 1e-42f};
     Image<float> image(size, 7.0f);  // the padding stays 7
     int i = 0;
     for (int y = 0; y < size.height; ++y) {

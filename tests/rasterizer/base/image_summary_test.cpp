@@ -1,12 +1,12 @@
 #include "rasterizer/base/image_summary.h"
 
-#include <bit>
 #include <limits>
 #include <set>
 
 #include <doctest/doctest.h>
 
 #include "rasterizer/base/image_io.h"
+#include "rasterizer/lanes/wide.h"
 
 using namespace crevice;
 
@@ -39,10 +39,10 @@ TEST_CASE("content_hash sees every bit and the shape, but no padding") {
     const Image<float> image({3, 4}, 0.0f);
     std::set<std::string> hashes = {content_hash(image)};
     for (const float value :
-         {-0.0f, 1e-45f, 1.0f, std::bit_cast<float>(0x7fc00000u), std::bit_cast<float>(0x7fc00001u)}) {
+         {-0.0f, 1e-45f, 1.0f, float_from_bits(0x7fc00000), float_from_bits(0x7fc00001)}) {
         Image<float> changed = image;
         changed.at(1, 2) = value;
-        CAPTURE(std::bit_cast<std::uint32_t>(value));
+        CAPTURE(float_bits(value));
         CHECK(hashes.insert(content_hash(changed)).second);
     }
     CHECK(hashes.insert(content_hash(Image<float>({4, 3}, 0.0f))).second);

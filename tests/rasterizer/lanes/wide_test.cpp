@@ -94,8 +94,12 @@ TEST_CASE("several lanes compute the bits of one lane") {
     CHECK_SAME_BITS(select((a < F(0)) | (b < F(0)), a, b));
     CHECK_SAME_BITS(select((a < F(0)) & !(b < F(0)), a, b));
     CHECK_SAME_BITS(select(to_double(a) < to_double(b), F(1), F(0)));
+    CHECK_SAME_BITS(to_float(select(a < b, to_double(a) * to_double(b), to_double(b) - to_double(a))));
+    CHECK_SAME_BITS(to_float(upper_bits(to_double(a) * to_double(b))));
     // Integers: values within their range only.
     CHECK_SAME_BITS(to_float(to_int(max_of(min_of(b, F(2e9f)), F(-2e9f)))));
+    CHECK_SAME_BITS(to_float(to_int(to_double(max_of(min_of(b, F(2e9f)), F(-2e9f))) * Double<F>(0.7))));
+    CHECK_SAME_BITS(to_float(to_double(float_bits(a)) * Double<F>(0.1)));
     CHECK_SAME_BITS(to_float(floor_to_int(max_of(min_of(b, F(2e9f)), F(-2e9f)))));
     CHECK_SAME_BITS(to_float(round_half_even(max_of(min_of(b, F(2e9f)), F(-2e9f)))));
     CHECK_SAME_BITS(
@@ -134,6 +138,23 @@ TEST_CASE("a scalar keeps its bits in every lane") {
         CAPTURE(a);
         CHECK(result_bits(Wide<8>(a)[5]) == result_bits(a));
     }
+}
+
+TEST_CASE("four lanes: gather, any, all and the largest") {
+    const std::array<float, 8> values = {3, 1, 4, 1, 5, 9, 2, 6};
+    const WideInt<4> index = WideInt<4>(7) - lane_index<Wide<4>>() - lane_index<Wide<4>>();
+    const Wide<4> gathered = gather(values.data(), index);
+    for (int i = 0; i < 4; ++i) {
+        CAPTURE(i);
+        CHECK(gathered[i] == values[static_cast<std::size_t>(7 - 2 * i)]);
+        const WideMask<4> only = index == WideInt<4>(7 - 2 * i);
+        CHECK(any(only));
+        CHECK_FALSE(all(only));
+        CHECK(all(only | !only));
+        CHECK_FALSE(any(only & !only));
+        CHECK(largest_of(select(only, WideInt<4>(11), index)) == 11);
+    }
+    CHECK(largest_of(index) == 7);
 }
 
 TEST_CASE("NaN first gives way to the other operand, and saturate turns it into 0") {

@@ -1,12 +1,12 @@
 #include "rasterizer/obj/obj_write.h"
 
-#include <bit>
 #include <limits>
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "rasterizer/lanes/wide.h"
 #include "tests/tools/loaded_obj.h"
 
 using namespace crevice;
@@ -15,7 +15,7 @@ namespace {
 
 bool same_bits(glm::vec3 a, glm::vec3 b) {
     for (int i = 0; i < 3; ++i) {
-        if (std::bit_cast<std::uint32_t>(a[i]) != std::bit_cast<std::uint32_t>(b[i])) return false;
+        if (float_bits(a[i]) != float_bits(b[i])) return false;
     }
     return true;
 }
