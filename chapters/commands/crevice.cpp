@@ -12,7 +12,7 @@
 #include "chapters/commands/run_flags.h"
 #include "chapters/commands/truth_words.h"
 #include "chapters/commands/turntable.h"
-#include "chapters/frame/methods.h"
+#include "chapters/frame/frame_settings.h"
 #include "chapters/frame/presets.h"
 #include "chapters/frame/scene_argument.h"
 #include "chapters/terminal/parse.h"
@@ -24,7 +24,7 @@ using namespace crevice;
 
 // The words of the command line, before they are looked at.
 struct Words {
-    std::string scene, size = "1280x720", ao, ao_scale = ".5", only, out = "out", a, b, html, method, which;
+    std::string scene, size = "1280x720", ao, ao_scale, only, out = "out", a, b, html, method, which;
     std::string repeat = "1", time = "0", chapter_size, seed = "1";
     std::optional<std::string> frames, preset;
     std::vector<std::string> params;
@@ -68,10 +68,15 @@ int render(const Words& words) {
     FrameRequest& request = options.request;
     request.run = run_of(words.run);
     request.size = parse_size("--size", words.size);
-    request.method = &find_method(preset != nullptr ? preset->method : words.ao.empty() ? "xjun" : words.ao);
+    request.method = named_as("--ao", [&] {
+        return &find_method(preset != nullptr ? preset->method : words.ao.empty() ? "xjun" : words.ao);
+    });
     options.params = words.params;
-    request.settings.ao.ao_scale = static_cast<float>(parse_number("--ao-scale", words.ao_scale));
-    ao_map_size(request.size, request.settings.ao.ao_scale);
+    if (!words.ao_scale.empty()) {
+        const auto scale = static_cast<float>(parse_number("--ao-scale", words.ao_scale));
+        named_as("--ao-scale", [&] { ao_map_size(request.size, scale); });
+        options.params.push_back("ao_scale=" + words.ao_scale);
+    }
     request.wanted = buffers_of(words.only);
     request.repeats = static_cast<int>(parse_whole("--repeat", words.repeat, 1, 100000));
     options.time_s = parse_number("--time", words.time);
@@ -128,8 +133,8 @@ void add_render(CLI::App& app, Words& words) {
     render->add_option("--ao", words.ao, "ambient-occlusion method (crevice methods); default: xjun");
     render->add_option("--param", words.params, "name=value, any number of times (crevice params METHOD)")
         ->allow_extra_args(false);
-    render->add_option("--ao-scale", words.ao_scale, "size of the AO map: .5 or 1 times the picture")
-        ->capture_default_str();
+    render->add_option("--ao-scale", words.ao_scale,
+                       "size of the AO map: .5 or 1 times the picture; default: the method's");
     render->add_option("--only", words.only,
                        "write only these buffers, comma-separated; the rest is left out");
     render->add_flag("--keep-all", words.run.keep_all, "leave nothing out: the same buffers, more slowly");

@@ -87,7 +87,7 @@ void truth(const TruthWords& words) {
     ReferenceRequest& request = options.request;
     request.run = run_of(words.run);
     request.size = parse_size("--size", words.size);
-    request.method = &find_method(words.ao);
+    request.method = named_as("--ao", [&] { return &find_method(words.ao); });
     request.rays = ray_settings(words.rays);
     request.rays.hemisphere = choice<Hemisphere>(
         "--hemisphere", words.hemisphere,

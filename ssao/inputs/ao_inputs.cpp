@@ -188,7 +188,7 @@ class TexelRow {
 Size ao_map_size(Size picture, float scale) {
     if (scale == 1.0f) return picture;
     if (scale != 0.5f) {
-        throw UsageError("--ao-scale: the AO map is half or full size (" + std::to_string(scale) +
+        throw UsageError("ao_scale: the AO map is half or full size (" + std::to_string(scale) +
                          "); give .5 or 1");
     }
     return {(picture.width + 1) / 2, (picture.height + 1) / 2};

@@ -22,7 +22,7 @@ cat > "$scratch/user/user.cpp" <<'CPP'
 int main() {
     const crevice::Scene scene = crevice::find_builtin_scene("wall_corner")->make();
     const crevice::GBuffer gbuffer = crevice::normal_depth(scene, scene.camera, {64, 36});
-    const crevice::Image<float> ao = crevice::luna_ssao(gbuffer, scene.camera);
+    const crevice::Image<float> ao = crevice::luna_ssao(gbuffer, scene.camera).ao;
     float darkest = 1;
     for (int y = 0; y < ao.size.height; ++y) {
         for (int x = 0; x < ao.size.width; ++x) darkest = ao.at(x, y) < darkest ? ao.at(x, y) : darkest;
