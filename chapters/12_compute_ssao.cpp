@@ -107,7 +107,8 @@ void count_reads(Notebook& book, const Scene& scene) {
                text(100 * *best) + " % are left");
     book.check("with no apron too many samples stray, with the widest too much is loaded",
                best != left.begin() && best != left.end() - 1);
-    const GroupedBlur blurred = bilateral_blur_in_groups(luna_occlusion(inputs, kXjunSettings, {}).ao, inputs);
+    const GroupedBlur blurred =
+        bilateral_blur_in_groups(luna_occlusion(inputs, kXjunSettings, {}).ao, inputs);
     const double saved = double(blurred.reads.direct) / double(blurred.reads.grouped);
     book.check("in groups the blur reads each map about once a pass, not eleven times", saved > 8,
                text(saved) + " times fewer reads");

@@ -133,8 +133,7 @@ void truth_command(const TruthOptions& options) {
     if (triangle_count(argument.scene) == 0)
         std::cerr << options.scene << ": 0 triangles; everything is open\n";
     const Camera camera = chosen_camera(argument, options.camera);
-    request.settings =
-        settings_of(*request.method, options.params, argument.scene.length_unit).method;
+    request.settings = settings_of(*request.method, options.params, argument.scene.length_unit).method;
     request.rays.radius = options.radius.value_or(request.method->question(request.settings.ao).radius);
     validate(request.rays);
     try_output_directory(options.out);

@@ -20,8 +20,8 @@ constexpr NamedDepth kDepths[] = {{"d16", DepthFormat::d16, false},
                                   {"d32f_reversed", DepthFormat::d32f, true}};
 
 Parameter<FrameSettings> depth_format() {
-    Parameter<FrameSettings> p{"depth_format", "", "-", "how the depth buffer is stored",
-                               ParameterKind::choice, 0, 0, {}, {}, {}};
+    Parameter<FrameSettings> p{
+        "depth_format", "", "-", "how the depth buffer is stored", ParameterKind::choice, 0, 0, {}, {}, {}};
     for (const NamedDepth& depth : kDepths) {
         p.range += std::string(p.range.empty() ? "" : "|") + depth.name;
         p.choices.emplace_back(depth.name);
@@ -50,16 +50,14 @@ std::vector<Parameter<FrameSettings>> buffer_parameters() {
         buffer_format("buffer_format", "how normals and view depth are stored", &S::buffer_format),
         position_order("depth_position", "how the first pass multiplies positions; only the last bits differ",
                        &S::position_order),
-        choice<S, NormalMatrix>("normal_matrix",
-                                "what turns normals into view space; the other two bend them",
-                                &S::normal_matrix,
-                                {{"inverse_transpose", NormalMatrix::inverse_transpose},
-                                 {"with_translation", NormalMatrix::with_translation},
-                                 {"world", NormalMatrix::world}}),
+        choice<S, NormalMatrix>(
+            "normal_matrix", "what turns normals into view space; the other two bend them", &S::normal_matrix,
+            {{"inverse_transpose", NormalMatrix::inverse_transpose},
+             {"with_translation", NormalMatrix::with_translation},
+             {"world", NormalMatrix::world}}),
         yes_no("depth_cutouts", "false: the first pass draws holes too, and background shows in them",
                &S::cutouts),
-        choice<S, bool>("ao_normals",
-                        "mapped: bent by the materials' normal maps, before AO sees them",
+        choice<S, bool>("ao_normals", "mapped: bent by the materials' normal maps, before AO sees them",
                         &S::mapped_normals, {{"vertex", false}, {"mapped", true}})};
     for (Parameter<FrameSettings>& parameter : within<FrameSettings>(
              of_first_pass, [](auto& settings) -> auto& { return settings.buffers; }))

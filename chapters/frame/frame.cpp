@@ -30,7 +30,7 @@ bool shares_geometry(const FrameSettings& settings) {
 }
 
 LitImage lit_image(const Scene& scene, const ScreenGeometry& geometry, const Frame& frame,
-                 const Image<float>& map, const ShadowMap* shadow, const FrameRequest& request) {
+                   const Image<float>& map, const ShadowMap* shadow, const FrameRequest& request) {
     const FrameSettings& settings = request.settings;
     const Image<float> slipped = settings.ao_lookup == AoLookup::exact
                                      ? Image<float>()

@@ -62,18 +62,17 @@ void print_parameters(std::ostream& out, const Method& method) {
         for (const P& p : parameters) width = std::max(width, std::string(text(p)).size());
         return static_cast<int>(width) + kGap;
     };
-    const int names = width_of("parameter", [](const P& p) { return p.name; }),
-              defaults = width_of("default", [&](const P& p) { return word_of(p, own); }),
-              ranges = width_of("range", [](const P& p) { return p.range; }),
-              units = width_of("unit", [](const P& p) { return p.unit; });
+    const int names = width_of("parameter", [](const P&p) { return p.name; }),
+              defaults = width_of("default", [&](const P&p) { return word_of(p, own); }),
+              ranges = width_of("range", [](const P&p) { return p.range; }),
+              units = width_of("unit", [](const P&p) { return p.unit; });
     const auto print_row = [&](const std::string& name, const std::string& value, const std::string& range,
                                const std::string& unit, const std::string& effect) {
         out << std::left << std::setw(names) << name << std::setw(defaults) << value << std::setw(ranges)
             << range << std::setw(units) << unit << effect << "\n";
     };
     print_row("parameter", "default", "range", "unit", "effect");
-    for (const P& p : parameters)
-        print_row(p.name, word_of(p, own), p.range, p.unit, p.effect);
+    for (const P& p : parameters) print_row(p.name, word_of(p, own), p.range, p.unit, p.effect);
 }
 
 }  // namespace crevice

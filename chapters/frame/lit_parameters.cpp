@@ -14,14 +14,16 @@ std::vector<Parameter<ShadeSettings>> drawing_parameters() {
     std::vector<Parameter<S>> all = {
         position_order("lit_position", "how the lit pass multiplies positions: unlike depth_position, holes",
                        &S::position_order),
-        choice<S, DepthFunction>("lit_depth_test",
-                                 "how the lit pass meets the first one's depths; reversed z turns it round",
-                                 &S::depth_function,
-                                 {{"equal", DepthFunction::equal}, {"less_equal", DepthFunction::less_equal}})};
+        choice<S, DepthFunction>(
+            "lit_depth_test", "how the lit pass meets the first one's depths; reversed z turns it round",
+            &S::depth_function,
+            {{"equal", DepthFunction::equal}, {"less_equal", DepthFunction::less_equal}})};
     const std::vector bias = {whole("lit_depth_bias", -INT_MAX, INT_MAX,
                                     "steps of the depth format; negative: the lit pass is nearer",
                                     &DepthBias::constant)};
-    all.push_back(within<S>(bias, [](auto& settings) -> auto& { return settings.depth_bias; }).front());
+    all.push_back(within<S>(
+                      bias, [](auto& settings) -> auto& { return settings.depth_bias; })
+                      .front());
     all.push_back(yes_no("lit_cutouts",
                          "false: the lit pass draws holes too; EQUAL hides that, less_equal does not",
                          &S::cutouts));
@@ -31,8 +33,8 @@ std::vector<Parameter<ShadeSettings>> drawing_parameters() {
 }  // namespace
 
 std::vector<Parameter<FrameSettings>> lit_parameters() {
-    std::vector<Parameter<FrameSettings>> all =
-        within<FrameSettings>(drawing_parameters(), [](auto& settings) -> auto& { return settings.lit; });
+    std::vector<Parameter<FrameSettings>> all = within<FrameSettings>(
+        drawing_parameters(), [](auto& settings) -> auto& { return settings.lit; });
     all.push_back(choice<FrameSettings, AoLookup>(
         "ao_lookup", "slip: v too small by 1; hidden by WRAP, with CLAMP the top row everywhere",
         &FrameSettings::ao_lookup,

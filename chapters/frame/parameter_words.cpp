@@ -20,8 +20,7 @@ std::string text_of(double value) {
 double value_from_word(const Parameter<FrameSettings>& p, const std::string& word) {
     switch (p.kind) {
         case ParameterKind::number: return parse_number(p.name, word);
-        case ParameterKind::whole:
-            return static_cast<double>(parse_whole(p.name, word, p.lowest, p.highest));
+        case ParameterKind::whole: return static_cast<double>(parse_whole(p.name, word, p.lowest, p.highest));
         case ParameterKind::yes_no: return parse_yes_no(p.name, word) ? 1 : 0;
         case ParameterKind::choice: break;
     }

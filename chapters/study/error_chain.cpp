@@ -17,7 +17,8 @@ Image<float> moved_by(Image<float> image, const Image<float>& a, const Image<flo
 
 ReferenceImage limit_of(const MethodView& view, const FrameSettings& settings, int limit_seeds,
                         const Run& run) {
-    return view.method->limit(gbuffer_of(view, settings), view.camera, settings.method.ao, limit_seeds, run, {});
+    return view.method->limit(gbuffer_of(view, settings), view.camera, settings.method.ao, limit_seeds, run,
+                              {});
 }
 
 // What the denoiser alone does to the method's limit, on top of the image `before` it.
@@ -28,8 +29,9 @@ ChainImage blurred_limit(const MethodView& view, const FrameSettings& settings, 
     raw.format = BufferFormat::float32;
     const auto half = [&](std::size_t i) {
         raw.ao = limit.half[i];
-        return moved_by(before, ao_at_picture_size(limit.half[i], view.size, run),
-                        ao_at_picture_size(denoised(*view.method, raw, settings.method, run).ao, view.size, run));
+        return moved_by(
+            before, ao_at_picture_size(limit.half[i], view.size, run),
+            ao_at_picture_size(denoised(*view.method, raw, settings.method, run).ao, view.size, run));
     };
     return {"blur, bias", half(0), half(1)};
 }

@@ -36,12 +36,14 @@ FrameSettings settings_of(const Method& method, const ErrorSetting& setting, flo
         {"ao_scale", std::to_string(setting.ao_scale)},
         {"blur_iterations", std::to_string(setting.blur_iterations)},
         {"seed", std::to_string(seed)}};
-    if (setting.half_floats) words.insert(words.end(), {{"buffer_format", "float16"}, {"ao_format", "float16"}});
+    if (setting.half_floats)
+        words.insert(words.end(), {{"buffer_format", "float16"}, {"ao_format", "float16"}});
     const std::vector<Parameter<FrameSettings>> known = frame_parameters(method);
     std::vector<std::string> assignments;
     for (const auto& [name, word] : words) {
-        const bool has = std::any_of(known.begin(), known.end(),
-                                     [&, &name = name](const auto& parameter) { return parameter.name == name; });
+        const bool has = std::any_of(known.begin(), known.end(), [&, &name = name](const auto& parameter) {
+            return parameter.name == name;
+        });
         if (has) assignments.push_back(name + "=" + word);
     }
     return settings_of(method, assignments, length_unit);
@@ -67,8 +69,8 @@ ErrorPlan quick_error_plan(const Method& method) {
     const std::vector<int>& samples = method.samples_to_try;
     ErrorPlan plan;
     plan.size = {320, 180};
-    plan.settings = every({samples.front(), samples[(samples.size() - 1) / 2], samples.back()}, {0.5f, 1}, {0, 2, 4},
-                          {false});
+    plan.settings = every({samples.front(), samples[(samples.size() - 1) / 2], samples.back()}, {0.5f, 1},
+                          {0, 2, 4}, {false});
     plan.settings.push_back({samples.back(), 0.5f, 4, true});
     plan.cast_rays = {1, 4, 16, 64};
     plan.vertex_rays = {32};

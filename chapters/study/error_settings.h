@@ -22,7 +22,7 @@ std::string setting_name(const ErrorSetting& setting);
 // The method's defaults (lengths times length_unit) with these settings and a seed, as far as the method has
 // parameters of these names.
 FrameSettings settings_of(const Method& method, const ErrorSetting& setting, float length_unit,
-                           std::uint32_t seed);
+                          std::uint32_t seed);
 
 // The method as its tutorial runs it: all samples, half size, its own number of blurs, float32.
 ErrorSetting default_setting(const Method& method);

@@ -49,9 +49,8 @@ class ReferenceMaker {
         if (auto found = find(name)) return counted(std::move(*found), request_.limit_seeds, 0, true);
         Progress progress("limit", request_.limit_seeds);
         const Clocks before = clocks();
-        ReferenceImage image =
-            method.limit(gbuffer, camera, settings.ao, request_.limit_seeds, request_.run,
-                         [&](long long done) { progress.advance(done); });
+        ReferenceImage image = method.limit(gbuffer, camera, settings.ao, request_.limit_seeds, request_.run,
+                                            [&](long long done) { progress.advance(done); });
         const double ms = clocks().wall_ms - before.wall_ms;
         store(name, image);
         return counted(std::move(image), request_.limit_seeds, ms, false);

@@ -16,8 +16,7 @@ std::vector<Parameter<BlurSettings>> blur_parameters() {
                &S::depth_threshold),
         choice<S, BlurEdges>(
             "blur_edges", "blur_depth in depth, stops on grazing floors; from the plane; neither: all count",
-            &S::edges,
-            {{"fixed", BlurEdges::fixed}, {"slope", BlurEdges::slope}, {"none", BlurEdges::none}}),
+            &S::edges, {{"fixed", BlurEdges::fixed}, {"slope", BlurEdges::slope}, {"none", BlurEdges::none}}),
     };
 }
 

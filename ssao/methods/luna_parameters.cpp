@@ -53,17 +53,15 @@ std::vector<Parameter<S>> fetch_switches() {
         choice<S, MapBorder>(
             "border", "what lies beyond the picture: nothing, its last pixel, its other side", &S::border,
             {{"far", MapBorder::far}, {"edge", MapBorder::edge}, {"wrap", MapBorder::wrap}}),
-        choice<S, TexelCentre>(
-            "texel_centre", "off: a neighbour pixel's depth and normal, grazing planes occlude themselves",
-            &S::texel_centre, {{"exact", TexelCentre::exact}, {"off", TexelCentre::off}}),
+        choice<S, TexelCentre>("texel_centre",
+                               "off: a neighbour pixel's depth and normal, grazing planes occlude themselves",
+                               &S::texel_centre, {{"exact", TexelCentre::exact}, {"off", TexelCentre::off}}),
         choice<S, EdgeTexels>(
-            "edge_texels",
-            "mixed: the mean of foreground and background, a surface that is not there", &S::edge_texels,
-            {{"nearest", EdgeTexels::nearest}, {"mixed", EdgeTexels::mixed}}),
-        choice<S, SkyDepth>("sky_depth",
-                            "as_stored: 1e5 in float16_nearest is infinite, and NaN once filtered",
-                            &S::sky_depth,
-                            {{"finite", SkyDepth::finite}, {"as_stored", SkyDepth::as_stored}}),
+            "edge_texels", "mixed: the mean of foreground and background, a surface that is not there",
+            &S::edge_texels, {{"nearest", EdgeTexels::nearest}, {"mixed", EdgeTexels::mixed}}),
+        choice<S, SkyDepth>(
+            "sky_depth", "as_stored: 1e5 in float16_nearest is infinite, and NaN once filtered",
+            &S::sky_depth, {{"finite", SkyDepth::finite}, {"as_stored", SkyDepth::as_stored}}),
     };
 }
 

@@ -17,7 +17,7 @@ inline constexpr LunaSettings kLunaSettings{
 
 AoFetch luna_fetch(const LunaSettings& settings);
 
-RawAo luna_ssao(const GBuffer& gbuffer, const Camera& camera,
-                       const LunaSettings& settings = kLunaSettings, const Run& run = {});
+RawAo luna_ssao(const GBuffer& gbuffer, const Camera& camera, const LunaSettings& settings = kLunaSettings,
+                const Run& run = {});
 
 }  // namespace crevice

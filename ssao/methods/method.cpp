@@ -7,8 +7,8 @@ namespace crevice {
 std::vector<Parameter<MethodSettings>> parameters_of(const Method& method) {
     std::vector<Parameter<MethodSettings>> all = within<MethodSettings>(
         method.parameters, [](auto& settings) -> auto& { return settings.ao; });
-    for (auto& parameter : within<MethodSettings>(method.denoiser.parameters,
-                                                  [](auto& settings) -> auto& { return settings.denoiser; }))
+    for (auto& parameter : within<MethodSettings>(
+             method.denoiser.parameters, [](auto& settings) -> auto& { return settings.denoiser; }))
         all.push_back(std::move(parameter));
     return all;
 }

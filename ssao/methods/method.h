@@ -56,7 +56,8 @@ struct MethodSettings {
 struct Denoiser {
     AnySettings defaults;
     std::vector<Parameter<AnySettings>> parameters;
-    std::function<void(const AnySettings&)> validate;  // throws UsageError naming the first member out of range
+    std::function<void(const AnySettings&)>
+        validate;  // throws UsageError naming the first member out of range
     std::function<AoMap(const RawAo&, const AnySettings&, const Run&)> denoised;  // empty: there is none
 };
 
@@ -73,12 +74,14 @@ struct Method {
     const char* title = "";
     const char* source = "";
 
-    AnySettings defaults;                             // the source's, for scenes whose length_unit is 1
-    std::vector<Parameter<AnySettings>> parameters;   // of these; those of the denoiser are its own
-    std::function<void(const AnySettings&)> validate;  // throws UsageError naming the first member out of range
+    AnySettings defaults;                            // the source's, for scenes whose length_unit is 1
+    std::vector<Parameter<AnySettings>> parameters;  // of these; those of the denoiser are its own
+    std::function<void(const AnySettings&)>
+        validate;                     // throws UsageError naming the first member out of range
     std::vector<int> samples_to_try;  // from the cheapest to the dearest, for error against time
 
-    bool reads_normals = true;  // of the G-buffer, beside its depth; the first pass leaves out what nobody reads
+    bool reads_normals =
+        true;  // of the G-buffer, beside its depth; the first pass leaves out what nobody reads
     // Pixels of the picture. A G-buffer pixel that is further than this from the centre of a texel, in x or in y,
     // changes nothing of it, where all that is shown around there is no nearer than view_depth.
     std::function<double(const AoInputs&, const AnySettings&, double view_depth)> reach_px;
@@ -115,7 +118,8 @@ std::optional<double> value_of(const Method& method, const MethodSettings& setti
 
 // The settings with one parameter changed, as they are where the method has no parameter of that name. The
 // result is not yet validated.
-MethodSettings with_value(const Method& method, MethodSettings settings, const std::string& name, double value);
+MethodSettings with_value(const Method& method, MethodSettings settings, const std::string& name,
+                          double value);
 
 // The denoised map, or the raw one as it is where the method has no denoiser.
 AoMap denoised(const Method& method, const RawAo& raw, const MethodSettings& settings, const Run& run = {});

@@ -133,10 +133,10 @@ struct Reach {
     Window window(const Window& texels, float nearest_z) const {
         const Size map = inputs.size(), picture = inputs.picture;
         const MapBorder border = inputs.fetch.border;
-        const auto [left, right] = map_pixels(texels.left, texels.right, map.width, picture.width,
-                                              across_px(nearest_z), border);
-        const auto [top, bottom] = map_pixels(texels.top, texels.bottom, map.height, picture.height,
-                                              down_px(nearest_z), border);
+        const auto [left, right] =
+            map_pixels(texels.left, texels.right, map.width, picture.width, across_px(nearest_z), border);
+        const auto [top, bottom] =
+            map_pixels(texels.top, texels.bottom, map.height, picture.height, down_px(nearest_z), border);
         return {left, top, right, bottom};
     }
 };

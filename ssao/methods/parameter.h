@@ -26,8 +26,8 @@ template <class S>
 struct Parameter {
     std::string name, range, unit, effect;
     ParameterKind kind = ParameterKind::number;
-    long long lowest = 0, highest = 0;  // of whole numbers
-    std::vector<std::string> choices;   // of choices, the words for them
+    long long lowest = 0, highest = 0;    // of whole numbers
+    std::vector<std::string> choices;     // of choices, the words for them
     std::function<double(const S&)> get;  // of a choice -1 where the member holds something else
     std::function<void(S&, double)> set;  // does not look at the range: validate() of the settings does
 };

@@ -15,7 +15,7 @@ inline constexpr LunaSettings kXjunSettings{};
 
 AoFetch xjun_fetch(const LunaSettings& settings);
 
-RawAo xjun_ssao(const GBuffer& gbuffer, const Camera& camera,
-                       const LunaSettings& settings = kXjunSettings, const Run& run = {});
+RawAo xjun_ssao(const GBuffer& gbuffer, const Camera& camera, const LunaSettings& settings = kXjunSettings,
+                const Run& run = {});
 
 }  // namespace crevice

@@ -7,6 +7,7 @@
 #include "rasterizer/base/image_summary.h"
 #include "scenes/builtin_scenes.h"
 #include "tests/tools/test_scenes.h"
+#include "tests/tools/tutorial_settings.h"
 
 using namespace crevice;
 
@@ -125,7 +126,7 @@ TEST_CASE("same bits: every format, projection, texture and the published text")
             for (const auto& variant : variants) {
                 for (const float ao_scale : {0.5f, 1.0f}) {
                     FrameRequest request = request_for(method, {43, 31}, variant);
-                    request.settings.ao.ao_scale = ao_scale;
+                    ao_of(request.settings).ao_scale = ao_scale;
                     const std::string plain = plain_hashes(scene, request);
                     for (const int lanes : {1, 0}) {
                         for (const Isa isa : available_isas()) {
@@ -173,7 +174,8 @@ TEST_CASE("same bits: with --keep-all and without, in every built-in scene") {
                 CAPTURE(std::string(method));
                 CAPTURE(iterations);
                 FrameRequest request = request_for(method, {41, 27});
-                request.settings.blur.iterations = iterations;
+                request.settings.method =
+                    with_value(*request.method, request.settings.method, "blur_iterations", iterations);
                 const std::string without = hashes_of(scene, request);
                 request.run.kept = KeptWork::all();
                 CHECK(hashes_of(scene, request) == without);

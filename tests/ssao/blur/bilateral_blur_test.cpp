@@ -186,6 +186,7 @@ TEST_CASE("blur: eleven symmetric weights, and none read beyond them (trap 8: th
     }
     // On the heap, where a sanitizer sees a read past the end.
     const auto settings = std::make_unique<BlurSettings>();
-    const Image<float> blurred = bilateral_blur(noise_image({9, 9}, 36), plain_inputs({9, 9}, 5), *settings).ao;
+    const Image<float> blurred =
+        bilateral_blur(noise_image({9, 9}, 36), plain_inputs({9, 9}, 5), *settings).ao;
     CHECK(outside_unit_interval(blurred) == "");
 }
