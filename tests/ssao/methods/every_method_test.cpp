@@ -199,8 +199,10 @@ TEST_CASE("every method: all lengths times a power of two leave the same bits") 
 TEST_CASE("every method: towards radius 0 everything is open, at 0 exactly where that is allowed") {
     for (const Method* method : computing_methods()) {
         CAPTURE(std::string(method->name));
+        // At full size: at half size a texel at an edge may lie between pixels of two surfaces, however small
+        // the radius.
         const auto darkest = [&](double radius) {
-            const MethodSettings settings = with_value(*method, defaults_of(*method), "radius", radius);
+            const MethodSettings settings = with_value(*method, full_size(*method), "radius", radius);
             const Image<float> ao = maps_of(*method, still_life(), kSize, settings).raw.ao;
             float least = 1;
             for (int y = 0; y < ao.size.height; ++y) {
@@ -285,13 +287,12 @@ TEST_CASE("every method: the G-buffer beyond its reach changes nothing") {
                   const bool same = before.ao.at(x, y) == after.ao.at(x, y);
                   changed += same ? 0 : 1;
                   if (own == kInfinity) return x < kWall_px || same;
-                  // As near as what the texel's tile shows may be: the nearest of the scene.
                   if (x - kWall_px <= method->reach_px(before.inputs, settings.ao, own)) return true;
                   ++beyond;
                   return same;
               }) == "");
         CHECK(beyond > 3000);
-        CHECK(changed > kWall_px * size.height / 2);
+        CHECK(changed > size.height);
     }
 }
 
