@@ -100,8 +100,8 @@ void constant_ambient(Notebook& book) {
     // 3. What chapters 03 to 08 compute: which share of the ambient light each point can receive.
     LunaSettings settings = kXjunSettings;
     settings.seed = book.seed();
-    const Image<float> ao_raw = xjun_ssao(gbuffer, camera, settings);
-    const Image<float> ao = bilateral_blur(ao_raw, gbuffer, camera, xjun_fetch(settings));
+    const RawAo raw = xjun_ssao(gbuffer, camera, settings);
+    const Image<float> ao = bilateral_blur(raw.ao, raw.inputs).ao;
     const Image3 ambient_with_ao = shade(ambient_scene, camera, gbuffer.depth, ao);
     const Image3 with_ao = shade(scene, camera, gbuffer.depth, ao);
     const Picture map = ao_picture(ao_at_picture_size(ao, book.size()));

@@ -129,7 +129,7 @@ void half_floats(Notebook& book, const Scene& scene) {
         const float sky = stored_as(1e5f, format);
         const GBuffer gbuffer = normal_depth(scene, scene.camera, book.size(), {.buffer_format = format});
         const AoInputs inputs = ao_inputs(gbuffer, scene.camera, xjun_fetch({.as_published = true}));
-        const Image<float> ao = ao_with_std_max(inputs), blurred = bilateral_blur(ao, inputs);
+        const Image<float> ao = ao_with_std_max(inputs), blurred = bilateral_blur(ao, inputs).ao;
         const double texels = double(ao.size.width) * ao.size.height / 100;
         nan.push_back(double(buffer_statistics(ao).nan) / texels);
         const std::string name = pictures.empty() ? "toward_zero" : "nearest";

@@ -109,7 +109,7 @@ void show_raw_vectors(Notebook& book) {
         const SwitchedAo linear = view.ao(words);
         constexpr int kSeeds = 32;
         noise.push_back(
-            compare_images(linear.raw, luna_limit(linear.inputs, linear.settings.ao, kSeeds).mean).rmse);
+            compare_images(linear.raw, luna_limit(linear.inputs, linear.settings, kSeeds).mean).rmse);
         pictures.push_back(view.ao({words[0]}).raw);
     }
     book.show_row("AO with unit vectors; with raw ones, " + view.command({"random_vectors=raw"}) +

@@ -82,9 +82,9 @@ void remove_dp(Notebook& book, const SwitchedView& view) {
     const GBuffer gbuffer = normal_depth(scene, scene.camera, book.size());
     LunaSettings settings = kLunaSettings;
     const AoInputs inputs = ao_inputs(gbuffer, scene.camera, luna_fetch(settings));
-    const Image<float> with = luna_occlusion(inputs, settings, {});
+    const Image<float> with = luna_occlusion(inputs, settings, {}).ao;
     settings.self_occlusion_test = false;
-    const Image<float> without = luna_occlusion(inputs, settings, {});
+    const Image<float> without = luna_occlusion(inputs, settings, {}).ao;
     const Words no_dp = {"self_occlusion_test=false"};
     book.show_row(
         "Exercise 3: a bare plane, with dp and without, where it occludes itself; and the columns, " +

@@ -31,7 +31,7 @@ void both_tutorials(Notebook& book, const Image<float>& ao, const AoInputs& inpu
     book.show("xjun", ao_picture(ao), "X_Jun's raw AO, half the picture's size: grain in the shade.");
     const Scene luna = find_builtin_scene("columns_luna")->make();
     const GBuffer luna_gbuffer = normal_depth(luna, luna.camera, book.size());
-    book.show("luna", ao_picture(luna_ssao(luna_gbuffer, luna.camera)),
+    book.show("luna", ao_picture(luna_ssao(luna_gbuffer, luna.camera).ao),
               "Luna's: occluders fade by 1.0 instead of 2.0 units, and the exponent is 6 instead of 4.");
 
     int sky = 0, darkened = 0;
@@ -54,7 +54,7 @@ void sample_counts(Notebook& book, const AoInputs& inputs) {
     std::vector<double> noise;
     for (const int samples : {1, 2, 4, 7, 10, 14}) {
         const LunaSettings settings{.samples = samples, .exponent = 1, .seed = book.seed()};
-        const Image<float> ao = luna_occlusion(inputs, settings, {});
+        const Image<float> ao = luna_occlusion(inputs, settings, {}).ao;
         noise.push_back(compare_images(ao, limit).rmse);
         pictures.push_back({"samples_" + std::to_string(samples), ao_picture(ao)});
         rows.push_back({std::to_string(samples), decimal_text(noise.back(), 4),
@@ -84,7 +84,7 @@ double likeness_of_neighbours(const Image<float>& error) {
 void bands_and_grain(Notebook& book) {
     const SwitchedView view = column_foot(book.size());
     const SwitchedAo grain = view.ao(), bands = view.ao({"random_vectors=none"});
-    const Image<float> limit = luna_limit(grain.inputs, grain.settings.ao, kSeeds).mean;
+    const Image<float> limit = luna_limit(grain.inputs, grain.settings, kSeeds).mean;
     const Image<float> band_error = difference_of(bands.raw, limit),
                        grain_error = difference_of(grain.raw, limit);
     book.show_row("Grain without blur, " + view.command({"blur_iterations=0"}) +
@@ -97,7 +97,7 @@ void bands_and_grain(Notebook& book) {
     const double alike = likeness_of_neighbours(band_error), unlike = likeness_of_neighbours(grain_error);
     book.check("without random vectors neighbours err alike, with them much less", alike > 1.5 * unlike,
                "correlation " + decimal_text(alike, 4) + " and " + decimal_text(unlike, 4));
-    const Image<float> blurred = bilateral_blur(limit, grain.inputs, grain.settings.blur);
+    const Image<float> blurred = bilateral_blur(limit, grain.inputs, grain.blur).ao;
     const double bands_left = compare_images(bands.blurred, blurred).rmse,
                  grain_left = compare_images(grain.blurred, blurred).rmse;
     book.check("the blur removes grain and leaves bands", grain_left < 0.9 * bands_left,

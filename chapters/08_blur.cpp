@@ -45,7 +45,7 @@ double leaked_share(const Image<float>& blurred, const Image<float>& raw, const 
 void gaussian_or_bilateral(Notebook& book, const SwitchedView& view, const SwitchedAo& bilateral,
                            const SwitchedAo& plain) {
     constexpr int kSeeds = 64;
-    const ReferenceImage limit = luna_limit(bilateral.inputs, bilateral.settings.ao, kSeeds);
+    const ReferenceImage limit = luna_limit(bilateral.inputs, bilateral.settings, kSeeds);
     const Image<SurfaceKind> kinds =
         surface_kinds(normal_depth(view.scene(), view.camera(), bilateral.inputs.size()), view.camera());
     std::vector<std::vector<std::string>> rows;
@@ -110,8 +110,8 @@ void grazing_floor(Notebook& book, const SwitchedView& view, const SwitchedAo& f
     const float focal_px = static_cast<float>(in.size().height) / (2 * in.rays.ray_scale.y);
     const float limit_z = std::sqrt(0.2f * 3 * focal_px);
     const SwitchedAo slope = view.ao({"blur_edges=slope"});
-    const KeptTaps of_fixed = kept_taps(in, fixed.settings.blur, limit_z),
-                   of_slope = kept_taps(in, slope.settings.blur, limit_z);
+    const KeptTaps of_fixed = kept_taps(in, fixed.blur, limit_z),
+                   of_slope = kept_taps(in, slope.blur, limit_z);
     book.show_row("Taps kept above and below, 0 black to all 10 white: fixed; from the plane, " +
                       view.command({"blur_edges=slope"}) + "; and the AO that gives, minus the fixed one's.",
                   {{"kept_taps", grey_picture(of_fixed.kept, 0, 10)},
@@ -155,7 +155,7 @@ void blur(Notebook& book) {
     const AoInputs& in = bilateral.inputs;
     const auto leak = [&](BlurEdges edges) {
         const BlurSettings once{.iterations = 1, .edges = edges};
-        return leaked_share(bilateral_blur(bilateral.raw, in, once), bilateral.raw, in.view_depth);
+        return leaked_share(bilateral_blur(bilateral.raw, in, once).ao, bilateral.raw, in.view_depth);
     };
     book.check("nothing crosses a step in depth; blurred plainly, much does",
                leak(BlurEdges::fixed) == 0 && leak(BlurEdges::none) > 0.01,

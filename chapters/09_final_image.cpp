@@ -72,7 +72,7 @@ Drawn drawn(const Tutorial& tutorial, Size size) {
     Drawn d{find_builtin_scene(tutorial.scene)->make(SceneDetail::surfaces), {}, {}, {}};
     d.gbuffer = normal_depth(d.scene, d.scene.camera, size);
     const AoInputs inputs = ao_inputs(d.gbuffer, d.scene.camera, tutorial.fetch);
-    d.ao = bilateral_blur(luna_occlusion(inputs, tutorial.ao, {}), inputs, tutorial.blur);
+    d.ao = bilateral_blur(luna_occlusion(inputs, tutorial.ao, {}).ao, inputs, tutorial.blur).ao;
     d.shadow = scene_shadow(d.scene);
     return d;
 }
@@ -131,7 +131,7 @@ void mapped_normals(Notebook& book, const Tutorial& tutorial) {
         NormalDepthSettings buffers;
         buffers.mapped_normals = mapped;
         const GBuffer g = normal_depth(scene, scene.camera, book.size(), buffers);
-        return luna_occlusion(ao_inputs(g, scene.camera, tutorial.fetch), tutorial.ao, {});
+        return luna_occlusion(ao_inputs(g, scene.camera, tutorial.fetch), tutorial.ao, {}).ao;
     };
     const Image<float> plain = ao_with(false);
     Image<float> more = ao_with(true);

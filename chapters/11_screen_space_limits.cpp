@@ -117,7 +117,7 @@ void turntable(Notebook& book) {
         if (ao.seen == 1) seen.x.push_back(22.5 * i), seen.y.push_back(ao.mean);
         if (i % 8 == 0)
             pictures.push_back({"turned_" + std::to_string(i),
-                                ao_picture(xjun_ssao(normal_depth(scene, camera, book.size()), camera))});
+                                ao_picture(xjun_ssao(normal_depth(scene, camera, book.size()), camera).ao)});
     }
     book.show_row("A point before a shelf, in the middle of the picture, from the open side and from behind.",
                   pictures);

@@ -65,12 +65,12 @@ void compare_bits(Notebook& book, const Scene& scene) {
              {std::tuple{kXjunSettings, xjun_fetch(kXjunSettings), kXjunBlur},
               std::tuple{kLunaSettings, luna_fetch(kLunaSettings), kLunaBlur}}) {
             const AoInputs inputs = ao_inputs(gbuffer, scene.camera, fetch);
-            const Image<float> ao = luna_occlusion(inputs, settings, {});
+            const Image<float> ao = luna_occlusion(inputs, settings, {}).ao;
             for (const int apron : {0, 7, kWidestApron})
                 unlike +=
                     content_hash(luna_occlusion_in_groups(inputs, settings, apron).ao) != content_hash(ao);
             unlike += content_hash(bilateral_blur_in_groups(ao, inputs, blur).ao) !=
-                      content_hash(bilateral_blur(ao, inputs, blur));
+                      content_hash(bilateral_blur(ao, inputs, blur).ao);
             compared += 4;
         }
     }
@@ -102,7 +102,8 @@ void count_reads(Notebook& book, const Scene& scene) {
                decimal_text(100 * *best, 1) + " % are left");
     book.check("with no apron too many samples stray, with the widest too much is loaded",
                best != left.begin() && best != left.end() - 1);
-    const GroupedBlur blurred = bilateral_blur_in_groups(luna_occlusion(inputs, kXjunSettings, {}), inputs);
+    const GroupedBlur blurred =
+        bilateral_blur_in_groups(luna_occlusion(inputs, kXjunSettings, {}).ao, inputs);
     const double saved = double(blurred.reads.direct) / double(blurred.reads.grouped);
     book.check("in groups the blur reads each map about once a pass, not eleven times", saved > 8,
                decimal_text(saved, 1) + " times fewer reads");
@@ -120,7 +121,7 @@ void compute_ssao(Notebook& book) {
     const Scene scene = find_builtin_scene("columns")->make();
     const GBuffer gbuffer = normal_depth(scene, scene.camera, book.size());
     const AoInputs inputs = ao_inputs(gbuffer, scene.camera, xjun_fetch(kXjunSettings));
-    const auto [ao, pixel_ms] = timed([&] { return luna_occlusion(inputs, kXjunSettings, {}); });
+    const auto [ao, pixel_ms] = timed([&] { return luna_occlusion(inputs, kXjunSettings, {}).ao; });
     const auto [grouped, grouped_ms] =
         timed([&] { return luna_occlusion_in_groups(inputs, kXjunSettings, kApron_px); });
     book.show("ao_by_pixels", ao_picture(ao), "X_Jun's raw AO, pixel by pixel.", pixel_ms);
@@ -130,7 +131,7 @@ void compute_ssao(Notebook& book) {
               "theirs.");
     compare_bits(book, scene);
     count_reads(book, scene);
-    const auto [pixel, blur_ms] = timed([&, &raw = ao] { return bilateral_blur(raw, inputs); });
+    const auto [pixel, blur_ms] = timed([&, &raw = ao] { return bilateral_blur(raw, inputs).ao; });
     const auto [segments, segments_ms] =
         timed([&, &raw = ao] { return bilateral_blur_in_groups(raw, inputs); });
     book.show("blurred_by_pixels", ao_picture(pixel), "Blurred four times, pixel by pixel.", blur_ms);

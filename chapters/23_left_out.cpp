@@ -24,7 +24,7 @@ FrameRequest request_of(const Notebook& book) {
     FrameRequest request;
     request.size = book.size();
     request.method = &find_method("xjun");
-    request.settings = request.method->defaults;
+    request.settings = settings_of(*request.method);
     return request;
 }
 

@@ -17,7 +17,7 @@ int main(int argc, char** argv) try {
         *length *= scene.length_unit;
 
     const crevice::GBuffer gbuffer = crevice::normal_depth(scene, scene.camera, {1280, 720});
-    const crevice::Image<float> ao = crevice::luna_ssao(gbuffer, scene.camera, settings);
+    const crevice::Image<float> ao = crevice::luna_ssao(gbuffer, scene.camera, settings).ao;
 
     std::vector<std::uint8_t> grey;  // 1 is open, 0 closed
     for (int y = 0; y < ao.size.height; ++y) {

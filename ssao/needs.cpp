@@ -46,8 +46,8 @@ void leave_out_surfaces(const Scene& scene, Needs& needs, bool keep_all, bool ma
 
 WantedBuffers all_buffers() { return {std::begin(kBufferNames), std::end(kBufferNames)}; }
 
-Needs needs_of(const Scene& scene, const WantedBuffers& wanted, bool ao_on, int blur_iterations,
-               bool keep_all, bool mapped_normals) {
+Needs needs_of(const Scene& scene, const WantedBuffers& wanted, const AoWork& ao, bool keep_all,
+               bool mapped_normals) {
     const auto asked = [&](const char* name) { return wanted.contains(name); };
     Needs needs;
     const auto leave_out = [&](bool& pass, const char* what, const char* why) {
@@ -57,7 +57,7 @@ Needs needs_of(const Scene& scene, const WantedBuffers& wanted, bool ao_on, int 
     };
     if (!asked("lit")) leave_out(needs.lit, "lit", "the lit image was not asked for");
     const bool ao_is_used = needs.lit || asked("ao_raw") || asked("ao_blurred");
-    if (!ao_on) {
+    if (!ao.computed) {
         // Nothing could be computed, so keep_all does not bring it back.
         needs.ao = needs.blur = false;
         needs.left_out.push_back({"ao", "the method is none: everything counts as open"});
@@ -68,12 +68,12 @@ Needs needs_of(const Scene& scene, const WantedBuffers& wanted, bool ao_on, int 
     } else if (triangle_count(scene) == 0) {
         leave_out(needs.ao, "ao", "the scene has no triangles: everything is open");
         leave_out(needs.blur, "blur", "the scene has no triangles: everything is open");
-    } else if (blur_iterations == 0) {
-        leave_out(needs.blur, "blur", "blur_iterations is 0");
+    } else if (ao.why_no_blur != nullptr) {
+        leave_out(needs.blur, "blur", ao.why_no_blur);
     } else if (!needs.lit && !asked("ao_blurred")) {
         leave_out(needs.blur, "blur", "neither the blurred map nor the lit image was asked for");
     }
-    if (!needs.ao && !needs.lit && !asked("normal")) {
+    if (!(needs.ao && ao.reads_normals) && !needs.lit && !asked("normal")) {
         leave_out(needs.normals, "normals",
                   "neither the normals nor anything computed from them was asked for");
     }

@@ -32,9 +32,16 @@ struct Needs {
     std::vector<LeftOut> left_out;  // a reason for every "no"
 };
 
-// `ao_on` is false for the method `none`; `blur_iterations` 0 asks for no blur; `mapped_normals` as in
-// NormalDepthSettings. With `keep_all` every pass runs that can run, and the result is the same.
-Needs needs_of(const Scene& scene, const WantedBuffers& wanted, bool ao_on, int blur_iterations,
-               bool keep_all, bool mapped_normals = false);
+// What the AO method and its settings ask for.
+struct AoWork {
+    bool computed = true;               // false: the method is `none`
+    bool reads_normals = true;          // of the first pass
+    const char* why_no_blur = nullptr;  // null: its map is denoised
+};
+
+// `mapped_normals` as in NormalDepthSettings. With `keep_all` every pass runs that can run, and the result is the
+// same.
+Needs needs_of(const Scene& scene, const WantedBuffers& wanted, const AoWork& ao, bool keep_all,
+               bool mapped_normals = false);
 
 }  // namespace crevice

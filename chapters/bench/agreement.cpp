@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "ssao/light/shade.h"
+#include "ssao/methods/luna_settings.h"
 
 namespace crevice {
 
@@ -81,11 +82,11 @@ std::vector<Agreement> agreement(const Scene& scene, const FrameRequest& request
                                  const PeerBuffers& theirs) {
     const PixelCounts counts = count_pixels(ours, ndc_depth(ours.gbuffer.depth), theirs);
     const double to_percent = 100 / std::max(1.0, counts.covered);
-    AoFetch plain = request.method->fetch(request.settings.ao);
-    plain.edge_texels = EdgeTexels::mixed;
-    const AoInputs inputs = ao_inputs(ours.gbuffer, ours.camera, plain, request.run);
-    const Image<float> ao_raw = luna_occlusion(inputs, request.settings.ao, request.run);
-    const Image<float> ao_blurred = bilateral_blur(ao_raw, inputs, request.settings.blur, request.run);
+    MethodSettings as_peer = request.settings.method;
+    as_peer.ao.as<LunaSettings>().edge_texels = EdgeTexels::mixed;
+    const RawAo raw = request.method->ao(ours.gbuffer, ours.camera, as_peer.ao, request.run);
+    const Image<float>& ao_raw = raw.ao;
+    const Image<float> ao_blurred = denoised(*request.method, raw, as_peer, request.run).ao;
     const Image3 lit = shade(scene, ours.camera, ours.gbuffer.depth, ao_blurred, request.run);
     const char* const mean = "mean absolute difference";
     return {

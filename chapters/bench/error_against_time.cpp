@@ -57,8 +57,8 @@ Table reference_table(const ErrorStudy& study) {
     return table;
 }
 
-Facts facts_of(const BenchErrorOptions& options, const ErrorPlan& plan,
-               const std::vector<ErrorStudy>& studies) {
+Facts facts_of(const BenchErrorOptions& options, const std::vector<ErrorStudy>& studies) {
+    const ErrorPlan& plan = studies.front().plan;
     Facts facts = machine_facts(options.run);
     facts.push_back({"scene", options.scene});
     facts.push_back({"size", std::to_string(plan.size.width) + "x" + std::to_string(plan.size.height)});
@@ -110,8 +110,6 @@ std::vector<ErrorPoint> points_against_truth(const ErrorStudy& study) {
 
 int bench_error(const BenchErrorOptions& options, std::ostream& out) {
     validate(options.run);
-    ErrorPlan plan = options.quick ? quick_error_plan() : full_error_plan();
-    if (options.size) plan.size = *options.size;
     const SceneArgument argument = load_scene(options.scene, {.surfaces = false});
     if (triangle_count(argument.scene) == 0)
         throw InputError(options.scene + ": no error to measure (0 triangles); give a scene with some");
@@ -119,7 +117,9 @@ int bench_error(const BenchErrorOptions& options, std::ostream& out) {
     std::vector<ErrorStudy> studies;
     BenchReport report{"error", {}, {}};
     for (const Method& method : ao_methods()) {
-        if (!method.computes_ao) continue;
+        if (!method.computes_ao()) continue;
+        ErrorPlan plan = options.quick ? quick_error_plan(method) : full_error_plan(method);
+        if (options.size) plan.size = *options.size;
         studies.push_back(measured(argument, camera, method, plan, options));
         const ErrorStudy& study = studies.back();
         const std::vector<ErrorPoint> points = points_against_truth(study);
@@ -131,7 +131,7 @@ int bench_error(const BenchErrorOptions& options, std::ostream& out) {
         }
         report.tables.push_back(part_table(study));
     }
-    report.facts = facts_of(options, plan, studies);
+    report.facts = facts_of(options, studies);
     out << facts_text(report.facts);
     for (const Table& table : report.tables) out << "\n" << table.name << "\n" << table_text(table);
     if (options.out) {

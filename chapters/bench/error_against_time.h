@@ -1,4 +1,4 @@
-// `crevice bench --error SCENE`: error against run time of the tutorials' methods, of ray casting and of vertex
+// `crevice bench --error SCENE`: error against run time of every method, of ray casting and of vertex
 // bakes.
 #pragma once
 

@@ -12,23 +12,24 @@
 #include "rasterizer/base/error.h"
 #include "rasterizer/draw/vertex_transform.h"
 #include "ssao/inputs/ao_inputs.h"
-#include "ssao/inputs/random_vectors.h"
+#include "ssao/methods/luna_settings.h"
 
 namespace crevice {
 
 namespace {
 
-void require_drawable(const Scene& scene, const Camera& camera, const MethodSettings& settings) {
+void require_drawable(const Scene& scene, const Camera& camera, const FrameSettings& settings) {
     const auto require = [](bool holds, const char* what) {
         if (!holds) throw UsageError(std::string("--peers: the peer has no ") + what + "; leave it away");
     };
     for (const Material& material : scene.materials) require(material.texture == nullptr, "textures");
     require(!camera.reversed_z && !settings.reversed_z, "reversed depth");
     require(settings.buffers.depth_format == DepthFormat::d32f, "integer depth");
-    require(settings.buffers.buffer_format == BufferFormat::float32 &&
-                settings.ao.format == BufferFormat::float32,
+    const LunaSettings& ao = settings.method.ao.as<LunaSettings>();
+    require(settings.buffers.buffer_format == BufferFormat::float32 && ao.format == BufferFormat::float32,
             "choice of buffer formats");
-    require(!shows_artifacts(settings.ao) && settings.blur.edges == BlurEdges::fixed, "artifact switches");
+    const BlurEdges edges = settings.method.denoiser.as<BlurSettings>().edges;
+    require(!shows_artifacts(ao) && edges == BlurEdges::fixed, "artifact switches");
 }
 
 std::vector<std::uint8_t> random_texels(std::uint32_t seed) {
@@ -79,8 +80,9 @@ void set_camera(PeerFrame& frame, const Camera& camera, Size size) {
     frame.background_depth = static_cast<float>(kBackgroundOverFar * camera.far_plane);
 }
 
-void set_parameters(PeerFrame& frame, const MethodSettings& settings) {
-    const LunaSettings& ao = settings.ao;
+void set_parameters(PeerFrame& frame, const FrameSettings& settings) {
+    const LunaSettings& ao = settings.method.ao.as<LunaSettings>();
+    const BlurSettings& blur = settings.method.denoiser.as<BlurSettings>();
     const Size ao_size = ao_map_size({frame.width, frame.height}, ao.ao_scale);
     frame.ao_width = ao_size.width;
     frame.ao_height = ao_size.height;
@@ -91,10 +93,10 @@ void set_parameters(PeerFrame& frame, const MethodSettings& settings) {
     frame.epsilon = ao.epsilon;
     frame.exponent = ao.exponent;
     frame.offsets = cube_offsets(ao.seed);
-    frame.blur_iterations = settings.blur.iterations;
-    frame.blur_normal = settings.blur.normal_threshold;
-    frame.blur_depth = settings.blur.depth_threshold;
-    frame.blur_weights = settings.blur.weights;
+    frame.blur_iterations = blur.iterations;
+    frame.blur_normal = blur.normal_threshold;
+    frame.blur_depth = blur.depth_threshold;
+    frame.blur_weights = blur.weights;
 }
 
 void set_lights(PeerFrame& frame, const Scene& scene) {
@@ -160,13 +162,13 @@ class StreamReader {
 
 }  // namespace
 
-PeerScene peer_scene(const Scene& scene, const Camera& camera, Size size, const MethodSettings& settings) {
+PeerScene peer_scene(const Scene& scene, const Camera& camera, Size size, const FrameSettings& settings) {
     require_drawable(scene, camera, settings);
     PeerScene peer;
     set_camera(peer.frame, camera, size);
     set_parameters(peer.frame, settings);
     set_lights(peer.frame, scene);
-    peer.random_map = random_texels(settings.ao.seed);
+    peer.random_map = random_texels(settings.method.ao.as<LunaSettings>().seed);
     for (const Instance& instance : scene.instances) add_instance(peer, scene, instance);
     return peer;
 }

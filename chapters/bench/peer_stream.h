@@ -10,9 +10,11 @@
 #include <string_view>
 #include <vector>
 
-#include "chapters/frame/methods.h"
+#include "chapters/frame/frame_settings.h"
 #include "rasterizer/scene/camera.h"
 #include "rasterizer/scene/scene.h"
+#include "ssao/blur/bilateral_blur.h"
+#include "ssao/inputs/random_vectors.h"
 
 namespace crevice {
 
@@ -63,7 +65,7 @@ struct PeerScene {
 
 // Throws UsageError for what the peer does not draw: textures, a reversed or integer depth buffer, 16-bit
 // buffers, `as_published`.
-PeerScene peer_scene(const Scene& scene, const Camera& camera, Size size, const MethodSettings& settings);
+PeerScene peer_scene(const Scene& scene, const Camera& camera, Size size, const FrameSettings& settings);
 
 // Both programs run on one machine, so the numbers travel as they lie in memory.
 std::string stream_bytes(const PeerScene& scene);

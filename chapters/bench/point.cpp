@@ -10,6 +10,7 @@
 #include "chapters/terminal/parse.h"
 #include "rasterizer/base/error.h"
 #include "scenes/builtin_scenes.h"
+#include "ssao/inputs/random_vectors.h"
 
 namespace crevice {
 

@@ -2,7 +2,7 @@
 #include <iostream>
 
 #include "chapters/commands/commands.h"
-#include "chapters/frame/methods.h"
+#include "chapters/frame/frame_settings.h"
 #include "rasterizer/base/error.h"
 
 namespace crevice {

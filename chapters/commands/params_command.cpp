@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "chapters/commands/commands.h"
-#include "chapters/frame/methods.h"
+#include "chapters/frame/frame_settings.h"
 #include "chapters/terminal/parse.h"
 #include "rasterizer/base/error.h"
 
@@ -15,7 +15,7 @@ Command add_params_command(CLI::App& program) {
         program.add_subcommand("params", "List a method's parameters: range, unit, default, effect");
     params->add_option("METHOD", *method, "a method (crevice methods)")->required();
     return {params, [method] {
-                named_as({{"--ao", "METHOD"}}, [&] { print_parameters(std::cout, find_method(*method)); });
+                named_as({{"method", "METHOD"}}, [&] { print_parameters(std::cout, find_method(*method)); });
                 return static_cast<int>(ExitCode::done);
             }};
 }

@@ -9,6 +9,7 @@
 #include "chapters/bench/savings.h"
 #include "chapters/frame/buffer_writer.h"
 #include "chapters/frame/demo_view.h"
+#include "chapters/frame/parameter_words.h"
 #include "chapters/terminal/output_directory.h"
 #include "chapters/terminal/parse.h"
 #include "rasterizer/base/write_file.h"
@@ -76,7 +77,8 @@ Json passes_json(const RenderOptions& options, const Frame& frame, const std::ve
     for (const LoadStep& step : load_steps)
         loading.push_back({{"step", step.name}, {"wall_ms", step.wall_ms}});
     Json parameters = Json::object();
-    for (const Parameter& p : parameters_of(*request.method)) parameters[p.name] = p.get(request.settings);
+    for (const Parameter<FrameSettings>& p : frame_parameters(*request.method))
+        parameters[p.name] = word_of(p, request.settings);
     return {{"scene", options.scene},
             {"size", {request.size.width, request.size.height}},
             {"method", request.method->name},
@@ -121,16 +123,14 @@ PreparedRender prepared_render(const RenderOptions& options) {
     FrameRequest request = options.request;
     validate(request.run);
     // Before the scene is loaded, for a quick answer to a wrong word.
-    const MethodSettings asked = settings_of(*request.method, options.params);
+    const FrameSettings asked = settings_of(*request.method, options.params);
     // Loads or makes no texture when nothing shows one.
     const bool surfaces = request.wanted.contains("lit") || asked.buffers.mapped_normals;
     SceneArgument argument = load_scene(options.scene, {.surfaces = surfaces, .run = request.run});
     named_as({{"time", "--time"}},
              [&] { argument.scene.lights = lights_at(argument.scene, options.time_s); });
     const Camera camera = chosen_camera(argument, options.camera);
-    const float ao_scale = request.settings.ao.ao_scale;
     request.settings = settings_of(*request.method, options.params, argument.scene.length_unit);
-    request.settings.ao.ao_scale = ao_scale;
     if (triangle_count(argument.scene) == 0)
         std::cerr << options.scene << ": 0 triangles; only the sky will be seen\n";
     return {std::move(argument), camera, std::move(request)};

@@ -6,7 +6,7 @@
 #include "chapters/commands/render.h"
 #include "chapters/commands/run_flags.h"
 #include "chapters/commands/turntable.h"
-#include "chapters/frame/methods.h"
+#include "chapters/frame/frame_settings.h"
 #include "chapters/frame/presets.h"
 #include "chapters/terminal/parse.h"
 #include "rasterizer/base/error.h"
@@ -17,7 +17,7 @@ namespace {
 
 // As they were typed.
 struct RenderWords {
-    std::string scene, size = "1280x720", ao, ao_scale = ".5", only, repeat = "1", time = "0", out = "out";
+    std::string scene, size = "1280x720", ao, ao_scale, only, repeat = "1", time = "0", out = "out";
     std::optional<std::string> preset, frames;
     std::vector<std::string> params;
     CameraFlags camera;
@@ -60,9 +60,14 @@ RenderOptions options_of(const RenderWords& words) {
     FrameRequest& request = options.request;
     request.run = run_of(words.run);
     request.size = parse_size("--size", words.size);
-    request.method = &find_method(preset != nullptr ? preset->method : words.ao.empty() ? "xjun" : words.ao);
-    request.settings.ao.ao_scale = static_cast<float>(parse_number("--ao-scale", words.ao_scale));
-    named_as({{"ao_scale", "--ao-scale"}}, [&] { ao_map_size(request.size, request.settings.ao.ao_scale); });
+    request.method = named_as({{"method", "--ao"}}, [&] {
+        return &find_method(preset != nullptr ? preset->method : words.ao.empty() ? "xjun" : words.ao);
+    });
+    if (!words.ao_scale.empty()) {
+        const auto scale = static_cast<float>(parse_number("--ao-scale", words.ao_scale));
+        named_as({{"ao_scale", "--ao-scale"}}, [&] { ao_map_size(request.size, scale); });
+        options.params.push_back("ao_scale=" + words.ao_scale);
+    }
     request.wanted = buffers_of(words.only);
     request.repeats = static_cast<int>(parse_whole("--repeat", words.repeat, 1, 100000));
     return options;
@@ -91,8 +96,8 @@ Command add_render_command(CLI::App& program) {
     render->add_option("--ao", words->ao, "ambient-occlusion method (crevice methods); default: xjun");
     render->add_option("--param", words->params, "name=value, any number of times (crevice params METHOD)")
         ->allow_extra_args(false);
-    render->add_option("--ao-scale", words->ao_scale, "size of the AO map: .5 or 1 times the picture")
-        ->capture_default_str();
+    render->add_option("--ao-scale", words->ao_scale,
+                       "size of the AO map: .5 or 1 times the picture; default: the method's");
     render->add_option("--only", words->only,
                        "write only these buffers, comma-separated; the rest is left out");
     render->add_flag("--keep-all", words->run.keep_all, "leave nothing out: the same buffers, more slowly");

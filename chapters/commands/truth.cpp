@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "chapters/frame/buffer_writer.h"
+#include "chapters/frame/frame_settings.h"
 #include "chapters/terminal/output_directory.h"
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/write_file.h"
@@ -79,11 +80,12 @@ Json report(const TruthOptions& options, const ReferenceRequest& request, const 
         if (!r.reference.image.mean.empty()) described.push_back(reference_json(r, !limit));
     }
     const RayAoSettings& rays = request.rays;
+    const AoQuestion question = request.method->question(request.settings.ao);
     return {{"scene", options.scene},
             {"size", {request.size.width, request.size.height}},
             {"method", request.method->name},
             {"radius", std::isinf(rays.radius) ? Json("inf") : Json(rays.radius)},
-            {"fade", {request.ao.fade_start, request.ao.fade_end}},
+            {"fade", {question.fade_start, question.fade_end}},
             {"weight", kWeights[static_cast<int>(rays.weight)]},
             {"hemisphere", kHemispheres[static_cast<int>(rays.hemisphere)]},
             {"seed", rays.seed},
@@ -120,19 +122,19 @@ void print_reference(const NamedReference& r, std::size_t points) {
 void write_truth(const TruthOptions& options) {
     ReferenceRequest request = options.request;
     validate(request.run);
-    if (!request.method->computes_ao)
+    if (!request.method->computes_ao())
         throw UsageError(std::string("--ao: this method has no fade to compare with (") +
                          request.method->name + "); give one that computes ambient occlusion");
     // Before the scene is loaded, for a quick answer to a wrong word.
-    request.ao = settings_of(*request.method, options.params).ao;
+    request.settings = settings_of(*request.method, options.params).method;
     request.rays.radius = options.radius.value_or(1);
     validate(request.rays);
     const SceneArgument argument = load_scene(options.scene, {.surfaces = false});
     if (triangle_count(argument.scene) == 0)
         std::cerr << options.scene << ": 0 triangles; everything is open\n";
     const Camera camera = chosen_camera(argument, options.camera);
-    request.ao = settings_of(*request.method, options.params, argument.scene.length_unit).ao;
-    request.rays.radius = options.radius.value_or(request.ao.radius);
+    request.settings = settings_of(*request.method, options.params, argument.scene.length_unit).method;
+    request.rays.radius = options.radius.value_or(request.method->question(request.settings.ao).radius);
     validate(request.rays);
     try_output_directory(options.out);
 

@@ -33,7 +33,7 @@ TruthOptions options_of(const TruthWords& words) {
     ReferenceRequest& request = options.request;
     request.run = run_of(words.run);
     request.size = parse_size("--size", words.size);
-    request.method = &find_method(words.ao);
+    request.method = named_as({{"method", "--ao"}}, [&] { return &find_method(words.ao); });
     request.rays = ray_settings_of(words.rays);
     if (words.rays.radius) options.radius = request.rays.radius;
     request.rays.hemisphere = parse_choice<Hemisphere>(

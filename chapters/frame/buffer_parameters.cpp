@@ -1,5 +1,8 @@
 // The parameters of the buffers that the AO pass reads.
-#include "chapters/frame/parameter_kinds.h"
+#include <utility>
+
+#include "chapters/frame/frame_settings.h"
+#include "chapters/frame/position_order.h"
 
 namespace crevice {
 
@@ -16,49 +19,50 @@ constexpr NamedDepth kDepths[] = {{"d16", DepthFormat::d16, false},
                                   {"d32f", DepthFormat::d32f, false},
                                   {"d32f_reversed", DepthFormat::d32f, true}};
 
-Parameter depth_format() {
-    const char* const name = "depth_format";
-    const char* const range = "d16|d24|d32f|d32f_reversed";
-    const auto set = [=](MethodSettings& s, const std::string& word) {
-        for (const NamedDepth& depth : kDepths) {
-            if (word != depth.name) continue;
-            s.buffers.depth_format = depth.format;
-            s.reversed_z = depth.reversed_z;
-            return;
+Parameter<FrameSettings> depth_format() {
+    Parameter<FrameSettings> p{
+        "depth_format", "", "-", "how the depth buffer is stored", ParameterKind::choice, 0, 0, {}, {}, {}};
+    for (const NamedDepth& depth : kDepths) {
+        p.range += std::string(p.range.empty() ? "" : "|") + depth.name;
+        p.choices.emplace_back(depth.name);
+    }
+    p.get = [](const FrameSettings& s) {
+        for (std::size_t i = 0; i < std::size(kDepths); ++i) {
+            if (s.buffers.depth_format == kDepths[i].format && s.reversed_z == kDepths[i].reversed_z)
+                return static_cast<double>(i);
         }
-        throw_no_such_choice(name, word, range);
+        return -1.0;
     };
-    const auto get = [](const MethodSettings& s) -> std::string {
-        for (const NamedDepth& depth : kDepths) {
-            if (s.buffers.depth_format == depth.format && s.reversed_z == depth.reversed_z) return depth.name;
-        }
-        return "custom";
+    p.set = [](FrameSettings& s, double value) {
+        const NamedDepth& depth = kDepths[static_cast<std::size_t>(value)];
+        s.buffers.depth_format = depth.format;
+        s.reversed_z = depth.reversed_z;
     };
-    return {name, range, "-", "how the depth buffer is stored", set, get};
+    return p;
 }
 
 }  // namespace
 
-std::vector<Parameter> buffer_parameters() {
-    using S = MethodSettings;
-    return {
-        depth_format(),
-        choice<BufferFormat>(
-            "buffer_format", kFormatRange, "how normals and view depth are stored",
-            [](S& s) -> BufferFormat& { return s.buffers.buffer_format; }, format_choices()),
+std::vector<Parameter<FrameSettings>> buffer_parameters() {
+    using S = NormalDepthSettings;
+    std::vector<Parameter<FrameSettings>> all = {depth_format()};
+    const std::vector<Parameter<S>> of_first_pass = {
+        buffer_format("buffer_format", "how normals and view depth are stored", &S::buffer_format),
         position_order("depth_position", "how the first pass multiplies positions; only the last bits differ",
-                       [](S& s) -> PositionOrder& { return s.buffers.position_order; }),
-        choice<NormalMatrix>("normal_matrix", "inverse_transpose|with_translation|world",
-                             "what turns normals into view space; the other two bend them",
-                             [](S& s) -> NormalMatrix& { return s.buffers.normal_matrix; },
-                             {{"inverse_transpose", NormalMatrix::inverse_transpose},
-                              {"with_translation", NormalMatrix::with_translation},
-                              {"world", NormalMatrix::world}}),
+                       &S::position_order),
+        choice<S, NormalMatrix>(
+            "normal_matrix", "what turns normals into view space; the other two bend them", &S::normal_matrix,
+            {{"inverse_transpose", NormalMatrix::inverse_transpose},
+             {"with_translation", NormalMatrix::with_translation},
+             {"world", NormalMatrix::world}}),
         yes_no("depth_cutouts", "false: the first pass draws holes too, and background shows in them",
-               [](S& s) -> bool& { return s.buffers.cutouts; }),
-        choice<bool>(
-            "ao_normals", "vertex|mapped", "mapped: bent by the materials' normal maps, before AO sees them",
-            [](S& s) -> bool& { return s.buffers.mapped_normals; }, {{"vertex", false}, {"mapped", true}})};
+               &S::cutouts),
+        choice<S, bool>("ao_normals", "mapped: bent by the materials' normal maps, before AO sees them",
+                        &S::mapped_normals, {{"vertex", false}, {"mapped", true}})};
+    for (Parameter<FrameSettings>& parameter : within<FrameSettings>(
+             of_first_pass, [](auto& settings) -> auto& { return settings.buffers; }))
+        all.push_back(std::move(parameter));
+    return all;
 }
 
 }  // namespace crevice

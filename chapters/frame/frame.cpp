@@ -6,14 +6,13 @@
 #include "ssao/light/scene_shadow.h"
 #include "ssao/light/shade.h"
 #include "ssao/light/sky.h"
-#include "ssao/methods/open_tiles.h"
 
 namespace crevice {
 
 namespace {
 
 // How the second drawing meets the first, in the terms of its depth direction: nearer is nearer.
-ShadeSettings lit_settings(const MethodSettings& settings) {
+ShadeSettings lit_settings(const FrameSettings& settings) {
     ShadeSettings lit = settings.lit;
     lit.normal_matrix = settings.buffers.normal_matrix;
     if (!settings.reversed_z) return lit;
@@ -23,7 +22,7 @@ ShadeSettings lit_settings(const MethodSettings& settings) {
 }
 
 // With EQUAL and the first pass's positions and holes its geometry serves again; else the scene is drawn anew.
-bool shares_geometry(const MethodSettings& settings) {
+bool shares_geometry(const FrameSettings& settings) {
     ShadeSettings as_first;
     as_first.position_order = settings.buffers.position_order;
     as_first.normal_matrix = settings.buffers.normal_matrix;
@@ -31,8 +30,8 @@ bool shares_geometry(const MethodSettings& settings) {
 }
 
 LitImage lit_image(const Scene& scene, const ScreenGeometry& geometry, const Frame& frame,
-                 const Image<float>& map, const ShadowMap* shadow, const FrameRequest& request) {
-    const MethodSettings& settings = request.settings;
+                   const Image<float>& map, const ShadowMap* shadow, const FrameRequest& request) {
+    const FrameSettings& settings = request.settings;
     const Image<float> slipped = settings.ao_lookup == AoLookup::exact
                                      ? Image<float>()
                                      : looked_up(map, request.size, settings.ao_lookup);
@@ -43,24 +42,17 @@ LitImage lit_image(const Scene& scene, const ScreenGeometry& geometry, const Fra
             TileMap(geometry.size, geometry.tile_size)};
 }
 
-// What the passes left out, from the same functions by which they decided it.
-FrameTiles tiles_of(const ScreenGeometry& geometry, const AoInputs& inputs, const Frame& frame,
-                    const Needs& needs, const FrameRequest& request) {
-    const MethodSettings& settings = request.settings;
-    const Run& run = request.run;
-    FrameTiles tiles;
-    tiles.raster = raster_tiles(geometry, run);
-    if (needs.ao) tiles.ao = ao_tiles(inputs, settings.ao, run);
-    if (needs.blur) {
-        tiles.blur = run.leaves_out(Skip::open_tiles) ? open_blur_tiles(frame.ao_raw, settings.blur, run)
-                                                      : TileMap(frame.ao_raw.size, kBlurTile);
-    }
-    return tiles;
+AoWork ao_work(const Method& method, const MethodSettings& settings) {
+    AoWork work{method.computes_ao(), method.reads_normals};
+    if (!method.denoiser.denoised) work.why_no_blur = "the method has no denoiser";
+    if (value_of(method, settings, "blur_iterations") == 0) work.why_no_blur = "blur_iterations is 0";
+    return work;
 }
 
 // Maps that were asked for but had nothing to compute: everything is open.
 void fill_open_maps(Frame& frame, const FrameRequest& request) {
-    const Size size = ao_map_size(request.size, request.settings.ao.ao_scale);
+    const std::optional<double> scale = value_of(*request.method, request.settings.method, "ao_scale");
+    const Size size = ao_map_size(request.size, static_cast<float>(scale.value_or(1)));
     if (frame.ao_raw.empty() && request.wanted.contains("ao_raw")) frame.ao_raw = Image<float>(size, 1.0f);
     if (frame.ao_blurred.empty() && request.wanted.contains("ao_blurred")) {
         frame.ao_blurred = frame.ao_raw.empty() ? Image<float>(size, 1.0f) : frame.ao_raw;
@@ -70,9 +62,9 @@ void fill_open_maps(Frame& frame, const FrameRequest& request) {
 }  // namespace
 
 Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest& request) {
-    const MethodSettings& settings = request.settings;
+    const FrameSettings& settings = request.settings;
     const Method& method = *request.method;
-    const Needs needs = needs_of(scene, request.wanted, method.computes_ao, settings.blur.iterations,
+    const Needs needs = needs_of(scene, request.wanted, ao_work(method, settings.method),
                                  !request.run.leaves_out(Skip::passes), settings.buffers.mapped_normals);
     Frame frame;
     frame.camera = camera;
@@ -80,9 +72,8 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
     frame.left_out = needs.left_out;
 
     ScreenGeometry geometry;
-    AoInputs inputs;
+    RawAo raw;
     ShadowMap shadow;
-    TileMap lit_tiles;
     Stopwatch stopwatch;
     for (int repeat = 0; repeat < request.repeats; ++repeat) {
         stopwatch.time("frame", [&] {
@@ -96,25 +87,24 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
             });
             if (needs.ao) {
                 stopwatch.time("ao", [&] {
-                    inputs = ao_inputs(frame.gbuffer, frame.camera, method.fetch(settings.ao), request.run);
-                    frame.ao_raw = luna_occlusion(inputs, settings.ao, request.run);
+                    raw = method.ao(frame.gbuffer, frame.camera, settings.method.ao, request.run);
                 });
             }
             if (needs.blur) {
                 stopwatch.time("blur", [&] {
-                    BlurSettings blur = settings.blur;
-                    blur.format = settings.ao.format;
-                    frame.ao_blurred = bilateral_blur(frame.ao_raw, inputs, blur, request.run);
+                    AoMap blurred = denoised(method, raw, settings.method, request.run);
+                    frame.ao_blurred = std::move(blurred.ao);
+                    frame.tiles.blur = std::move(blurred.tiles);
                 });
             }
             if (needs.shadow) stopwatch.time("shadow", [&] { shadow = scene_shadow(scene, request.run); });
             if (needs.lit) {
                 stopwatch.time("lit", [&] {
-                    const Image<float>& ao = needs.blur ? frame.ao_blurred : frame.ao_raw;
+                    const Image<float>& ao = needs.blur ? frame.ao_blurred : raw.ao;
                     LitImage lit =
                         lit_image(scene, geometry, frame, ao, needs.shadow ? &shadow : nullptr, request);
                     frame.lit = std::move(lit.image);
-                    lit_tiles = std::move(lit.tiles);
+                    frame.tiles.lit = std::move(lit.tiles);
                 });
             }
             if (needs.sky) {
@@ -126,8 +116,9 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
         });
     }
     frame.passes = stopwatch.summaries();
-    frame.tiles = tiles_of(geometry, inputs, frame, needs, request);
-    frame.tiles.lit = std::move(lit_tiles);
+    frame.ao_raw = std::move(raw.ao);
+    frame.tiles.ao = std::move(raw.tiles);
+    frame.tiles.raster = raster_tiles(geometry, request.run);
     frame.skipped = skipped_work(geometry, frame.gbuffer, frame.tiles);
     fill_open_maps(frame, request);
     return frame;

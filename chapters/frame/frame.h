@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "chapters/frame/frame_settings.h"
 #include "chapters/frame/left_out.h"
-#include "chapters/frame/methods.h"
 #include "chapters/terminal/stopwatch.h"
 #include "ssao/needs.h"
 
@@ -14,7 +14,7 @@ namespace crevice {
 struct FrameRequest {
     Size size;
     const Method* method = nullptr;
-    MethodSettings settings;
+    FrameSettings settings;
     WantedBuffers wanted = all_buffers();
     int repeats = 1;  // >= 1; times are medians over them
     Run run;

@@ -2,50 +2,46 @@
 // cure.
 #include <climits>
 
-#include "chapters/frame/parameter_kinds.h"
+#include "chapters/frame/frame_settings.h"
+#include "chapters/frame/position_order.h"
 
 namespace crevice {
 
 namespace {
 
-Parameter depth_test() {
-    return choice<DepthFunction>(
-        "lit_depth_test", "equal|less_equal",
-        "how the lit pass meets the first one's depths; reversed z turns it round",
-        [](MethodSettings& s) -> DepthFunction& { return s.lit.depth_function; },
-        {{"equal", DepthFunction::equal}, {"less_equal", DepthFunction::less_equal}});
-}
-
-Parameter depth_bias() {
-    return whole(
-        "lit_depth_bias", -INT_MAX, INT_MAX, "steps of the depth format; negative: the lit pass is nearer",
-        [](MethodSettings& s, long long v) { s.lit.depth_bias.constant = static_cast<int>(v); },
-        [](const MethodSettings& s) { return static_cast<long long>(s.lit.depth_bias.constant); });
+std::vector<Parameter<ShadeSettings>> drawing_parameters() {
+    using S = ShadeSettings;
+    std::vector<Parameter<S>> all = {
+        position_order("lit_position", "how the lit pass multiplies positions: unlike depth_position, holes",
+                       &S::position_order),
+        choice<S, DepthFunction>(
+            "lit_depth_test", "how the lit pass meets the first one's depths; reversed z turns it round",
+            &S::depth_function,
+            {{"equal", DepthFunction::equal}, {"less_equal", DepthFunction::less_equal}})};
+    const std::vector bias = {whole("lit_depth_bias", -INT_MAX, INT_MAX,
+                                    "steps of the depth format; negative: the lit pass is nearer",
+                                    &DepthBias::constant)};
+    all.push_back(within<S>(
+                      bias, [](auto& settings) -> auto& { return settings.depth_bias; })
+                      .front());
+    all.push_back(yes_no("lit_cutouts",
+                         "false: the lit pass draws holes too; EQUAL hides that, less_equal does not",
+                         &S::cutouts));
+    return all;
 }
 
 }  // namespace
 
-Parameter position_order(const char* name, const char* effect, MemberOf<PositionOrder> member) {
-    return choice<PositionOrder>(name, "relative|premultiplied|view_first", effect, member,
-                                 {{"relative", PositionOrder::relative},
-                                  {"premultiplied", PositionOrder::premultiplied},
-                                  {"view_first", PositionOrder::view_first}});
-}
-
-std::vector<Parameter> lit_parameters() {
-    using S = MethodSettings;
-    return {
-        position_order("lit_position", "how the lit pass multiplies positions: unlike depth_position, holes",
-                       [](S& s) -> PositionOrder& { return s.lit.position_order; }),
-        depth_test(), depth_bias(),
-        yes_no("lit_cutouts", "false: the lit pass draws holes too; EQUAL hides that, less_equal does not",
-               [](S& s) -> bool& { return s.lit.cutouts; }),
-        choice<AoLookup>("ao_lookup", "exact|slip_wrap|slip_clamp",
-                         "slip: v too small by 1; hidden by WRAP, with CLAMP the top row everywhere",
-                         [](S& s) -> AoLookup& { return s.ao_lookup; },
-                         {{"exact", AoLookup::exact},
-                          {"slip_wrap", AoLookup::slip_wrap},
-                          {"slip_clamp", AoLookup::slip_clamp}})};
+std::vector<Parameter<FrameSettings>> lit_parameters() {
+    std::vector<Parameter<FrameSettings>> all = within<FrameSettings>(
+        drawing_parameters(), [](auto& settings) -> auto& { return settings.lit; });
+    all.push_back(choice<FrameSettings, AoLookup>(
+        "ao_lookup", "slip: v too small by 1; hidden by WRAP, with CLAMP the top row everywhere",
+        &FrameSettings::ao_lookup,
+        {{"exact", AoLookup::exact},
+         {"slip_wrap", AoLookup::slip_wrap},
+         {"slip_clamp", AoLookup::slip_clamp}}));
+    return all;
 }
 
 }  // namespace crevice

@@ -35,8 +35,8 @@ void half_resolution(Notebook& book) {
     for (int y = 0; y < inputs.size().height; ++y)
         for (int x = 0; x < inputs.size().width; ++x)
             misplaced.view_depth.at(x, y) = gbuffer.view_depth.at(2 * x, 2 * y);
-    const Image<float> ao = luna_occlusion(inputs, kXjunSettings, {}),
-                       moved = luna_occlusion(misplaced, kXjunSettings, {});
+    const Image<float> ao = luna_occlusion(inputs, kXjunSettings, {}).ao,
+                       moved = luna_occlusion(misplaced, kXjunSettings, {}).ao;
     book.show_row(
         "A bare floor at half size: depth at the texel's middle; depth half a texel off (black is 0.85).",
         {{"floor", grey_picture(ao, 0.85f, 1)}, {"floor_misplaced", grey_picture(moved, 0.85f, 1)}});
@@ -73,7 +73,7 @@ void shifted_rows(Notebook& book, const Scene& columns) {
     constexpr Size kExact = {448, 256};  // (y + 1/2) / 256 and that minus 1 are floats
     Camera camera = columns.camera;      // its top row shows what is under the eaves
     camera.eye = {0, -0.5, -6}, camera.target = {0, -3.9, -2};
-    const Image<float> ao = xjun_ssao(normal_depth(columns, camera, kSize), camera);
+    const Image<float> ao = xjun_ssao(normal_depth(columns, camera, kSize), camera).ao;
     const auto read = [&](AddressMode mode, float shift, Size size = kSize) {
         return map_at_pixels(ao, size, mode, shift);
     };

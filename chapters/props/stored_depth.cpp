@@ -55,7 +55,7 @@ WallAo wall_ao(const DepthKind& kind) {
     Scene scene = bare_walls();
     scene.camera.reversed_z = kind.reversed_z;
     const GBuffer gbuffer = normal_depth(scene, scene.camera, kSize, {.depth_format = kind.format});
-    WallAo result{luna_ssao(gbuffer, scene.camera), {}};
+    WallAo result{luna_ssao(gbuffer, scene.camera).ao, {}};
     const Size texels = result.ao.size;
     for (int i = 0; i < kWalls; ++i) {
         double sum = 0, count = 0;

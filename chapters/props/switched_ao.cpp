@@ -31,17 +31,18 @@ SwitchedView::SwitchedView(const std::string& scene, Size size, Camera camera, s
       flags_(" " + std::move(flags)) {}
 
 SwitchedAo SwitchedView::ao(const Words& words, float ao_scale) const {
-    SwitchedAo result;
-    result.settings = settings_of(method_, words, scene_.length_unit);
-    result.settings.ao.ao_scale = ao_scale;
+    FrameSettings settings = settings_of(method_, words, scene_.length_unit);
+    settings.method = with_value(method_, settings.method, "ao_scale", ao_scale);
     Camera camera = camera_;
-    camera.reversed_z = result.settings.reversed_z;
-    result.gbuffer = normal_depth(scene_, camera, size_, result.settings.buffers);
-    result.inputs = ao_inputs(result.gbuffer, camera, method_.fetch(result.settings.ao));
-    result.raw = luna_occlusion(result.inputs, result.settings.ao, {});
-    BlurSettings blur = result.settings.blur;
-    blur.format = result.settings.ao.format;
-    result.blurred = bilateral_blur(result.raw, result.inputs, blur);
+    camera.reversed_z = settings.reversed_z;
+    SwitchedAo result;
+    result.settings = settings.method.ao.as<LunaSettings>();
+    result.blur = settings.method.denoiser.as<BlurSettings>();
+    result.gbuffer = normal_depth(scene_, camera, size_, settings.buffers);
+    RawAo raw = method_.ao(result.gbuffer, camera, settings.method.ao, {});
+    result.blurred = denoised(method_, raw, settings.method).ao;
+    result.raw = std::move(raw.ao);
+    result.inputs = std::move(raw.inputs);
     return result;
 }
 

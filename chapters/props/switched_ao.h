@@ -5,8 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "chapters/frame/methods.h"
+#include "chapters/frame/frame_settings.h"
 #include "chapters/notebook/notebook.h"
+#include "ssao/blur/bilateral_blur.h"
+#include "ssao/methods/luna_settings.h"
 
 namespace crevice {
 
@@ -14,7 +16,8 @@ namespace crevice {
 using Words = std::vector<std::string>;
 
 struct SwitchedAo {
-    MethodSettings settings;
+    LunaSettings settings;  // of the estimator
+    BlurSettings blur;
     GBuffer gbuffer;
     AoInputs inputs;
     Image<float> raw, blurred;  // of the AO map's size

@@ -37,8 +37,8 @@ NormalError normal_error(const Image3& normals, const Image3& right) {
 ComparedNormals compare_normals(const Scene& scene, NormalMatrix matrix, Size size) {
     const GBuffer right = normal_depth(scene, scene.camera, size),
                   wrong = normal_depth(scene, scene.camera, size, {.normal_matrix = matrix});
-    ComparedNormals both{right.normal, wrong.normal, xjun_ssao(right, scene.camera),
-                         xjun_ssao(wrong, scene.camera), normal_error(wrong.normal, right.normal)};
+    ComparedNormals both{right.normal, wrong.normal, xjun_ssao(right, scene.camera).ao,
+                         xjun_ssao(wrong, scene.camera).ao, normal_error(wrong.normal, right.normal)};
     const Size texels = both.ao_right.size;
     const double share = 1.0 / (double(texels.width) * texels.height);
     for (int y = 0; y < texels.height; ++y) {

@@ -2,6 +2,7 @@
 
 #include "scenes/builtin_scenes.h"
 #include "ssao/judge/fitted_power.h"
+#include "ssao/judge/reference_image.h"
 #include "ssao/light/widened_ao.h"
 
 namespace crevice {
@@ -14,16 +15,23 @@ Image<float> moved_by(Image<float> image, const Image<float>& a, const Image<flo
     return image;
 }
 
-// What the blur alone does to the method's limit, on top of the image `before` the blur.
-ChainImage blurred_limit(const MethodView& view, const MethodSettings& settings, const Image<float>& before,
+ReferenceImage limit_of(const MethodView& view, const FrameSettings& settings, int limit_seeds,
+                        const Run& run) {
+    return view.method->limit(gbuffer_of(view, settings), view.camera, settings.method.ao, limit_seeds, run,
+                              {});
+}
+
+// What the denoiser alone does to the method's limit, on top of the image `before` it.
+ChainImage blurred_limit(const MethodView& view, const FrameSettings& settings, const Image<float>& before,
                          int limit_seeds, const Run& run) {
-    const AoInputs inputs = inputs_of(view, settings, run);
-    const ReferenceImage limit = luna_limit(inputs, settings.ao, limit_seeds, run);
-    BlurSettings blur = settings.blur;
-    blur.format = BufferFormat::float32;
+    const ReferenceImage limit = limit_of(view, settings, limit_seeds, run);
+    RawAo raw = view.method->ao(gbuffer_of(view, settings), view.camera, settings.method.ao, run);
+    raw.format = BufferFormat::float32;
     const auto half = [&](std::size_t i) {
-        return moved_by(before, ao_at_picture_size(limit.half[i], view.size, run),
-                        ao_at_picture_size(bilateral_blur(limit.half[i], inputs, blur, run), view.size, run));
+        raw.ao = limit.half[i];
+        return moved_by(
+            before, ao_at_picture_size(limit.half[i], view.size, run),
+            ao_at_picture_size(denoised(*view.method, raw, settings.method, run).ao, view.size, run));
     };
     return {"blur, bias", half(0), half(1)};
 }
@@ -47,20 +55,27 @@ std::vector<ChainImage> error_chain(const MethodView& view, const References& re
     std::vector<ChainImage> chain = {noisy("truth", references.soft),
                                      noisy("depth buffer", references.screen),
                                      noisy("definition", references.limit)};
-    const MethodSettings plain = settings_with(false);
-    const AoInputs inputs = inputs_of(view, plain, run);
+    const Method& method = *view.method;
+    const FrameSettings plain = settings_with(false);
     if (setting.ao_scale < 1) {
-        const ReferenceImage limit = luna_limit(inputs, plain.ao, limit_seeds, run);
+        const ReferenceImage limit = limit_of(view, plain, limit_seeds, run);
         chain.push_back({"half size", ao_at_picture_size(limit.half[0], view.size, run),
                          ao_at_picture_size(limit.half[1], view.size, run)});
     }
     const auto add = [&](const char* step, const Image<float>& map) {
         chain.push_back({step, ao_at_picture_size(map, view.size, run)});
     };
-    add("sampling", luna_occlusion_in_double(inputs, plain.ao, run));
-    add("rounding", luna_occlusion(inputs, plain.ao, run));
-    const MethodSettings last = settings_with(setting.half_floats);
-    if (setting.half_floats) add("float16", luna_occlusion(inputs_of(view, last, run), last.ao, run));
+    const auto raw = [&](const FrameSettings& settings) {
+        return method.ao(gbuffer_of(view, settings), view.camera, settings.method.ao, run).ao;
+    };
+    if (method.ao_in_double) {
+        add("sampling", method.ao_in_double(gbuffer_of(view, plain), view.camera, plain.method.ao, run));
+        add("rounding", raw(plain));
+    } else {
+        add("sampling", raw(plain));
+    }
+    const FrameSettings last = settings_with(setting.half_floats);
+    if (setting.half_floats) add("float16", raw(last));
     if (setting.blur_iterations > 0) {
         chain.push_back(blurred_limit(view, last, chain.back().first, limit_seeds, run));
         chain.push_back({"blur, noise removed", ao_picture_of(view, last, run)});
@@ -77,9 +92,9 @@ FittedElsewhere fitted_elsewhere(const Method& method, const std::string& name, 
         ReferenceRequest request;
         request.size = kFitSize;
         request.method = &method;
-        request.ao = settings_of(method, {}, scene.length_unit).ao;
+        request.settings = defaults_of(method, scene.length_unit);
+        request.rays = rays_asking(method.question(request.settings.ao));
         request.rays.rays = kFitRays;
-        request.rays.radius = request.ao.radius;
         request.limit_seeds = kFitSeeds;
         request.run = run;
         references.push_back(make_references(scene, scene.camera, request));

@@ -38,16 +38,15 @@ class Study {
         ReferenceRequest request;
         request.size = study.plan.size;
         request.method = study.method;
-        request.ao = settings_of(*study.method, {}, scene_.length_unit).ao;
+        request.settings = defaults_of(*study.method, scene_.length_unit);
+        study.cast = rays_asking(study.method->question(request.settings.ao));
+        request.rays = study.cast;
         request.rays.rays = study.plan.reference_rays;
-        request.rays.radius = request.ao.radius;
         request.limit_seeds = study.plan.limit_seeds;
         request.cache = cache;
         request.run = run_;
         study.references = make_references(scene_, view_.camera, request);
         kinds_ = surface_kinds(study.references.gbuffer, view_.camera);
-        study.cast.radius = request.ao.radius;
-        study.cast.fade = Fade{request.ao.fade_start, request.ao.fade_end};
     }
 
     std::vector<Candidate> candidates() {

@@ -25,7 +25,7 @@ struct ErrorSpread {
 };
 
 struct StudyPoint {
-    std::string method;                 // a method of methods.h, "ray_cast" or "vertex_bake"
+    std::string method;                 // of the table of methods, "ray_cast" or "vertex_bake"
     std::string setting;                // in words
     std::optional<ErrorSetting> of;     // of a method: the setting itself
     ErrorSpread truth, screen;          // against T soft and S

@@ -1,5 +1,7 @@
 #include "chapters/study/method_view.h"
 
+#include <utility>
+
 #include "ssao/light/widened_ao.h"
 
 namespace crevice {
@@ -16,18 +18,18 @@ MethodView method_view(const Scene& scene, const Camera& camera, Size size, cons
     return view;
 }
 
-AoInputs inputs_of(const MethodView& view, const MethodSettings& settings, const Run& run) {
-    const bool half_floats = settings.buffers.buffer_format != BufferFormat::float32;
-    return ao_inputs(view.gbuffer[half_floats ? 1 : 0], view.camera, view.method->fetch(settings.ao), run);
+const GBuffer& gbuffer_of(const MethodView& view, const FrameSettings& settings) {
+    return view.gbuffer[settings.buffers.buffer_format != BufferFormat::float32 ? 1 : 0];
 }
 
-Image<float> ao_map_of(const MethodView& view, const MethodSettings& settings, const Run& run) {
-    const AoInputs inputs = inputs_of(view, settings, run);
-    Image<float> ao = luna_occlusion(inputs, settings.ao, run);
-    return settings.blur.iterations == 0 ? ao : bilateral_blur(ao, inputs, settings.blur, run);
+Image<float> ao_map_of(const MethodView& view, const FrameSettings& settings, const Run& run) {
+    const Method& method = *view.method;
+    RawAo raw = method.ao(gbuffer_of(view, settings), view.camera, settings.method.ao, run);
+    if (value_of(method, settings.method, "blur_iterations") == 0) return std::move(raw.ao);
+    return denoised(method, raw, settings.method, run).ao;
 }
 
-Image<float> ao_picture_of(const MethodView& view, const MethodSettings& settings, const Run& run) {
+Image<float> ao_picture_of(const MethodView& view, const FrameSettings& settings, const Run& run) {
     return ao_at_picture_size(ao_map_of(view, settings, run), view.size, run);
 }
 

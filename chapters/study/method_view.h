@@ -19,13 +19,13 @@ struct MethodView {
 MethodView method_view(const Scene& scene, const Camera& camera, Size size, const Method& method,
                        const Run& run);
 
-// What the method's samples are compared with.
-AoInputs inputs_of(const MethodView& view, const MethodSettings& settings, const Run& run);
+// The buffers that the settings ask for.
+const GBuffer& gbuffer_of(const MethodView& view, const FrameSettings& settings);
 
-// The AO map as it is before the picture is lit: estimated and blurred. This is what is timed, inputs included.
-Image<float> ao_map_of(const MethodView& view, const MethodSettings& settings, const Run& run);
+// The AO map as it is before the picture is lit: estimated and denoised. This is what is timed, inputs included.
+Image<float> ao_map_of(const MethodView& view, const FrameSettings& settings, const Run& run);
 
 // The same at picture size, as the lit pass reads it.
-Image<float> ao_picture_of(const MethodView& view, const MethodSettings& settings, const Run& run);
+Image<float> ao_picture_of(const MethodView& view, const FrameSettings& settings, const Run& run);
 
 }  // namespace crevice

@@ -41,30 +41,16 @@ class ReferenceMaker {
         }
     }
 
-    Reference limit_of(const AoInputs& inputs) {
-        ContentKey key;
-        key.add(kReferenceVersion);
-        for (const Image<float>* image :
-             {&inputs.normal.x, &inputs.normal.y, &inputs.normal.z, &inputs.view_depth, &inputs.depth_map})
-            key.add_image(*image);
-        const LunaSettings& s = request_.ao;
-        for (const float value : {s.radius, s.fade_start, s.fade_end, s.epsilon, s.exponent}) key.add(value);
-        for (const int value :
-             {s.samples, request_.limit_seeds, static_cast<int>(s.as_published),
-              static_cast<int>(s.random_vectors), static_cast<int>(s.sign_of_zero),
-              static_cast<int>(s.self_occlusion_test), static_cast<int>(inputs.fetch.border),
-              static_cast<int>(inputs.fetch.depth), static_cast<int>(inputs.rays.perspective)})
-            key.add(value);
-        key.add(inputs.rays.ray_scale);
-        key.add(inputs.near_plane);
-        key.add(inputs.depth_a);
-        key.add(inputs.depth_b);
-        const std::string name = key.hex() + "-limit";
+    // At full size, whatever the settings say.
+    Reference limit_of(const GBuffer& gbuffer, const Camera& camera) {
+        const Method& method = *request_.method;
+        const MethodSettings settings = with_value(method, request_.settings, "ao_scale", 1);
+        const std::string name = key_of_limit(gbuffer, camera, settings) + "-limit";
         if (auto found = find(name)) return counted(std::move(*found), request_.limit_seeds, 0, true);
         Progress progress("limit", request_.limit_seeds);
         const Clocks before = clocks();
-        ReferenceImage image = luna_limit(inputs, s, request_.limit_seeds, request_.run,
-                                          [&](long long done) { progress.advance(done); });
+        ReferenceImage image = method.limit(gbuffer, camera, settings.ao, request_.limit_seeds, request_.run,
+                                            [&](long long done) { progress.advance(done); });
         const double ms = clocks().wall_ms - before.wall_ms;
         store(name, image);
         return counted(std::move(image), request_.limit_seeds, ms, false);
@@ -94,6 +80,27 @@ class ReferenceMaker {
         pair.hard = counted(std::move(hard_image), rays.rays, ms, false);
         pair.soft = counted(std::move(soft_image), rays.rays, ms, false);
         return pair;
+    }
+
+    // All that a limit can depend on: buffers, camera, and every parameter of the method but its denoiser's.
+    std::string key_of_limit(const GBuffer& gbuffer, const Camera& camera,
+                             const MethodSettings& settings) const {
+        ContentKey key;
+        key.add(kReferenceVersion);
+        key.add_all(std::string(request_.method->name));
+        key.add(request_.limit_seeds);
+        const Image<float> ndc = ndc_depth(gbuffer.depth);
+        for (const Image<float>* image :
+             {&gbuffer.normal.x, &gbuffer.normal.y, &gbuffer.normal.z, &gbuffer.view_depth, &ndc})
+            key.add_image(*image);
+        const CameraMatrices m = camera_matrices(camera, request_.size);
+        key.add(m.ray_scale);
+        for (const float value : {m.depth_a, m.depth_b}) key.add(value);
+        for (const double value : {camera.near_plane, camera.far_plane}) key.add(value);
+        key.add(camera.projection);
+        for (const Parameter<AnySettings>& parameter : request_.method->parameters)
+            key.add(parameter.get(settings.ao));
+        return key.hex();
     }
 
     std::string key_of(std::span<const SurfacePoint> from, const RayScene& scene, const Fade& fade,
@@ -169,10 +176,18 @@ std::optional<std::filesystem::path> default_cache() {
     return std::nullopt;
 }
 
+RayAoSettings rays_asking(const AoQuestion& question) {
+    RayAoSettings rays;
+    rays.radius = question.radius;
+    rays.weight = question.cosine_weighted ? RayWeight::cosine : RayWeight::uniform;
+    rays.fade = Fade{question.fade_start, question.fade_end};
+    return rays;
+}
+
 References make_references(const Scene& scene, const Camera& camera, const ReferenceRequest& request) {
     validate(request.run);
     validate(request.rays);
-    validate(request.ao);
+    validate(*request.method, request.settings);
     References references;
     const Clocks start = clocks();
     references.gbuffer = normal_depth(scene, camera, request.size, request.run);
@@ -185,7 +200,8 @@ References make_references(const Scene& scene, const Camera& camera, const Refer
     references.dropped_triangles = rays.not_finite;
 
     ReferenceMaker maker(request, references.points);
-    const Fade fade{request.ao.fade_start, request.ao.fade_end};
+    const AoQuestion question = request.method->question(request.settings.ao);
+    const Fade fade{question.fade_start, question.fade_end};
     ReferenceMaker::Pair truth = maker.traced("truth", references.points, rays, fade);
     references.hard = std::move(truth.hard);
     references.soft = std::move(truth.soft);
@@ -193,12 +209,7 @@ References make_references(const Scene& scene, const Camera& camera, const Refer
     const SurfacePoints in_buffer =
         points_on_depth_mesh(references.points, references.gbuffer, camera, request.run);
     references.screen = maker.traced("screen", in_buffer, screen, fade).soft;
-    if (request.limit_seeds > 0) {
-        LunaSettings full = request.ao;
-        full.ao_scale = 1;
-        references.limit =
-            maker.limit_of(ao_inputs(references.gbuffer, camera, request.method->fetch(full), request.run));
-    }
+    if (request.limit_seeds > 0) references.limit = maker.limit_of(references.gbuffer, camera);
     return references;
 }
 

@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "chapters/frame/methods.h"
-#include "ssao/judge/luna_limit.h"
+#include "ssao/ao_methods.h"
+#include "ssao/judge/reference_image.h"
 #include "ssao/rays/ray_cast_ao.h"
 
 namespace crevice {
@@ -18,13 +18,16 @@ namespace crevice {
 struct ReferenceRequest {
     Size size{1280, 720};            // of the picture, and of every reference
     const Method* method = nullptr;  // one that computes AO
-    LunaSettings ao;                 // scene units; the fade, and what `limit` is the limit of
-    RayAoSettings rays;              // its radius is that of the rays
+    MethodSettings settings;         // scene units; what the question follows from, and `limit`
+    RayAoSettings rays;              // of all rays; the fade of `soft` and `screen` is the question's
     double wanted_error = 0;         // > 0: rays are doubled until the mean standard error is at most this
     int limit_seeds = 256;           // 0: no `limit`
     std::optional<std::filesystem::path> cache;  // the directory; none: nothing is kept or looked up
     Run run;
 };
+
+// Rays that ask what a method asks: its radius, weight and fade.
+RayAoSettings rays_asking(const AoQuestion& question);
 
 // $XDG_CACHE_HOME/crevice, else ~/.cache/crevice, else none.
 std::optional<std::filesystem::path> default_cache();

@@ -5,15 +5,14 @@
 
 #include <glm/vec4.hpp>
 
-#include "ssao/judge/luna_limit.h"
-#include "ssao/methods/xjun_ssao.h"
+#include "ssao/ao_methods.h"
+#include "ssao/judge/reference_image.h"
 #include "ssao/rays/ray_cast_ao.h"
 
 namespace crevice {
 
 namespace {
 
-constexpr LunaSettings kLinear{.exponent = 1, .ao_scale = 1};
 constexpr int kSeeds = 8;
 // A texel shows a point when its surface is as deep as the point up to this, scene units.
 constexpr float kSamePlace = 0.03f;
@@ -21,7 +20,10 @@ constexpr float kSamePlace = 0.03f;
 }  // namespace
 
 Image<float> noiseless_ao(const GBuffer& gbuffer, const Camera& camera) {
-    return luna_limit(ao_inputs(gbuffer, camera, xjun_fetch(kLinear)), kLinear, kSeeds).mean;
+    const Method& xjun = find_method("xjun");
+    MethodSettings linear = with_value(xjun, defaults_of(xjun), "exponent", 1);
+    linear = with_value(xjun, linear, "ao_scale", 1);
+    return xjun.limit(gbuffer, camera, linear.ao, kSeeds, {}, {}).mean;
 }
 
 SeenAo seen_ao(const Scene& scene, const Camera& camera, Size size, std::span<const WorldPoint> points) {

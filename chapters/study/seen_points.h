@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "ssao/methods/luna_occlusion.h"
+#include "rasterizer/draw/normal_depth.h"
 
 namespace crevice {
 

@@ -74,31 +74,29 @@ void validate(const BlurSettings& s) {
     require(std::isfinite(total), "sum of the blur weights", total, "(0, inf)");
 }
 
-Image<float> bilateral_blur(const Image<float>& ao, const AoInputs& inputs, const BlurSettings& settings,
-                            const Run& run) {
+AoMap bilateral_blur(const Image<float>& ao, const AoInputs& inputs, const BlurSettings& settings,
+                     const Run& run) {
     validate(settings);
-    if (settings.iterations == 0) return ao;
-    TileMap open_tiles;
-    if (run.leaves_out(Skip::open_tiles)) open_tiles = open_blur_tiles(ao, settings, run);
-    if (open_tiles.count(TileWork::open) == 0) open_tiles = {};  // spares the test of each tile
+    AoMap blurred{{}, TileMap(ao.size, kBlurTile)};
+    if (run.leaves_out(Skip::open_tiles)) blurred.tiles = open_blur_tiles(ao, settings, run);
+    if (settings.iterations == 0) {
+        blurred.ao = ao;
+        return blurred;
+    }
+    const bool some_open = blurred.tiles.count(TileWork::open) > 0;
+    const TileMap no_tiles;  // spares the test of each tile
     const BlurRays rays(inputs, settings.edges);
-    Image<float> result;
     for (int done = 0; done < settings.iterations; done += kIterationsPerSweep) {
-        const BlurSweep sweep{.ao = done == 0 ? ao : result,
+        const BlurSweep sweep{.ao = done == 0 ? ao : blurred.ao,
                               .inputs = inputs,
                               .rays = rays,
                               .settings = settings,
                               .iterations = std::min(kIterationsPerSweep, settings.iterations - done),
-                              .open_tiles = open_tiles,
+                              .open_tiles = some_open ? blurred.tiles : no_tiles,
                               .skips_background = run.leaves_out(Skip::background_pixels)};
-        result = swept(sweep, run);
+        blurred.ao = swept(sweep, run);
     }
-    return result;
-}
-
-Image<float> bilateral_blur(const Image<float>& ao, const GBuffer& gbuffer, const Camera& camera,
-                            const AoFetch& fetch, const BlurSettings& settings, const Run& run) {
-    return bilateral_blur(ao, ao_inputs(gbuffer, camera, fetch, run), settings, run);
+    return blurred;
 }
 
 }  // namespace crevice

@@ -3,7 +3,7 @@
 // Source: X_Jun (SSAO_Blur_PS), Luna (SsaoBlur.hlsl).
 // In:     an AO map; the AoInputs it was computed from (normals, view depth, same size)
 // Out:    the blurred AO map; background 1, but for BlurEdges::none. Where all taps are 1 the result is
-//         exactly 1
+//         exactly 1. Its tiles: open where the blur had nothing to change
 // Reach:  5 texels in x and in y for each iteration
 // Differs from X_Jun: a tap outside the map is rejected, as in Luna and SSAO explored, where X_Jun repeats the
 //         edge texel.
@@ -14,8 +14,7 @@
 
 #include <array>
 
-#include "rasterizer/base/tile_map.h"
-#include "ssao/inputs/ao_inputs.h"
+#include "ssao/methods/ao_map.h"
 
 namespace crevice {
 
@@ -52,12 +51,8 @@ inline constexpr BlurSettings kLunaBlur{.weights = kLunaBlurWeights, .iterations
 // Throws UsageError naming the first member out of its range.
 void validate(const BlurSettings& settings);
 
-Image<float> bilateral_blur(const Image<float>& ao, const AoInputs& inputs,
-                            const BlurSettings& settings = kXjunBlur, const Run& run = {});
-// The same with the inputs fetched anew from the G-buffer.
-Image<float> bilateral_blur(const Image<float>& ao, const GBuffer& gbuffer, const Camera& camera,
-                            const AoFetch& fetch, const BlurSettings& settings = kXjunBlur,
-                            const Run& run = {});
+AoMap bilateral_blur(const Image<float>& ao, const AoInputs& inputs, const BlurSettings& settings = kXjunBlur,
+                     const Run& run = {});
 
 // Side of the tiles that the blur may leave at 1, texels.
 inline constexpr int kBlurTile = 16;

@@ -45,7 +45,7 @@ ReferenceImage luna_limit(const AoInputs& inputs, const LunaSettings& settings, 
             drawn.seed = kFirstLimitSeed +
                          static_cast<std::uint32_t>(replicate) * static_cast<std::uint32_t>(of_replicate) +
                          static_cast<std::uint32_t>(i);
-            const Image<float> ao = luna_occlusion(inputs, drawn, run);
+            const Image<float> ao = luna_occlusion(inputs, drawn, run).ao;
             if (sum.empty()) sum.assign(ao.pixels.size(), 0);
             for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += static_cast<double>(ao.pixels[k]);
             if (on_progress) on_progress(1);

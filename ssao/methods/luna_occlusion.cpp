@@ -26,6 +26,7 @@ void validate(const LunaSettings& s) {
             "[fade_start, inf)");
     require(length(s.epsilon), "epsilon", s.epsilon, "[0, inf)");
     require(s.exponent >= 0 && s.exponent <= 64, "exponent", s.exponent, "[0, 64]");
+    ao_map_size({1, 1}, s.ao_scale);  // which refuses what is no scale
 }
 
 LunaSettings spelt_out(LunaSettings settings) {
@@ -49,13 +50,14 @@ AoFetch ao_fetch(const LunaSettings& settings, bool point_normals) {
     return {s.depth_source, point_normals, s.ao_scale, s.edge_texels, s.sky_depth, s.border, s.texel_centre};
 }
 
-Image<float> luna_occlusion(const AoInputs& inputs, const LunaSettings& settings, const Run& run) {
+AoMap luna_occlusion(const AoInputs& inputs, const LunaSettings& settings, const Run& run) {
     validate(settings);
-    const TileMap tiles = ao_tiles(inputs, settings, run);
-    Image<float> ao(inputs.size(), 1.0f);
-    if (tiles.count(TileWork::done) == 0) return ao;
+    AoMap map{Image<float>(inputs.size(), 1.0f), ao_tiles(inputs, settings, run)};
+    Image<float>& ao = map.ao;
+    const TileMap& tiles = map.tiles;
+    if (tiles.count(TileWork::done) == 0) return map;
     const LunaKernel kernel(inputs, settings);
-    const RandomMap map = random_map(settings.seed);
+    const RandomMap random = random_map(settings.seed);
     const WholeDepthMap depths{inputs.depth_map};
     const bool skip_background = run.leaves_out(Skip::background_pixels);
     parallel_rows(ao.size.height, run, [&](int first_row, int end_row) {
@@ -65,12 +67,12 @@ Image<float> luna_occlusion(const AoInputs& inputs, const LunaSettings& settings
                     if (tiles.tiles.at(x / kAoTile, y / kAoTile) != TileWork::done) continue;
                     const F z = load<F>(inputs.view_depth.row(y) + x);
                     if (skip_background && !any(z < F(std::numeric_limits<float>::infinity()))) continue;
-                    store(ao.row(y) + x, kernel.texels_at<F>(map, x, y, depths));
+                    store(ao.row(y) + x, kernel.texels_at<F>(random, x, y, depths));
                 }
             }
         });
     });
-    return ao;
+    return map;
 }
 
 Image<float> luna_occlusion_in_double(const AoInputs& inputs, const LunaSettings& settings, const Run& run) {

@@ -2,7 +2,8 @@
 // shows there.
 // Source: Luna, chapter 21, and X_Jun, chapter 32, who took it over; formulas and traps stand in the order of
 //         their listings.
-// Out:    accessibility in [0,1]: 1 - (1/N) sum of dp * occlusion(p_z - r_z), to the power `exponent`
+// Out:    accessibility in [0,1]: 1 - (1/N) sum of dp * occlusion(p_z - r_z), to the power `exponent`; and what
+//         was decided of its tiles (open_tiles.h)
 // Reach:  radius (RandomVectors::raw: up to 5 radius) in view space around p
 // Differs from the tutorials: the random vector is normalised; a point q in front of the near plane is
 //         rejected; sign(0) is +1; r = p counts nothing; fade_end = fade_start is a step. Settings restore
@@ -18,12 +19,13 @@
 #include "rasterizer/lanes/approx_math.h"
 #include "rasterizer/lanes/wide_pairs.h"
 #include "ssao/inputs/random_vectors.h"
+#include "ssao/methods/ao_map.h"
 #include "ssao/methods/luna_settings.h"
 
 namespace crevice {
 
 // One AO map of what `inputs` see. 1 where there is no surface.
-Image<float> luna_occlusion(const AoInputs& inputs, const LunaSettings& settings, const Run& run);
+AoMap luna_occlusion(const AoInputs& inputs, const LunaSettings& settings, const Run& run);
 
 // The same kernel in double, pixel by pixel, rounded at the end: what luna_occlusion() would be without
 // rounding errors of its own. The exponent is taken by libm: to compare with, not to keep.
@@ -53,6 +55,13 @@ struct WholeDepthMap {
     CREVICE_INLINE auto square_at(I upper_left) const {
         return gather_square(map.pixels.data(), map.stride, upper_left);
     }
+};
+
+// What the samples of a texel lie around.
+template <class F>
+struct LunaPoint {
+    Vec3<F> p, n, random;  // view space; `random` as random_vector() has it
+    Mask<F> surface;       // false: background, where the others mean nothing
 };
 
 struct LunaKernel {
@@ -133,17 +142,22 @@ struct LunaKernel {
         return F(1) / select(visible(q_z), q_z, F(1));
     }
 
-    // What the surface at view depth r_z, seen in the direction of q, takes from p, in [0,1] for a unit
-    // normal.
+    // The tutorials' dp: how squarely the surface at view depth r_z, seen in the direction of q, lies over p, in
+    // [0,1] for a unit normal.
     template <class F>
-    CREVICE_INLINE F contribution(Vec3<F> p, Vec3<F> n, Vec3<F> q, F inverse_z, F r_z) const {
-        if (!settings.self_occlusion_test) return select(visible(q.z), occlusion(p.z - r_z), F(0));
+    CREVICE_INLINE F facing(Vec3<F> p, Vec3<F> n, Vec3<F> q, F inverse_z, F r_z) const {
         const Vec3<F> from_p = inputs.rays.at_depth(q, inverse_z, r_z) - p;
         const F squared = dot(from_p, from_p);
         const auto apart = squared > F(settings.radius) * F(settings.radius) * F(1e-12f);
         const F along_n = dot(n, from_p) / square_root(select(apart, squared, F(1)));
-        const F dp = select(apart & visible(q.z) & (along_n > F(0)), along_n, F(0));
-        return dp * occlusion(p.z - r_z);
+        return select(apart & visible(q.z) & (along_n > F(0)), along_n, F(0));
+    }
+
+    // What that surface takes from p.
+    template <class F>
+    CREVICE_INLINE F contribution(Vec3<F> p, Vec3<F> n, Vec3<F> q, F inverse_z, F r_z) const {
+        if (!settings.self_occlusion_test) return select(visible(q.z), occlusion(p.z - r_z), F(0));
+        return facing(p, n, q, inverse_z, r_z) * occlusion(p.z - r_z);
     }
 
     // What one offset vector contributes: where it leads, what the depth map shows there, what that takes.
@@ -194,6 +208,10 @@ struct LunaKernel {
         F sum = F(0);
         for (int i = 0; i < settings.samples; ++i)
             sum = sum + contribution(p, n, {q_x[i], q_y[i], q_z[i]}, inverse_z[i], r_z[i]);
+        return accessibility_of_sum(sum);
+    }
+    template <class F>
+    CREVICE_INLINE F accessibility_of_sum(F sum) const {
         return F(1) - sum / F(static_cast<float>(settings.samples));
     }
 
@@ -205,9 +223,9 @@ struct LunaKernel {
         return settings.random_vectors == RandomVectors::raw ? r : normalize_or<F>(r, {F(0), F(0), F(1)});
     }
 
-    // AO as it is stored, of the texels from (x, y) on; 1 where there is no surface.
-    template <class F, class Depths>
-    CREVICE_INLINE F texels_at(const RandomMap& map, int x, int y, Depths& depths) const {
+    // Of the texels from (x, y) on.
+    template <class F>
+    CREVICE_INLINE LunaPoint<F> point_at(const RandomMap& map, int x, int y) const {
         const Size size = inputs.size();
         const F z = load<F>(inputs.view_depth.row(y) + x);
         const auto surface = z < F(std::numeric_limits<float>::infinity());
@@ -216,9 +234,21 @@ struct LunaKernel {
         const Vec3<F> n = {load<F>(inputs.normal.x.row(y) + x), load<F>(inputs.normal.y.row(y) + x),
                            load<F>(inputs.normal.z.row(y) + x)};
         const Vec3<F> p = inputs.rays.p_view(u, v, select(surface, z, F(1)));
-        const F access = accessibility_from(p, n, random_vector(map, u, v), depths);
+        return {p, n, random_vector(map, u, v), surface};
+    }
+
+    // An accessibility with its contrast, as the map holds it.
+    template <class F>
+    CREVICE_INLINE F stored(F access) const {
         const F contrast = saturate(power(max_of(access, F(0)), F(settings.exponent)));
-        return select(surface, stored_as(contrast, settings.format), F(1));
+        return stored_as(contrast, settings.format);
+    }
+
+    // AO as it is stored, of the texels from (x, y) on; 1 where there is no surface.
+    template <class F, class Depths>
+    CREVICE_INLINE F texels_at(const RandomMap& map, int x, int y, Depths& depths) const {
+        const LunaPoint<F> at = point_at<F>(map, x, y);
+        return select(at.surface, stored(accessibility_from(at.p, at.n, at.random, depths)), F(1));
     }
 };
 

@@ -112,19 +112,31 @@ struct Reach {
     double length;  // scene units
     const AoInputs& inputs;
 
+    Reach(const AoInputs& ao_inputs, const LunaSettings& settings)
+        : length((spelt_out(settings).random_vectors == RandomVectors::raw ? kRawReach : kUnitReach) *
+                 settings.radius * (1 + 1e-5)),
+          inputs(ao_inputs) {}
+
+    double in_px(int pixels, double ray_scale, double nearest_z) const {
+        const double px_per_slope = 0.5 * pixels / ray_scale;
+        if (!inputs.rays.perspective) return px_per_slope * length;
+        const double q_z = std::max<double>(nearest_z - length, inputs.near_plane);
+        return px_per_slope * length * std::sqrt(1 + ray_scale * ray_scale) / q_z;
+    }
+    double across_px(double nearest_z) const {
+        return in_px(inputs.picture.width, inputs.rays.ray_scale.x, nearest_z);
+    }
+    double down_px(double nearest_z) const {
+        return in_px(inputs.picture.height, inputs.rays.ray_scale.y, nearest_z);
+    }
+
     Window window(const Window& texels, float nearest_z) const {
         const Size map = inputs.size(), picture = inputs.picture;
         const MapBorder border = inputs.fetch.border;
-        const auto in_px = [&](int pixels, double ray_scale) {
-            const double px_per_slope = 0.5 * pixels / ray_scale;
-            if (!inputs.rays.perspective) return px_per_slope * length;
-            const double q_z = std::max<double>(nearest_z - length, inputs.near_plane);
-            return px_per_slope * length * std::sqrt(1 + ray_scale * ray_scale) / q_z;
-        };
-        const auto [left, right] = map_pixels(texels.left, texels.right, map.width, picture.width,
-                                              in_px(picture.width, inputs.rays.ray_scale.x), border);
-        const auto [top, bottom] = map_pixels(texels.top, texels.bottom, map.height, picture.height,
-                                              in_px(picture.height, inputs.rays.ray_scale.y), border);
+        const auto [left, right] =
+            map_pixels(texels.left, texels.right, map.width, picture.width, across_px(nearest_z), border);
+        const auto [top, bottom] =
+            map_pixels(texels.top, texels.bottom, map.height, picture.height, down_px(nearest_z), border);
         return {left, top, right, bottom};
     }
 };
@@ -174,14 +186,17 @@ struct Candidate {
 
 }  // namespace
 
+double sample_reach_px(const AoInputs& inputs, const LunaSettings& settings, double view_depth) {
+    const Reach reach(inputs, settings);
+    return std::max(reach.across_px(view_depth), reach.down_px(view_depth));
+}
+
 TileMap ao_tiles(const AoInputs& inputs, const LunaSettings& settings, const Run& run) {
     TileMap map(inputs.size(), kAoTile);
     const Size tiles = map.tiles.size;
     const auto all_rows = std::vector<char>(static_cast<std::size_t>(tiles.height), 1);
     const Image<Range> surfaces = cell_ranges(inputs.view_depth, kAoTile, all_rows, run);
-    const bool raw = spelt_out(settings).random_vectors == RandomVectors::raw;
-    const double gain = raw ? kRawReach : kUnitReach;
-    const Reach reach{gain * settings.radius * (1 + 1e-5), inputs};
+    const Reach reach(inputs, settings);
 
     const int block_rows = (inputs.depth_map.size.height + kBlock - 1) / kBlock;
     std::vector<char> wanted(static_cast<std::size_t>(block_rows), 0);

@@ -19,6 +19,10 @@ inline constexpr int kAoTile = 16;
 // reflection multiplies by |1 - 2 r^2|, and r^2 is up to 3.
 inline constexpr float kUnitReach = 1, kRawReach = 5;
 
+// How far from its texel a sample may be compared with the depth map, in pixels of the picture: the longer side,
+// for a point at view_depth or further; filters and roundings not counted.
+double sample_reach_px(const AoInputs& inputs, const LunaSettings& settings, double view_depth);
+
 // done, background or open, a tile; tiles that `run` keeps are done.
 TileMap ao_tiles(const AoInputs& inputs, const LunaSettings& settings, const Run& run = {});
 

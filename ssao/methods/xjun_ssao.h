@@ -1,6 +1,7 @@
 // SSAO as X_Jun computes it: chapter 32 of the DirectX 11 tutorial, which SSAO explored retells.
 // In:     GBuffer, its camera
-// Out:    accessibility, AO map size (half the picture unless ao_scale = 1), 1 = open; background 1
+// Out:    accessibility, AO map size (half the picture unless ao_scale = 1), 1 = open; background 1; with the inputs
+//         that it was computed from, for the blur
 // Reads:  normals and view depth linear (the mean normal is not renormalised), border depth 100 far
 // More:   luna_occlusion.h (formula, reach, differences, cost), ao_inputs.h (fetches)
 #pragma once
@@ -14,7 +15,7 @@ inline constexpr LunaSettings kXjunSettings{};
 
 AoFetch xjun_fetch(const LunaSettings& settings);
 
-Image<float> xjun_ssao(const GBuffer& gbuffer, const Camera& camera,
-                       const LunaSettings& settings = kXjunSettings, const Run& run = {});
+RawAo xjun_ssao(const GBuffer& gbuffer, const Camera& camera, const LunaSettings& settings = kXjunSettings,
+                const Run& run = {});
 
 }  // namespace crevice

@@ -29,7 +29,7 @@ WantedBuffers subset(unsigned bits) {
 }  // namespace
 
 TEST_CASE("needs: everything, when everything is asked for") {
-    const Needs needs = needs_of(still_life(), all_buffers(), true, 4, false);
+    const Needs needs = needs_of(still_life(), all_buffers(), {}, false);
     CHECK(needs.normal_depth);
     CHECK(needs.normals);
     CHECK(needs.ao);
@@ -59,7 +59,7 @@ TEST_CASE("needs: only what the asked buffers depend on") {
         std::string names;
         for (const std::string& name : expected.wanted) names += name + " ";
         CAPTURE(names);
-        const Needs needs = needs_of(still_life(), expected.wanted, true, 4, false);
+        const Needs needs = needs_of(still_life(), expected.wanted, {}, false);
         CHECK(needs.normal_depth);
         CHECK(needs.normals == expected.normals);
         CHECK(needs.ao == expected.ao);
@@ -74,7 +74,7 @@ TEST_CASE(
     const char* const parts[] = {"shadow", "sky", "texture coordinates", "tangents", "cut-outs"};
     const auto left_out = [&](const char* name, SceneDetail detail, const WantedBuffers& wanted) {
         std::string which;
-        const Needs needs = needs_of(find_builtin_scene(name)->make(detail), wanted, true, 4, false);
+        const Needs needs = needs_of(find_builtin_scene(name)->make(detail), wanted, {}, false);
         for (const char* part : parts) which += reason(needs, part).empty() ? "" : std::string(part) + "; ";
         CHECK(needs.shadow == reason(needs, "shadow").empty());
         CHECK(needs.sky == reason(needs, "sky").empty());
@@ -88,23 +88,24 @@ TEST_CASE(
           "shadow; sky; texture coordinates; tangents; cut-outs; ");
     CHECK(left_out("fence", SceneDetail::shapes, {"ao_raw"}) == "shadow; sky; tangents; ");
     const Scene luna = columns_luna_scene(SceneDetail::surfaces);
-    CHECK(reason(needs_of(luna, {"normal"}, true, 4, false, true), "tangents").empty());
-    CHECK(reason(needs_of(luna, {"normal"}, true, 4, false, true), "texture coordinates").empty());
+    CHECK(reason(needs_of(luna, {"normal"}, {}, false, true), "tangents").empty());
+    CHECK(reason(needs_of(luna, {"normal"}, {}, false, true), "texture coordinates").empty());
     CHECK(left_out("noise_wall", SceneDetail::surfaces, all_buffers()) ==
           "shadow; sky; tangents; cut-outs; ");
 }
 
 TEST_CASE("needs: no AO method, no blur, no triangles") {
-    const Needs none = needs_of(still_life(), all_buffers(), false, 4, false);
+    const Needs none = needs_of(still_life(), all_buffers(), {.computed = false}, false);
     CHECK(!none.ao);
     CHECK(!none.blur);
     CHECK(none.lit);
     CHECK(reason(none, "ao").find("none") != std::string::npos);
-    const Needs unblurred = needs_of(still_life(), all_buffers(), true, 0, false);
+    const Needs unblurred =
+        needs_of(still_life(), all_buffers(), {.why_no_blur = "blur_iterations is 0"}, false);
     CHECK(unblurred.ao);
     CHECK(!unblurred.blur);
     CHECK(reason(unblurred, "blur").find("blur_iterations") != std::string::npos);
-    const Needs empty = needs_of(empty_scene(), all_buffers(), true, 4, false);
+    const Needs empty = needs_of(empty_scene(), all_buffers(), {}, false);
     CHECK(!empty.ao);
     CHECK(!empty.blur);
     CHECK(reason(empty, "ao").find("no triangles") != std::string::npos);
@@ -116,14 +117,15 @@ TEST_CASE(
     for (unsigned bits = 0; bits < 64; ++bits) {
         for (const Scene* scene : {&with, &without}) {
             for (const bool ao_on : {false, true}) {
-                for (const int iterations : {0, 4}) {
+                for (const char* why_no_blur : {"blur_iterations is 0", static_cast<const char*>(nullptr)}) {
                     for (const bool keep_all : {false, true}) {
                         CAPTURE(bits);
                         CAPTURE(scene->name);
                         CAPTURE(ao_on);
-                        CAPTURE(iterations);
+                        CAPTURE((why_no_blur != nullptr));
                         CAPTURE(keep_all);
-                        const Needs needs = needs_of(*scene, subset(bits), ao_on, iterations, keep_all);
+                        const Needs needs = needs_of(
+                            *scene, subset(bits), {.computed = ao_on, .why_no_blur = why_no_blur}, keep_all);
                         CHECK(needs.normals == reason(needs, "normals").empty());
                         CHECK(needs.ao == reason(needs, "ao").empty());
                         CHECK(needs.blur == reason(needs, "blur").empty());
@@ -141,4 +143,14 @@ TEST_CASE(
             }
         }
     }
+}
+
+TEST_CASE("needs: without a reader of normals there are none") {
+    const Scene scene = still_life();
+    const AoWork depth_only{.reads_normals = false};
+    CHECK(!needs_of(scene, {"ao_raw"}, depth_only, false).normals);
+    CHECK(needs_of(scene, {"ao_raw"}, {}, false).normals);
+    CHECK(needs_of(scene, {"ao_raw", "normal"}, depth_only, false).normals);
+    CHECK(needs_of(scene, {"lit"}, depth_only, false).normals);
+    CHECK(needs_of(scene, {"ao_raw"}, depth_only, true).normals);
 }

@@ -14,7 +14,7 @@ inline const KeptWork kEverything = KeptWork::all();
 inline Image<float> ao_keeping(const AoInputs& inputs, const LunaSettings& settings, const KeptWork& kept) {
     Run run;
     run.kept = kept;
-    return luna_occlusion(inputs, settings, run);
+    return luna_occlusion(inputs, settings, run).ao;
 }
 
 // "" when leaving out changes no bit, each kind kept alone included.

@@ -145,9 +145,9 @@ std::vector<GoldenBuffer> referenced_scenes() {
         ReferenceRequest request;
         request.size = {80, 45};
         request.method = &find_method("xjun");
-        request.ao = settings_of(*request.method, {}, scene.length_unit).ao;
+        request.settings = defaults_of(*request.method, scene.length_unit);
         request.rays.rays = 64;
-        request.rays.radius = request.ao.radius;
+        request.rays.radius = request.method->question(request.settings.ao).radius;
         request.limit_seeds = 16;
         const References r = make_references(scene, scene.camera, request);
         const auto add = [&](const char* buffer, const Reference& reference) {

@@ -26,7 +26,7 @@ FrameRequest request_of(Size size, int tile_size = 64) {
     FrameRequest request;
     request.size = size;
     request.method = &find_method("xjun");
-    request.settings = request.method->defaults;
+    request.settings = settings_of(*request.method);
     request.run = {.threads = 1, .tile_size = tile_size};
     return request;
 }

@@ -100,14 +100,17 @@ FrameRequest random_request(RandomSequence& random) {
     request.size = {random.whole(1, 90), random.whole(1, 60)};
     const char* const methods[] = {"xjun", "luna", "none"};
     request.method = &find_method(methods[std::min(random.whole(0, 6), 2)]);
-    request.settings = request.method->defaults;
-    MethodSettings& settings = request.settings;
-    settings.ao.samples = random.whole(1, 4);
-    settings.ao.radius = static_cast<float>(random.between(0, 1));
-    settings.ao.epsilon = static_cast<float>(random.between(0, 0.6));
-    settings.ao.as_published = random.whole(0, 7) == 0;
-    settings.ao.ao_scale = random.whole(0, 1) == 1 ? 1.0f : 0.5f;
-    settings.blur.iterations = random.whole(0, 2);
+    request.settings = settings_of(*request.method);
+    FrameSettings& settings = request.settings;
+    const auto set = [&](const char* name, double value) {
+        settings.method = with_value(*request.method, settings.method, name, value);
+    };
+    set("samples", random.whole(1, 4));
+    set("radius", random.between(0, 1));
+    set("epsilon", random.between(0, 0.6));
+    set("as_published", random.whole(0, 7) == 0 ? 1 : 0);
+    set("ao_scale", random.whole(0, 1) == 1 ? 1 : 0.5);
+    set("blur_iterations", random.whole(0, 2));
     const DepthFormat formats[] = {DepthFormat::d16, DepthFormat::d24, DepthFormat::d32f};
     settings.buffers.depth_format = formats[random.whole(0, 2)];
     settings.reversed_z = settings.buffers.depth_format == DepthFormat::d32f && random.whole(0, 1) == 1;

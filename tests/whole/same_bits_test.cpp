@@ -10,6 +10,7 @@
 #include "tests/tools/noise.h"
 #include "tests/tools/small_scenes.h"
 #include "tests/tools/still_life.h"
+#include "tests/tools/tutorial_settings.h"
 
 using namespace crevice;
 
@@ -109,7 +110,7 @@ TEST_CASE("same bits: every format, projection, texture and the published text")
             for (const auto& variant : variants) {
                 for (const float ao_scale : {0.5f, 1.0f}) {
                     FrameRequest request = request_for(method, {43, 31}, variant);
-                    request.settings.ao.ao_scale = ao_scale;
+                    ao_of(request.settings).ao_scale = ao_scale;
                     const std::string plain = plain_hashes(scene, request);
                     CAPTURE(static_cast<int>(projection));
                     CAPTURE(std::string(method));
@@ -153,7 +154,8 @@ TEST_CASE("same bits: with --keep-all and without, in every built-in scene") {
                 CAPTURE(std::string(method));
                 CAPTURE(iterations);
                 FrameRequest request = request_for(method, {41, 27});
-                request.settings.blur.iterations = iterations;
+                request.settings.method =
+                    with_value(*request.method, request.settings.method, "blur_iterations", iterations);
                 const std::string without = hashes_of(scene, request);
                 request.run.kept = KeptWork::all();
                 CHECK(hashes_of(scene, request) == without);

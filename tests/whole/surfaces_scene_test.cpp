@@ -46,7 +46,7 @@ std::string ao_hash(const Scene& scene) {
     FrameRequest request;
     request.size = {64, 36};
     request.method = &find_method("xjun");
-    request.settings = request.method->defaults;
+    request.settings = settings_of(*request.method);
     request.wanted = {"normal", "ao_blurred"};
     const Frame frame = render_frame(scene, scene.camera, request);
     return content_hash(frame.gbuffer.normal) + " " + content_hash(frame.ao_blurred);

@@ -14,7 +14,7 @@ using namespace crevice;
 
 namespace {
 
-MethodSettings xjun_settings() { return settings_of(find_method("xjun"), {}); }
+FrameSettings xjun_settings() { return settings_of(find_method("xjun"), {}); }
 
 PeerScene columns_stream() {
     const Scene scene = columns_scene();
@@ -93,7 +93,7 @@ TEST_CASE("a mirrored instance keeps its front in front") {
 TEST_CASE("what the peer cannot draw is refused by name") {
     const Scene scene = columns_scene();
     const auto refused = [&](const std::vector<std::string>& parameters) {
-        const MethodSettings settings = settings_of(find_method("xjun"), parameters);
+        const FrameSettings settings = settings_of(find_method("xjun"), parameters);
         CHECK_THROWS_AS(peer_scene(scene, scene.camera, {320, 180}, settings), UsageError);
     };
     refused({"depth_format=d24"});

@@ -11,6 +11,7 @@
 #include "rasterizer/base/error.h"
 #include "scenes/builtin_scenes.h"
 #include "tests/tools/scratch_directory.h"
+#include "tests/tools/tutorial_settings.h"
 
 using namespace crevice;
 
@@ -114,8 +115,8 @@ TEST_CASE("the peer draws the same picture, and another radius is noticed") {
             INFO(scene.name, ", ", a.buffer, ": ", a.value, " of at most ", a.limit);
             CHECK(a.holds());
         }
-        MethodSettings wrong = request.settings;
-        wrong.ao.radius *= 1.1f;
+        FrameSettings wrong = request.settings;
+        ao_of(wrong).radius *= 1.1f;
         peer.load(peer_scene(scene, scene.camera, request.size, wrong));
         bool noticed = false;
         for (const Agreement& a : agreement(scene, request, ours, peer.buffers()))

@@ -20,7 +20,7 @@ Frame frame_of_columns() {
     FrameRequest request;
     request.size = {160, 90};
     request.method = &find_method("xjun");
-    request.settings = request.method->defaults;
+    request.settings = settings_of(*request.method);
     request.run.tile_size = 16;
     return render_frame(scene, scene.camera, request);
 }

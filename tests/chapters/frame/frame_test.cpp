@@ -13,6 +13,7 @@
 #include "tests/tools/small_scenes.h"
 #include "tests/tools/special_floats.h"
 #include "tests/tools/still_life.h"
+#include "tests/tools/tutorial_settings.h"
 
 using namespace crevice;
 
@@ -22,7 +23,7 @@ FrameRequest request_for(const char* method, Size size) {
     FrameRequest request;
     request.size = size;
     request.method = &find_method(method);
-    request.settings = request.method->defaults;
+    request.settings = settings_of(*request.method);
     return request;
 }
 
@@ -141,7 +142,7 @@ TEST_CASE("frame: whichever buffers are asked for, each has the bits it has amon
         for (const char* method : {"xjun", "luna", "none"}) {
             for (const int iterations : {0, 2}) {
                 FrameRequest request = request_for(method, {29, 21});
-                request.settings.blur.iterations = iterations;
+                blur_of(request.settings).iterations = iterations;
                 const auto all = hashes_of(render_frame(*scene, scene->camera, request), all_buffers());
                 for (unsigned bits = 0; bits < 64; ++bits) {
                     request.wanted.clear();
@@ -174,7 +175,7 @@ TEST_CASE("frame: sizes of the AO maps") {
         request.wanted = {"ao_blurred"};
         CHECK(render_frame(scene, scene.camera, request).ao_blurred.size == half);
         if (picture.width > 1000) continue;
-        request.settings.ao.ao_scale = 1;
+        ao_of(request.settings).ao_scale = 1;
         CHECK(render_frame(scene, scene.camera, request).ao_blurred.size == picture);
     }
 }

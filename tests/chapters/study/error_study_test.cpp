@@ -9,6 +9,7 @@
 #include "rasterizer/base/image_summary.h"
 #include "ssao/methods/luna_ssao.h"
 #include "tests/tools/still_life.h"
+#include "tests/tools/tutorial_settings.h"
 
 using namespace crevice;
 
@@ -42,14 +43,13 @@ std::vector<std::string> steps_of(const std::vector<ChainImage>& chain) {
 TEST_CASE("error settings: names, and what they set") {
     CHECK(setting_name({1, 1, 1, false}) == "1 sample, full size, 1 blur, float32");
     CHECK(setting_name({14, 0.5f, 4, true}) == "14 samples, half size, 4 blurs, float16");
-    const MethodSettings settings = settings_of(find_method("luna"), {7, 1, 2, true}, 4, 99);
-    CHECK(settings.ao.samples == 7);
-    CHECK(settings.ao.ao_scale == 1);
-    CHECK(settings.ao.seed == 99);
-    CHECK(settings.ao.radius == 4 * kLunaSettings.radius);
-    CHECK(settings.blur.iterations == 2);
-    for (const BufferFormat format :
-         {settings.ao.format, settings.blur.format, settings.buffers.buffer_format})
+    const FrameSettings settings = settings_of(find_method("luna"), {7, 1, 2, true}, 4, 99);
+    CHECK(ao_of(settings).samples == 7);
+    CHECK(ao_of(settings).ao_scale == 1);
+    CHECK(ao_of(settings).seed == 99);
+    CHECK(ao_of(settings).radius == 4 * kLunaSettings.radius);
+    CHECK(blur_of(settings).iterations == 2);
+    for (const BufferFormat format : {ao_of(settings).format, settings.buffers.buffer_format})
         CHECK(format == BufferFormat::float16_toward_zero);
     CHECK(default_setting(find_method("luna")).blur_iterations == 3);
     CHECK(default_setting(find_method("xjun")).blur_iterations == 4);
@@ -57,13 +57,14 @@ TEST_CASE("error settings: names, and what they set") {
 
 TEST_CASE("error plans: the full one has every combination once, the quick one no others") {
     std::set<std::string> full;
-    for (const ErrorSetting& setting : full_error_plan().settings) full.insert(setting_name(setting));
+    const Method& xjun = find_method("xjun");
+    const ErrorPlan whole_plan = full_error_plan(xjun), quick_plan = quick_error_plan(xjun);
+    for (const ErrorSetting& setting : whole_plan.settings) full.insert(setting_name(setting));
     CHECK(full.size() == 6 * 2 * 5 * 2);
-    CHECK(full.size() == full_error_plan().settings.size());
-    for (const ErrorSetting& setting : quick_error_plan().settings)
-        CHECK(full.count(setting_name(setting)) == 1);
-    CHECK(full_error_plan().seeds >= 8);
-    CHECK(quick_error_plan().seeds >= 8);
+    CHECK(full.size() == whole_plan.settings.size());
+    for (const ErrorSetting& setting : quick_plan.settings) CHECK(full.count(setting_name(setting)) == 1);
+    CHECK(whole_plan.seeds >= 8);
+    CHECK(quick_plan.seeds >= 8);
 }
 
 TEST_CASE("error chain: one step for each thing that a setting does") {
@@ -72,7 +73,7 @@ TEST_CASE("error chain: one step for each thing that a setting does") {
     ReferenceRequest request;
     request.size = {48, 27};
     request.method = &method;
-    request.ao = method.defaults.ao;
+    request.settings = defaults_of(method);
     request.rays.rays = 16;
     request.limit_seeds = 8;
     const References references = make_references(scene, scene.camera, request);

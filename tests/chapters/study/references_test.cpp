@@ -10,6 +10,7 @@
 #include "tests/tools/scratch_directory.h"
 #include "tests/tools/small_scenes.h"
 #include "tests/tools/still_life.h"
+#include "tests/tools/tutorial_settings.h"
 
 using namespace crevice;
 
@@ -19,9 +20,9 @@ ReferenceRequest request_of(const char* method = "xjun") {
     ReferenceRequest request;
     request.size = {40, 24};
     request.method = &find_method(method);
-    request.ao = request.method->defaults.ao;
+    request.settings = defaults_of(*request.method);
     request.rays.rays = 16;
-    request.rays.radius = request.ao.radius;
+    request.rays.radius = ao_of(request.settings).radius;
     request.limit_seeds = 8;
     return request;
 }
@@ -76,7 +77,7 @@ TEST_CASE("references: the bits that were stored are found, and only for the sam
     changed.rays.seed = 2;
     CHECK(asks_anew(changed, scene, scene.camera));
     changed = request;
-    changed.ao.fade_end = 1.5f;
+    ao_of(changed.settings).fade_end = 1.5f;
     CHECK(asks_anew(changed, scene, scene.camera));
     Camera camera = scene.camera;
     camera.eye.x += 0.25;
@@ -84,9 +85,9 @@ TEST_CASE("references: the bits that were stored are found, and only for the sam
     Scene moved = scene;
     moved.meshes[2].positions[0].y += 0.125f;
     CHECK(asks_anew(request, moved, scene.camera));
-    // Only the limit knows of epsilon and of seeds.
+    // Only the limit knows of epsilon.
     changed = request;
-    changed.ao.epsilon = 0.125f;
+    ao_of(changed.settings).epsilon = 0.125f;
     const References other = make_references(scene, scene.camera, changed);
     CHECK(other.soft.from_cache);
     CHECK(!other.limit.from_cache);

@@ -49,13 +49,13 @@ TEST_CASE("blur: nothing crosses an edge in depth or normal") {
             // round each way.
             const bool exact = near == 0.5f || near == 1;
             const double bound = 2.4e-7 * iterations;  // two roundings in each of its two passes
-            CHECK(further_apart_than(exact ? 0 : bound, bilateral_blur(step, depth_edge, dyadic), step) ==
+            CHECK(further_apart_than(exact ? 0 : bound, bilateral_blur(step, depth_edge, dyadic).ao, step) ==
                   "");
-            CHECK(further_apart_than(exact ? 0 : bound, bilateral_blur(step, normal_edge, dyadic), step) ==
+            CHECK(further_apart_than(exact ? 0 : bound, bilateral_blur(step, normal_edge, dyadic).ao, step) ==
                   "");
-            CHECK(further_apart_than(bound, bilateral_blur(step, depth_edge, xjun), step) == "");
+            CHECK(further_apart_than(bound, bilateral_blur(step, depth_edge, xjun).ao, step) == "");
             // Without the edges it would.
-            CHECK(further_apart_than(0.01, bilateral_blur(step, plain_inputs(size, 5), xjun), step) != "");
+            CHECK(further_apart_than(0.01, bilateral_blur(step, plain_inputs(size, 5), xjun).ao, step) != "");
         }
     }
 }
@@ -71,7 +71,7 @@ TEST_CASE("blur: neighbours exactly at a threshold count, just beyond it they do
         settings.iterations = 1;
         settings.depth_threshold = 0.25f;
         settings.normal_threshold = 0.5f;
-        return bilateral_blur(ao, inputs, settings).at(0, 0) > 0;
+        return bilateral_blur(ao, inputs, settings).ao.at(0, 0) > 0;
     };
     CHECK(with_neighbour(1.25f, {0, 0, -1}));
     CHECK(with_neighbour(0.75f, {0, 0, -1}));
@@ -89,7 +89,7 @@ TEST_CASE("blur: settings out of their range are refused by name") {
         CAPTURE(name);
         BlurSettings settings;
         change(settings);
-        CHECK_THROWS_WITH_AS(bilateral_blur(noise_image({3, 3}, 36), plain_inputs({3, 3}, 5), settings),
+        CHECK_THROWS_WITH_AS(bilateral_blur(noise_image({3, 3}, 36), plain_inputs({3, 3}, 5), settings).ao,
                              doctest::Contains(name), UsageError);
     };
     refused("blur_iterations", [](BlurSettings& s) { s.iterations = -1; });

@@ -104,7 +104,7 @@ TEST_CASE("blur: every size and both tutorials' weights against their loop in do
             CAPTURE(settings.iterations);
             const AoInputs inputs = rough_inputs(size);
             const Image<float> ao = noise_image(size, 36);
-            CHECK(further_apart_than(1e-6, bilateral_blur(ao, inputs, settings),
+            CHECK(further_apart_than(1e-6, bilateral_blur(ao, inputs, settings).ao,
                                      blurred_in_double(ao, inputs, settings)) == "");
         }
     }
@@ -117,9 +117,9 @@ TEST_CASE("blur: where everything is open it stays exactly open, with any edges,
             BlurSettings settings{.weights = weights};
             settings.format = format;
             CAPTURE(static_cast<int>(format));
-            CHECK(other_than(bilateral_blur(Image<float>({37, 23}, 1), rough_inputs({37, 23}), settings),
+            CHECK(other_than(bilateral_blur(Image<float>({37, 23}, 1), rough_inputs({37, 23}), settings).ao,
                              1) == "");
-            CHECK(other_than(bilateral_blur(Image<float>({37, 23}, 0), rough_inputs({37, 23}), settings),
+            CHECK(other_than(bilateral_blur(Image<float>({37, 23}, 0), rough_inputs({37, 23}), settings).ao,
                              0) == "");
         }
     }
@@ -127,10 +127,10 @@ TEST_CASE("blur: where everything is open it stays exactly open, with any edges,
 
 TEST_CASE("blur: 0 iterations and pictures of one pixel leave the map as it is") {
     const Image<float> ao = noise_image({19, 7}, 36);
-    CHECK(content_hash(bilateral_blur(ao, rough_inputs({19, 7}), BlurSettings{.iterations = 0})) ==
+    CHECK(content_hash(bilateral_blur(ao, rough_inputs({19, 7}), BlurSettings{.iterations = 0}).ao) ==
           content_hash(ao));
     for (const float value : {0.0f, 0.25f, 1.0f}) {
-        CHECK(bilateral_blur(Image<float>({1, 1}, value), plain_inputs({1, 1}, 5)).at(0, 0) == value);
+        CHECK(bilateral_blur(Image<float>({1, 1}, value), plain_inputs({1, 1}, 5)).ao.at(0, 0) == value);
     }
 }
 
@@ -141,14 +141,14 @@ TEST_CASE("blur: taps outside the map never count, even with thresholds that let
     everything.depth_threshold = 1e30f;
     const Image<float> ao = noise_image(size, 36);
     const AoInputs inputs = plain_inputs(size, 5);
-    CHECK(further_apart_than(1e-6, bilateral_blur(ao, inputs, everything),
+    CHECK(further_apart_than(1e-6, bilateral_blur(ao, inputs, everything).ao,
                              blurred_in_double(ao, inputs, everything)) == "");
-    CHECK(other_than(bilateral_blur(Image<float>(size, 0), inputs, everything), 0) == "");
+    CHECK(other_than(bilateral_blur(Image<float>(size, 0), inputs, everything).ao, 0) == "");
     // Sky beside sky: nothing but itself.
     AoInputs sky = inputs;
     sky.view_depth = Image<float>(size, kInfinity);
     sky.normal = Image3(size, glm::vec3(0));
-    CHECK(further_apart_than(1e-6, bilateral_blur(ao, sky, everything), ao) == "");
+    CHECK(further_apart_than(1e-6, bilateral_blur(ao, sky, everything).ao, ao) == "");
 }
 
 TEST_CASE("blur: a mirrored picture gives the mirrored result") {
@@ -157,16 +157,16 @@ TEST_CASE("blur: a mirrored picture gives the mirrored result") {
     Image<float> ao = noise_image(size, 36);
     for (const bool in_x : {true, false}) {
         CAPTURE(in_x);
-        const Image<float> expected = mirrored(bilateral_blur(ao, inputs), in_x);
-        CHECK(further_apart_than(1e-6, bilateral_blur(mirrored(ao, in_x), mirrored(inputs, in_x)),
+        const Image<float> expected = mirrored(bilateral_blur(ao, inputs).ao, in_x);
+        CHECK(further_apart_than(1e-6, bilateral_blur(mirrored(ao, in_x), mirrored(inputs, in_x)).ao,
                                  expected) == "");
     }
     // Sums of the first pass are exact when values and weights are sums of few powers of two: then the bits
     // are equal too.
     for (float& a : ao.pixels) a = std::floor(a * 256) / 256;
     const BlurSettings exact{.weights = kDyadicWeights, .iterations = 1};
-    const Image<float> expected = mirrored(bilateral_blur(ao, inputs, exact), true);
-    CHECK(further_apart_than(0, bilateral_blur(mirrored(ao, true), mirrored(inputs, true), exact),
+    const Image<float> expected = mirrored(bilateral_blur(ao, inputs, exact).ao, true);
+    CHECK(further_apart_than(0, bilateral_blur(mirrored(ao, true), mirrored(inputs, true), exact).ao,
                              expected) == "");
 }
 
@@ -189,6 +189,7 @@ TEST_CASE("blur: eleven symmetric weights, and none read beyond them (trap 8: th
     }
     // On the heap, where a sanitizer sees a read past the end.
     const auto settings = std::make_unique<BlurSettings>();
-    const Image<float> blurred = bilateral_blur(noise_image({9, 9}, 36), plain_inputs({9, 9}, 5), *settings);
+    const Image<float> blurred =
+        bilateral_blur(noise_image({9, 9}, 36), plain_inputs({9, 9}, 5), *settings).ao;
     CHECK(outside_unit_interval(blurred) == "");
 }

@@ -49,7 +49,7 @@ std::string blurred_hash(const Image<float>& ao, const AoInputs& inputs, const B
                          const KeptWork& kept) {
     Run run;
     run.kept = kept;
-    return content_hash(bilateral_blur(ao, inputs, settings, run));
+    return content_hash(bilateral_blur(ao, inputs, settings, run).ao);
 }
 
 }  // namespace
@@ -135,7 +135,7 @@ TEST_CASE("open blur tiles: what lies beyond the map does not matter, padding in
         for (int x = 19; x < ao.stride; ++x) ao.row(y)[x] = kNan;
     }
     CHECK(open_blur_tiles(ao).count(TileWork::open) == 4);
-    CHECK(other_than(bilateral_blur(ao, plain_inputs({19, 19}, 5)), 1) == "");
+    CHECK(other_than(bilateral_blur(ao, plain_inputs({19, 19}, 5)).ao, 1) == "");
 }
 
 TEST_CASE("open blur tiles: one dark texel reaches exactly as far as the blur carries it") {
@@ -150,7 +150,7 @@ TEST_CASE("open blur tiles: one dark texel reaches exactly as far as the blur ca
             Image<float> ao(size, 1);
             ao.at(dark.x, dark.y) = 0;
             const int reach = iterations * kBlurRadius;
-            const Image<float> blurred = bilateral_blur(ao, inputs, settings);
+            const Image<float> blurred = bilateral_blur(ao, inputs, settings).ao;
             CHECK(pixels_against(size, [&](int x, int y) {
                       const bool reached = std::abs(x - dark.x) <= reach && std::abs(y - dark.y) <= reach;
                       return reached || blurred.at(x, y) == 1;

@@ -38,7 +38,7 @@ int taps_kept(const AoInputs& inputs, const BlurSettings& settings, int x, int y
         if (k == 0) continue;
         Image<float> ao(inputs.size(), 1);
         ao.at(x, y + k) = 0;
-        kept += bilateral_blur(ao, inputs, settings).at(x, y) < 1;
+        kept += bilateral_blur(ao, inputs, settings).ao.at(x, y) < 1;
     }
     return kept;
 }
@@ -68,7 +68,7 @@ TEST_CASE("slope: the distance from either plane decides, exactly at the limit")
         ao.at(1, 0) = 1;
         BlurSettings settings{.iterations = 1, .normal_threshold = 0.5f, .depth_threshold = 0.25f};
         settings.edges = BlurEdges::slope;
-        return bilateral_blur(ao, inputs, settings).at(0, 0) > 0;
+        return bilateral_blur(ao, inputs, settings).ao.at(0, 0) > 0;
     };
     const glm::vec3 facing(0, 0, -1);
     CHECK(with_neighbour(1.25f, facing, facing));
@@ -97,13 +97,13 @@ TEST_CASE("slope: shade crosses no step between two parallel floors, nor a fold"
     }
     BlurSettings settings;
     settings.edges = BlurEdges::slope;
-    CHECK(further_apart_than(1e-6, bilateral_blur(ao, inputs, settings), ao) == "");
+    CHECK(further_apart_than(1e-6, bilateral_blur(ao, inputs, settings).ao, ao) == "");
     for (int y = 0; y < 12; ++y) {
         for (int x = 15; x < 30; ++x) inputs.view_depth.at(x, y) = 5, inputs.normal.set(x, y, {1, 0, 0});
     }
-    CHECK(further_apart_than(1e-6, bilateral_blur(ao, inputs, settings), ao) == "");
+    CHECK(further_apart_than(1e-6, bilateral_blur(ao, inputs, settings).ao, ao) == "");
     settings.edges = BlurEdges::none;
-    CHECK(further_apart_than(0.1, bilateral_blur(ao, inputs, settings), ao) != "");
+    CHECK(further_apart_than(0.1, bilateral_blur(ao, inputs, settings).ao, ao) != "");
 }
 
 TEST_CASE("none: the weights themselves in the middle of a map, whatever it shows") {
@@ -119,7 +119,7 @@ TEST_CASE("none: the weights themselves in the middle of a map, whatever it show
     ao.at(15, 16) = 1;
     BlurSettings settings{.iterations = 1, .edges = BlurEdges::none};
     for (const KeptWork& kept : {KeptWork{}, KeptWork::all()}) {
-        const Image<float> blurred = bilateral_blur(ao, inputs, settings, Run{.kept = kept});
+        const Image<float> blurred = bilateral_blur(ao, inputs, settings, Run{.kept = kept}).ao;
         CHECK(pixels_against(size, [&](int x, int y) {
                   const int i = x - 15 + 5, j = y - 16 + 5;
                   const auto weight = [](int k) {

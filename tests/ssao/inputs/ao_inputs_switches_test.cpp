@@ -160,8 +160,8 @@ TEST_CASE("texel centre off: half a pixel's slope too deep, and a bare wall occl
                   return off.view_depth.at(x, y) - exact.view_depth.at(x, y) == 0.125f * slope;
               }) == "");
         LunaSettings settings{.exponent = 1};
-        const float of_exact = luna_occlusion(exact, settings, {}).at(16, 8),
-                    of_off = luna_occlusion(off, settings, {}).at(16, 8);
+        const float of_exact = luna_occlusion(exact, settings, {}).ao.at(16, 8),
+                    of_off = luna_occlusion(off, settings, {}).ao.at(16, 8);
         CHECK(of_exact > 0.9999f);
         // Taken too deep, p lies behind its wall, which then stands in front of it; too near it does not.
         CHECK((of_off < 0.99f) == (slope > 0));

@@ -37,7 +37,7 @@ TEST_CASE("limit: the mean of the method over other seeds tends to it, within th
         std::vector<double> sum(limit.mean.pixels.size()), squares(sum.size());
         for (int i = 0; i < seeds; ++i) {
             settings.seed = 100 + static_cast<std::uint32_t>(i);
-            const Image<float> ao = luna_occlusion(inputs, settings, {});
+            const Image<float> ao = luna_occlusion(inputs, settings, {}).ao;
             for (std::size_t k = 0; k < sum.size(); ++k) {
                 sum[k] += static_cast<double>(ao.pixels[k]);
                 squares[k] += static_cast<double>(ao.pixels[k]) * static_cast<double>(ao.pixels[k]);

@@ -39,10 +39,10 @@ TEST_CASE("traps 3 and 4: no NaN from 1e5 in half floats, and the sky is exactly
                     settings.format = ao_format;
                     settings.as_published = as_published;
                     const AoInputs inputs = ao_inputs(g, scene.camera, method.fetch(settings));
-                    const Image<float> raw = luna_occlusion(inputs, settings, {});
+                    const Image<float> raw = luna_occlusion(inputs, settings, {}).ao;
                     BlurSettings blur;
                     blur.format = ao_format;
-                    const Image<float> blurred = bilateral_blur(raw, inputs, blur);
+                    const Image<float> blurred = bilateral_blur(raw, inputs, blur).ao;
                     CHECK(outside_unit_interval(raw) == "");
                     CHECK(outside_unit_interval(blurred) == "");
                     CHECK(buffer_statistics(raw).min < 0.9f);

@@ -128,7 +128,7 @@ TEST_CASE("the whole pass agrees with the formula in double to 1e-5") {
         CAPTURE(method.name);
         const PreparedStillLife scene(method);
         const Reference reference(scene.scene, scene.g, scene.inputs, scene.settings);
-        const Image<float> ao = luna_occlusion(scene.inputs, scene.settings, {});
+        const Image<float> ao = luna_occlusion(scene.inputs, scene.settings, {}).ao;
         int surfaces = 0, occluded = 0, ambiguous = 0;
         CHECK(pixels_against(ao.size, [&](int x, int y) {
                   if (scene.inputs.view_depth.at(x, y) == kInfinity) return ao.at(x, y) == 1;

@@ -27,8 +27,8 @@ AoMaps ao_maps(const Scene& scene, Size size, const TutorialMethod& method, cons
                const BlurSettings& blur = {}) {
     const AoInputs inputs =
         ao_inputs(normal_depth(scene, scene.camera, size), scene.camera, method.fetch(settings));
-    Image<float> raw = luna_occlusion(inputs, settings, {});
-    Image<float> blurred = bilateral_blur(raw, inputs, blur);
+    Image<float> raw = luna_occlusion(inputs, settings, {}).ao;
+    Image<float> blurred = bilateral_blur(raw, inputs, blur).ao;
     return {std::move(raw), std::move(blurred)};
 }
 
@@ -48,10 +48,10 @@ TEST_CASE("a plane that faces the eye is exactly open, near and far, also at the
             CAPTURE(z);
             CAPTURE(size.width);
             AoInputs inputs = plain_inputs(size, z);
-            CHECK(other_than(luna_occlusion(inputs, {}, {}), 1) == "");
+            CHECK(other_than(luna_occlusion(inputs, {}, {}).ao, 1) == "");
             inputs.rays.perspective = true;
             inputs.rays.ray_scale = {0.7f, 0.5f};
-            CHECK(other_than(luna_occlusion(inputs, {}, {}), 1) == "");
+            CHECK(other_than(luna_occlusion(inputs, {}, {}).ao, 1) == "");
         }
     }
 }
@@ -86,7 +86,7 @@ TEST_CASE("closed form: a sheet half a unit in front of a plane") {
             CAPTURE(exponent);
             settings.samples = samples;
             settings.exponent = exponent;
-            const Image<float> ao = luna_occlusion(inputs, settings, {});
+            const Image<float> ao = luna_occlusion(inputs, settings, {}).ao;
             CHECK(pixels_against(size, [&](int x, int y) {
                       if (x < 6 || y < 6 || x > 57 || y > 57) return true;  // may see the border
                       double sum = 0;
@@ -214,7 +214,7 @@ TEST_CASE("settings out of their range are refused by name") {
         change(settings);
         CHECK_THROWS_WITH_AS(validate(settings), doctest::Contains(name), UsageError);
         const AoInputs inputs = plain_inputs({2, 2}, 5);
-        CHECK_THROWS_WITH_AS(luna_occlusion(inputs, settings, {}), doctest::Contains(name), UsageError);
+        CHECK_THROWS_WITH_AS(luna_occlusion(inputs, settings, {}).ao, doctest::Contains(name), UsageError);
     };
     for (const int samples : {0, -1, 15}) refused("samples: ", [=](LunaSettings& s) { s.samples = samples; });
     for (const float bad : {-0.1f, kNan, kInfinity, -kInfinity}) {

@@ -47,7 +47,7 @@ TEST_CASE("as_published is its four switches together, and no random vectors sta
                 LunaSettings settings = method.settings;
                 change(settings);
                 const AoInputs inputs = ao_inputs(g, scene.camera, method.fetch(settings));
-                return content_hash(luna_occlusion(inputs, settings, {}));
+                return content_hash(luna_occlusion(inputs, settings, {}).ao);
             };
             const auto each = [](LunaSettings& s) {
                 s.random_vectors = RandomVectors::raw;
@@ -94,7 +94,7 @@ TEST_CASE("no random vectors: a straight edge has the same AO all along, which a
     const AoInputs inputs = bump({64, 48}, 10, 0.5f, 30, 34);
     for (const RandomVectors kind : {RandomVectors::none, RandomVectors::unit, RandomVectors::raw}) {
         CAPTURE(static_cast<int>(kind));
-        const Image<float> ao = luna_occlusion(inputs, {.radius = 3, .random_vectors = kind}, {});
+        const Image<float> ao = luna_occlusion(inputs, {.radius = 3, .random_vectors = kind}, {}).ao;
         float change = 0;
         for (int x = 24; x < 40; ++x) {
             for (int y = 4; y < 44; ++y) change = std::max(change, std::fabs(ao.at(x, y) - ao.at(x, 4)));
@@ -144,9 +144,9 @@ TEST_CASE("without the self-occlusion test a tilted plane darkens by a closed fo
         const AoInputs inputs = tilted_plane(size, slope);
         LunaSettings settings{
             .radius = 4, .fade_end = 3, .exponent = 1, .random_vectors = RandomVectors::none};
-        const Image<float> with = luna_occlusion(inputs, settings, {});
+        const Image<float> with = luna_occlusion(inputs, settings, {}).ao;
         settings.self_occlusion_test = false;
-        const Image<float> without = luna_occlusion(inputs, settings, {});
+        const Image<float> without = luna_occlusion(inputs, settings, {}).ao;
         // r lies straight before or behind q, on the plane: p_z - r_z is -slope times q's way to the right.
         double sum = 0;
         const double s = static_cast<double>(slope);
@@ -180,8 +180,8 @@ TEST_CASE("every switch: leaving out changes no bit, neither do lanes, and doubl
                 const AoInputs inputs = ao_inputs(g, scene.camera, method.fetch(settings));
                 CHECK(changed_by_skips(inputs, settings) == "");
                 open += ao_tiles(inputs, settings).count(TileWork::open);
-                const Image<float> ao = luna_occlusion(inputs, settings, {});
-                CHECK(content_hash(luna_occlusion(inputs, settings, {.threads = 1, .lanes = 1})) ==
+                const Image<float> ao = luna_occlusion(inputs, settings, {}).ao;
+                CHECK(content_hash(luna_occlusion(inputs, settings, {.threads = 1, .lanes = 1}).ao) ==
                       content_hash(ao));
                 const Image<float> truth = luna_occlusion_in_double(inputs, settings, {});
                 double off = 0;

@@ -1,4 +1,4 @@
-#include "chapters/frame/methods.h"
+#include "chapters/frame/frame_settings.h"
 
 #include <functional>
 #include <set>
@@ -6,8 +6,10 @@
 
 #include <doctest/doctest.h>
 
+#include "chapters/frame/parameter_words.h"
 #include "chapters/terminal/parse.h"
 #include "rasterizer/base/error.h"
+#include "tests/tools/tutorial_settings.h"
 
 using namespace crevice;
 
@@ -15,98 +17,82 @@ namespace {
 
 const Method& xjun() { return find_method("xjun"); }
 
-MethodSettings xjun_with(const std::string& assignment) { return settings_of(xjun(), {assignment}); }
+FrameSettings xjun_with(const std::string& assignment) { return settings_of(xjun(), {assignment}); }
 
 }  // namespace
 
-TEST_CASE("methods: the tutorials' two and none, found by name") {
-    std::set<std::string> names;
-    for (const Method& method : ao_methods()) {
-        names.insert(method.name);
-        CHECK(&find_method(method.name) == &method);
-        CHECK(method.computes_ao == (method.fetch != nullptr));
-        CHECK(std::string(method.title) != "");
-        CHECK(std::string(method.source) != "");
-    }
-    CHECK(names.size() == ao_methods().size());
-    for (const char* name : {"xjun", "luna", "none"}) CHECK(names.contains(name));
-    for (const char* wrong : {"", "XJUN", "xjun ", "ssao"}) {
-        CAPTURE(std::string(wrong));
-        CHECK_THROWS_WITH_AS(find_method(wrong), doctest::Contains("xjun, luna, none"), UsageError);
-    }
-}
-
 TEST_CASE("parameters: the tutorials' defaults") {
-    const MethodSettings x = settings_of(xjun(), {}), l = settings_of(find_method("luna"), {});
-    CHECK(x.ao.samples == 14);
-    CHECK(x.ao.radius == 0.5f);
-    CHECK(x.ao.fade_start == 0.2f);
-    CHECK(x.ao.fade_end == 2.0f);
-    CHECK(x.ao.epsilon == 0.05f);
-    CHECK(x.ao.exponent == 4);
-    CHECK(x.blur.iterations == 4);
-    CHECK(x.blur.weights == kXjunBlurWeights);
-    CHECK(l.ao.radius == 0.5f);
-    CHECK(l.ao.fade_end == 1.0f);
-    CHECK(l.ao.exponent == 6);
-    CHECK(l.blur.iterations == 3);
-    CHECK(l.blur.weights == kLunaBlurWeights);
-    CHECK(l.blur.normal_threshold == 0.8f);
-    CHECK(l.blur.depth_threshold == 0.2f);
+    const FrameSettings x = settings_of(xjun(), {}), l = settings_of(find_method("luna"), {});
+    CHECK(ao_of(x).samples == 14);
+    CHECK(ao_of(x).radius == 0.5f);
+    CHECK(ao_of(x).fade_start == 0.2f);
+    CHECK(ao_of(x).fade_end == 2.0f);
+    CHECK(ao_of(x).epsilon == 0.05f);
+    CHECK(ao_of(x).exponent == 4);
+    CHECK(blur_of(x).iterations == 4);
+    CHECK(blur_of(x).weights == kXjunBlurWeights);
+    CHECK(ao_of(l).radius == 0.5f);
+    CHECK(ao_of(l).fade_end == 1.0f);
+    CHECK(ao_of(l).exponent == 6);
+    CHECK(blur_of(l).iterations == 3);
+    CHECK(blur_of(l).weights == kLunaBlurWeights);
+    CHECK(blur_of(l).normal_threshold == 0.8f);
+    CHECK(blur_of(l).depth_threshold == 0.2f);
 }
 
 TEST_CASE(
     "parameters: each has a unique name, range and effect, and its default, read back, changes nothing") {
     for (const Method& method : ao_methods()) {
         std::set<std::string> names;
-        for (const Parameter& parameter : parameters_of(method)) {
+        for (const Parameter<FrameSettings>& parameter : frame_parameters(method)) {
             CAPTURE(std::string(method.name));
             CAPTURE(std::string(parameter.name));
             CHECK(names.insert(parameter.name).second);
             CHECK(std::string(parameter.range) != "");
             CHECK(std::string(parameter.unit) != "");
             CHECK(std::string(parameter.effect) != "");
-            const std::string word = parameter.get(method.defaults);
-            const MethodSettings again = settings_of(method, {parameter.name + ("=" + word)});
-            for (const Parameter& other : parameters_of(method))
-                CHECK(other.get(again) == other.get(method.defaults));
+            const FrameSettings defaults = settings_of(method);
+            const std::string word = word_of(parameter, defaults);
+            const FrameSettings again = settings_of(method, {parameter.name + ("=" + word)});
+            for (const Parameter<FrameSettings>& other : frame_parameters(method))
+                CHECK(other.get(again) == other.get(defaults));
         }
         for (const char* common : {"samples", "radius", "fade_start", "fade_end", "epsilon", "exponent",
                                    "seed", "blur_iterations", "as_published"}) {
             CAPTURE(std::string(common));
-            CHECK(names.contains(common) == method.computes_ao);
+            CHECK(names.contains(common) == method.computes_ao());
         }
         for (const char* buffers : {"depth_format", "buffer_format"}) CHECK(names.contains(buffers));
     }
 }
 
 TEST_CASE("parameters: a value arrives where it belongs, the last one wins") {
-    CHECK(xjun_with("samples=3").ao.samples == 3);
-    CHECK(xjun_with("radius=.75").ao.radius == 0.75f);
-    CHECK(xjun_with("fade_start=0").ao.fade_start == 0);
-    CHECK(xjun_with("fade_end=1e2").ao.fade_end == 100);
-    CHECK(xjun_with("epsilon=0.01").ao.epsilon == 0.01f);
-    CHECK(xjun_with("exponent=0").ao.exponent == 0);
-    CHECK(xjun_with("seed=4294967295").ao.seed == 0xffffffffu);
-    CHECK(xjun_with("as_published=true").ao.as_published);
-    CHECK(xjun_with("as_published=1").ao.as_published);
-    CHECK(!xjun_with("as_published=0").ao.as_published);
-    CHECK(xjun_with("ao_format=float16").ao.format == BufferFormat::float16_toward_zero);
+    CHECK(ao_of(xjun_with("samples=3")).samples == 3);
+    CHECK(ao_of(xjun_with("radius=.75")).radius == 0.75f);
+    CHECK(ao_of(xjun_with("fade_start=0")).fade_start == 0);
+    CHECK(ao_of(xjun_with("fade_end=1e2")).fade_end == 100);
+    CHECK(ao_of(xjun_with("epsilon=0.01")).epsilon == 0.01f);
+    CHECK(ao_of(xjun_with("exponent=0")).exponent == 0);
+    CHECK(ao_of(xjun_with("seed=4294967295")).seed == 0xffffffffu);
+    CHECK(ao_of(xjun_with("as_published=true")).as_published);
+    CHECK(ao_of(xjun_with("as_published=1")).as_published);
+    CHECK(!ao_of(xjun_with("as_published=0")).as_published);
+    CHECK(ao_of(xjun_with("ao_format=float16")).format == BufferFormat::float16_toward_zero);
     CHECK(xjun_with("buffer_format=float16_nearest").buffers.buffer_format ==
           BufferFormat::float16_nearest_even);
-    CHECK(xjun_with("blur_iterations=0").blur.iterations == 0);
-    CHECK(xjun_with("blur_weights=luna").blur.weights == kLunaBlurWeights);
-    CHECK(xjun_with("blur_normal=-1").blur.normal_threshold == -1);
-    CHECK(xjun_with("blur_depth=3").blur.depth_threshold == 3);
+    CHECK(blur_of(xjun_with("blur_iterations=0")).iterations == 0);
+    CHECK(blur_of(xjun_with("blur_weights=luna")).weights == kLunaBlurWeights);
+    CHECK(blur_of(xjun_with("blur_normal=-1")).normal_threshold == -1);
+    CHECK(blur_of(xjun_with("blur_depth=3")).depth_threshold == 3);
     CHECK(xjun_with("depth_format=d16").buffers.depth_format == DepthFormat::d16);
     CHECK(!xjun_with("depth_format=d32f").reversed_z);
     CHECK(xjun_with("depth_format=d32f_reversed").reversed_z);
-    CHECK(settings_of(xjun(), {"samples=3", "radius=1", "samples=5"}).ao.samples == 5);
-    CHECK(settings_of(xjun(), {"fade_start=5", "fade_end=6"}).ao.fade_start == 5);
+    CHECK(ao_of(settings_of(xjun(), {"samples=3", "radius=1", "samples=5"})).samples == 5);
+    CHECK(ao_of(settings_of(xjun(), {"fade_start=5", "fade_end=6"})).fade_start == 5);
 }
 
 TEST_CASE("parameters: each artifact has a switch, at its cure by default") {
-    const auto ao = [](const std::string& assignment) { return xjun_with(assignment).ao; };
+    const auto ao = [](const std::string& assignment) { return ao_of(xjun_with(assignment)); };
     CHECK(ao("random_vectors=raw").random_vectors == RandomVectors::raw);
     CHECK(ao("random_vectors=none").random_vectors == RandomVectors::none);
     CHECK(ao("sign_of_zero=zero").sign_of_zero == SignOfZero::zero);
@@ -117,21 +103,21 @@ TEST_CASE("parameters: each artifact has a switch, at its cure by default") {
     CHECK(ao("texel_centre=off").texel_centre == TexelCentre::off);
     CHECK(ao("edge_texels=mixed").edge_texels == EdgeTexels::mixed);
     CHECK(ao("sky_depth=as_stored").sky_depth == SkyDepth::as_stored);
-    CHECK(xjun_with("blur_edges=slope").blur.edges == BlurEdges::slope);
-    CHECK(xjun_with("blur_edges=none").blur.edges == BlurEdges::none);
+    CHECK(blur_of(xjun_with("blur_edges=slope")).edges == BlurEdges::slope);
+    CHECK(blur_of(xjun_with("blur_edges=none")).edges == BlurEdges::none);
     for (const Method* method : {&xjun(), &find_method("luna")}) {
         CAPTURE(std::string(method->name));
-        const MethodSettings s = settings_of(*method, {});
-        CHECK(s.ao.random_vectors == RandomVectors::unit);
-        CHECK(s.ao.sign_of_zero == SignOfZero::plus);
-        CHECK(s.ao.self_occlusion_test);
-        CHECK(s.ao.border == MapBorder::far);
-        CHECK(s.ao.texel_centre == TexelCentre::exact);
-        CHECK(s.ao.edge_texels == EdgeTexels::nearest);
-        CHECK(s.ao.sky_depth == SkyDepth::finite);
-        CHECK(s.blur.edges == BlurEdges::fixed);
+        const FrameSettings s = settings_of(*method, {});
+        CHECK(ao_of(s).random_vectors == RandomVectors::unit);
+        CHECK(ao_of(s).sign_of_zero == SignOfZero::plus);
+        CHECK(ao_of(s).self_occlusion_test);
+        CHECK(ao_of(s).border == MapBorder::far);
+        CHECK(ao_of(s).texel_centre == TexelCentre::exact);
+        CHECK(ao_of(s).edge_texels == EdgeTexels::nearest);
+        CHECK(ao_of(s).sky_depth == SkyDepth::finite);
+        CHECK(blur_of(s).edges == BlurEdges::fixed);
         const DepthSource own = method == &xjun() ? DepthSource::view_depth : DepthSource::ndc_depth;
-        CHECK(method->fetch(s.ao).depth == own);
+        CHECK(ao_of(s).depth_source == own);
     }
     for (const char* name : {"random_vectors", "sign_of_zero", "self_occlusion_test", "depth_source",
                              "border", "texel_centre", "edge_texels", "sky_depth", "blur_edges"}) {
@@ -178,14 +164,14 @@ TEST_CASE("parameters: a wrong name or value is refused, and the message names i
 }
 
 TEST_CASE("parameters: default lengths follow the scene's unit, given ones do not") {
-    const MethodSettings s = settings_of(xjun(), {"epsilon=0.5"}, 8);
-    CHECK(s.ao.radius == 4);
-    CHECK(s.ao.fade_start == 8 * 0.2f);
-    CHECK(s.ao.fade_end == 16);
-    CHECK(s.ao.epsilon == 0.5f);
-    CHECK(s.blur.depth_threshold == 8 * 0.2f);
-    CHECK(s.blur.normal_threshold == 0.8f);
-    CHECK(s.ao.exponent == 4);
+    const FrameSettings s = settings_of(xjun(), {"epsilon=0.5"}, 8);
+    CHECK(ao_of(s).radius == 4);
+    CHECK(ao_of(s).fade_start == 8 * 0.2f);
+    CHECK(ao_of(s).fade_end == 16);
+    CHECK(ao_of(s).epsilon == 0.5f);
+    CHECK(blur_of(s).depth_threshold == 8 * 0.2f);
+    CHECK(blur_of(s).normal_threshold == 0.8f);
+    CHECK(ao_of(s).exponent == 4);
 }
 
 TEST_CASE("the lists for reading name every method and parameter") {
@@ -193,7 +179,7 @@ TEST_CASE("the lists for reading name every method and parameter") {
     print_methods(methods);
     for (const Method& method : ao_methods()) CHECK(methods.str().find(method.name) != std::string::npos);
     print_parameters(parameters, xjun());
-    for (const Parameter& parameter : parameters_of(xjun())) {
+    for (const Parameter<FrameSettings>& parameter : frame_parameters(xjun())) {
         CAPTURE(std::string(parameter.name));
         CHECK(parameters.str().find(std::string("\n") + parameter.name + " ") != std::string::npos);
         CHECK(parameters.str().find(parameter.effect) != std::string::npos);

@@ -1,0 +1,51 @@
+#include "ssao/methods/method.h"
+
+#include <utility>
+
+namespace crevice {
+
+std::vector<Parameter<MethodSettings>> parameters_of(const Method& method) {
+    std::vector<Parameter<MethodSettings>> all = within<MethodSettings>(
+        method.parameters, [](auto& settings) -> auto& { return settings.ao; });
+    for (auto& parameter : within<MethodSettings>(
+             method.denoiser.parameters, [](auto& settings) -> auto& { return settings.denoiser; }))
+        all.push_back(std::move(parameter));
+    return all;
+}
+
+MethodSettings defaults_of(const Method& method, float length_unit) {
+    MethodSettings settings{method.defaults, method.denoiser.defaults};
+    for (const Parameter<MethodSettings>& parameter : parameters_of(method)) {
+        if (parameter.unit == kSceneUnit)
+            parameter.set(settings, parameter.get(settings) * static_cast<double>(length_unit));
+    }
+    return settings;
+}
+
+void validate(const Method& method, const MethodSettings& settings) {
+    if (method.validate) method.validate(settings.ao);
+    if (method.denoiser.validate) method.denoiser.validate(settings.denoiser);
+}
+
+std::optional<double> value_of(const Method& method, const MethodSettings& settings,
+                               const std::string& name) {
+    for (const Parameter<MethodSettings>& parameter : parameters_of(method)) {
+        if (parameter.name == name) return parameter.get(settings);
+    }
+    return std::nullopt;
+}
+
+MethodSettings with_value(const Method& method, MethodSettings settings, const std::string& name,
+                          double value) {
+    for (const Parameter<MethodSettings>& parameter : parameters_of(method)) {
+        if (parameter.name == name) parameter.set(settings, value);
+    }
+    return settings;
+}
+
+AoMap denoised(const Method& method, const RawAo& raw, const MethodSettings& settings, const Run& run) {
+    if (method.denoiser.denoised) return method.denoiser.denoised(raw, settings.denoiser, run);
+    return {raw.ao, raw.tiles};
+}
+
+}  // namespace crevice
