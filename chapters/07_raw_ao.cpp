@@ -140,10 +140,9 @@ void texels_and_pixels(Notebook& book, const SwitchedView& view) {
 }
 
 void sky_in_a_half(Notebook& book, const SwitchedView& view) {
-    Words words = {"buffer_format=float16_nearest", "edge_texels=mixed"};
-    const SwitchedAo finite = view.ao(words);
-    words.push_back("sky_depth=as_stored");
-    const SwitchedAo infinite = view.ao(words);
+    const Words finite_words = {"buffer_format=float16_nearest", "edge_texels=mixed"};
+    const Words words = {"buffer_format=float16_nearest", "edge_texels=mixed", "sky_depth=as_stored"};
+    const SwitchedAo finite = view.ao(finite_words), infinite = view.ao(words);
     book.show_row("1e5 in a half-float kept at 65504; rounded to nearest, which is infinite, " +
                       view.command(words) +
                       "; infinite minus finite: a few texels at "

@@ -10,7 +10,7 @@ struct Preset {
     const char* name;
     const char* title;
     const char* scene;   // a built-in scene
-    const char* method;  // of methods.h; its defaults are the tutorial's parameters
+    const char* method;  // of ao_methods.h; its defaults are the tutorial's parameters
 };
 
 std::span<const Preset> presets();

@@ -142,7 +142,8 @@ TEST_CASE("frame: whichever buffers are asked for, each has the bits it has amon
         for (const char* method : {"xjun", "luna", "none"}) {
             for (const int iterations : {0, 2}) {
                 FrameRequest request = request_for(method, {29, 21});
-                blur_of(request.settings).iterations = iterations;
+                request.settings.method =
+                    with_value(*request.method, request.settings.method, "blur_iterations", iterations);
                 const auto all = hashes_of(render_frame(*scene, scene->camera, request), all_buffers());
                 for (unsigned bits = 0; bits < 64; ++bits) {
                     request.wanted.clear();
