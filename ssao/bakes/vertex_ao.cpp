@@ -191,7 +191,7 @@ VertexAo vertex_ao_from_corners(const Scene& scene, const RayScene& rays, const 
         RayAoSettings share = settings;
         share.rays = each;
         const auto seed_of = [&](std::uint32_t piece) {
-            return hash_of(settings.seed, static_cast<std::uint32_t>(each), piece);
+            return hash_of(settings.seed, static_cast<std::uint32_t>(share.rays), piece);
         };
         const std::vector<float> values =
             cast_in_pieces(rays, points, share, seed_of, run, [&](long long more) {
