@@ -17,7 +17,8 @@ struct Outcome {
 };
 
 inline Outcome crevice_says(const std::string& arguments) {
-    const std::string command = std::string(CREVICE_PROGRAM) + " " + arguments + " 2>&1 </dev/null";
+    std::string command = CREVICE_PROGRAM " ";
+    command.append(arguments).append(" 2>&1 </dev/null");
     std::FILE* pipe = popen(command.c_str(), "r");
     REQUIRE(pipe != nullptr);
     Outcome outcome;

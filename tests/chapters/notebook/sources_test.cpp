@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "chapters/notebook/html.h"
+#include "chapters/notebook/markdown.h"
 #include "chapters/notebook/notebook_page.h"
 
 using namespace crevice;
