@@ -101,7 +101,7 @@ const Method& find_method(const std::string& name) {
         if (name == method.name) return method;
         known += std::string(known.empty() ? "" : ", ") + method.name;
     }
-    throw UsageError("method: there is none of this name (" + name + "); give one of " + known);
+    throw UsageError("method: there is no such method (" + name + "); give one of " + known);
 }
 
 }  // namespace crevice
