@@ -71,7 +71,7 @@ void fill(Image<T>& image, PixelRect rect, T value) {
         std::fill(image.row(y) + rect.x0, image.row(y) + round_up(rect.x1, kRowAlignment), value);
 }
 
-// Three planes, one a component: what a kernel loads eight pixels at a time.
+// Three planes, one a component: what a kernel loads several pixels at a time.
 struct Image3 {
     Image<float> x, y, z;
 

@@ -1,5 +1,5 @@
-// Lights the pixels of a tile when it is known what they show: eight at a time, whatever the size of the
-// triangles.
+// Lights the pixels of a tile when it is known what they show: as many at a time as there are lanes, whatever the
+// size of the triangles.
 #pragma once
 
 #include "rasterizer/draw/view_ray.h"
@@ -11,7 +11,7 @@
 
 namespace crevice {
 
-// What the pixels of one row show, from the tile's first one on. Null: see each.
+// What the pixels of one row show, from the tile's first one on.
 struct ShownRow {
     const std::int32_t* material;  // index into Scene::materials, or kNoTriangle: the sky
     const float* normal[3];        // view space, unit
@@ -31,7 +31,7 @@ struct ShownSurface {
           n_view(load3(row.normal, at)),
           texture(row.colour[0] == nullptr ? Vec3<F>{F(1), F(1), F(1)} : load3(row.colour, at)),
           gloss(row.gloss == nullptr ? F(1) : load<F>(row.gloss + at)),
-          view_depth(row.view_depth == nullptr ? F(1) : load<F>(row.view_depth + at)) {}
+          view_depth(load<F>(row.view_depth + at)) {}
 
  private:
     CREVICE_INLINE static Vec3<F> load3(const float* const (&row)[3], int at) {
