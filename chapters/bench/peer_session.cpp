@@ -16,7 +16,7 @@ ChildCommand peer_command(const std::filesystem::path& program, int threads, dou
         throw InputError(
             program.string() +
             ": the peer was not built; install libegl-dev libgl-dev libegl-mesa0 libgl1-mesa-dri "
-            "and build again");
+            "and run ./crevice.sh test, which builds it");
     }
     // llvmpipe draws in its caller's thread when told to use none of its own.
     const std::string own_threads = std::to_string(threads == 1 ? 0 : threads);

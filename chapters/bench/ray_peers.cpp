@@ -213,8 +213,8 @@ int bench_ray_peers(const RayPeersOptions& options, std::ostream& out) {
     validate(options.run);
     std::error_code ignored;
     if (!std::filesystem::exists(options.program, ignored)) {
-        out << "Rays: not compared with Embree, whose peer was not built; install libembree-dev and build "
-               "again.\n";
+        out << "Rays: not compared with Embree, whose peer was not built; install libembree-dev and run "
+               "./crevice.sh test, which builds it.\n";
         return static_cast<int>(ExitCode::done);
     }
     BenchReport report{"ray_peers", machine_facts(options.run), {}};

@@ -40,21 +40,20 @@ BakeOptions options_of(const BakeWords& words) {
 
 }  // namespace
 
-Command add_bake_command(CLI::App& program) {
+Command add_bake_command(CommandLine& program) {
     const auto words = std::make_shared<BakeWords>();
-    CLI::App* const bake = program.add_subcommand(
+    CommandLine bake = program.subcommand(
         "bake", "Ray-cast accessibility kept with the mesh: vertex colours or a lightmap, as OBJ and PNG");
-    bake->add_option("SCENE", words->scene, kSceneMeaning)->required();
-    bake->add_flag("--vertex", words->vertex, "one value a vertex, as vertex colours of an OBJ");
-    bake->add_flag("--lightmap", words->lightmap, "one value a texel, with texture coordinates of its own");
-    bake->add_flag(
+    bake.required("SCENE", words->scene, kSceneMeaning);
+    bake.flag("--vertex", words->vertex, "one value a vertex, as vertex colours of an OBJ");
+    bake.flag("--lightmap", words->lightmap, "one value a texel, with texture coordinates of its own");
+    bake.flag(
         "--mesh-texcoords", words->mesh_texcoords,
         "with --lightmap: the mesh's own texture coordinates, if they lie in [0,1] and do not overlap");
-    bake->add_option("--texels", words->texels, "with --lightmap: side of the map, 16..4096")
-        ->capture_default_str();
-    add_ray_flags(*bake, words->rays, "inf");
-    add_run_flags(*bake, words->run);
-    bake->add_option("--out", words->out, "the directory for the files")->capture_default_str();
+    bake.option("--texels", words->texels, "with --lightmap: side of the map, 16..4096");
+    add_ray_flags(bake, words->rays, "inf");
+    add_run_flags(bake, words->run);
+    bake.option("--out", words->out, "the directory for the files");
     return {bake, [words] {
                 const BakeOptions options = options_of(*words);
                 words->vertex ? bake_vertex(options, std::cout) : bake_lightmap(options, std::cout);

@@ -133,10 +133,10 @@ bool reads(const Benchmark& benchmark, const std::string& word) {
     return all.find(" " + (of_camera ? "CAMERA" : word) + " ") != std::string::npos;
 }
 
-const Benchmark& chosen_benchmark(const CLI::App& command) {
+const Benchmark& chosen_benchmark(const std::vector<std::string>& given) {
     const Benchmark* chosen = &kBenchmarks[0];
     for (const Benchmark& benchmark : kBenchmarks) {
-        if (*benchmark.flag == 0 || command.count(benchmark.flag) == 0) continue;
+        if (std::ranges::find(given, benchmark.flag) == given.end()) continue;
         if (*chosen->flag != 0)
             throw UsageError(std::string("bench: both ") + chosen->flag + " and " + benchmark.flag +
                              "; give one at a time");
@@ -146,10 +146,9 @@ const Benchmark& chosen_benchmark(const CLI::App& command) {
 }
 
 // A word that the benchmark would not look at is a mistake, not a wish.
-void require_read(const CLI::App& command, const Benchmark& chosen) {
-    for (const CLI::Option* option : command.get_options()) {
-        const std::string word = option->get_name();
-        if (option->count() == 0 || reads(chosen, word)) continue;
+void require_read(const std::vector<std::string>& given, const Benchmark& chosen) {
+    for (const std::string& word : given) {
+        if (reads(chosen, word)) continue;
         std::string readers;
         for (const Benchmark& benchmark : kBenchmarks) {
             if (reads(benchmark, word)) readers += (readers.empty() ? "" : ", ") + name_of(benchmark);
@@ -159,36 +158,36 @@ void require_read(const CLI::App& command, const Benchmark& chosen) {
     }
 }
 
-int run(const CLI::App& command, const BenchWords& words) {
-    const Benchmark& chosen = chosen_benchmark(command);
-    require_read(command, chosen);
+int run(const std::vector<std::string>& given, const BenchWords& words) {
+    const Benchmark& chosen = chosen_benchmark(given);
+    require_read(given, chosen);
     if (words.out) try_output_directory(*words.out);
     return chosen.run(words);
 }
 
 }  // namespace
 
-Command add_bench_command(CLI::App& program) {
+Command add_bench_command(CommandLine& program) {
     const auto words = std::make_shared<BenchWords>();
-    CLI::App* const bench =
-        program.add_subcommand("bench", "Measure: ms per pass of scenes, or what one of the flags asks for");
-    bench->add_option("SCENE", words->scenes, "scenes to measure; default: the built-in ones");
+    CommandLine bench =
+        program.subcommand("bench", "Measure: ms per pass of scenes, or what one of the flags asks for");
+    bench.option("SCENE", words->scenes, "scenes to measure; default: the built-in ones");
     for (const Benchmark& benchmark : kBenchmarks) {
-        if (*benchmark.about != 0) bench->add_flag(benchmark.flag, benchmark.about);
+        if (*benchmark.about != 0) bench.flag(benchmark.flag, benchmark.about);
     }
-    bench->add_option("--scene", words->scene, "with --peers: one scene; default: columns and columns_luna");
-    bench->add_option("--size", words->size, "size of the picture in pixels, WxH; default: 1280x720");
-    bench->add_option("--pairs", words->pairs,
+    bench.option("--scene", words->scene, "with --peers: one scene; default: columns and columns_luna");
+    bench.option("--size", words->size, "size of the picture in pixels, WxH; default: 1280x720");
+    bench.option("--pairs", words->pairs,
                       "with --peers: how many pairs of frames, 15..999; default: 21");
-    add_camera_flags(*bench, words->camera);
-    bench->add_option("--threads", words->threads, "0: all; 1: a plain loop")->capture_default_str();
-    bench->add_flag("--quick", words->quick, "with --scale or --error: less of it, in under a minute");
-    bench->add_flag("--bless", words->bless, "with --instructions: store the figures instead of comparing");
-    bench->add_option("--figures", words->figures,
+    add_camera_flags(bench, words->camera);
+    bench.option("--threads", words->threads, "0: all; 1: a plain loop");
+    bench.flag("--quick", words->quick, "with --scale or --error: less of it, in under a minute");
+    bench.flag("--bless", words->bless, "with --instructions: store the figures instead of comparing");
+    bench.option("--figures", words->figures,
                       "with --instructions: where they are stored; default: tests/golden/instructions.json");
-    bench->add_option("--out", words->out, "the directory for tables (CSV, JSON) and pages");
-    bench->add_option("--point", words->point)->group("");
-    return {bench, [bench, words] { return run(*bench, *words); }};
+    bench.option("--out", words->out, "the directory for tables (CSV, JSON) and pages");
+    bench.option("--point", words->point, "");
+    return {bench, [bench, words] { return run(bench.given(), *words); }};
 }
 
 }  // namespace crevice

@@ -16,12 +16,12 @@ struct ChapterWords {
 
 }  // namespace
 
-Command add_chapter_command(CLI::App& program) {
+Command add_chapter_command(CommandLine& program) {
     const auto words = std::make_shared<ChapterWords>();
-    CLI::App* const chapter =
-        program.add_subcommand("chapter", "Run a chapter, or all, and write its pictures and OUT/index.html");
-    chapter->add_option("WHICH", words->which, "a number such as 07, or all")->required();
-    add_notebook_flags(*chapter, words->notebook);
+    CommandLine chapter =
+        program.subcommand("chapter", "Run a chapter, or all, and write its pictures and OUT/index.html");
+    chapter.required("WHICH", words->which, "a number such as 07, or all");
+    add_notebook_flags(chapter, words->notebook);
     return {chapter, [words] {
                 return run_chapters(chosen_chapters(words->which), notebook_options_of(words->notebook));
             }};

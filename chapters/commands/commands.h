@@ -4,23 +4,23 @@
 
 #include <functional>
 
-#include <CLI/CLI.hpp>
+#include "chapters/terminal/command_line.h"
 
 namespace crevice {
 
 struct Command {
-    CLI::App* app;             // its subcommand, owned by the program's App
+    CommandLine words;
     std::function<int()> run;  // to be called once the words are parsed; the exit code. Throws Error
 };
 
-Command add_render_command(CLI::App& program);
-Command add_truth_command(CLI::App& program);
-Command add_bake_command(CLI::App& program);
-Command add_compare_command(CLI::App& program);
-Command add_bench_command(CLI::App& program);
-Command add_chapter_command(CLI::App& program);
-Command add_scenes_command(CLI::App& program);
-Command add_methods_command(CLI::App& program);
-Command add_params_command(CLI::App& program);
+Command add_render_command(CommandLine& program);
+Command add_truth_command(CommandLine& program);
+Command add_bake_command(CommandLine& program);
+Command add_compare_command(CommandLine& program);
+Command add_bench_command(CommandLine& program);
+Command add_chapter_command(CommandLine& program);
+Command add_scenes_command(CommandLine& program);
+Command add_methods_command(CommandLine& program);
+Command add_params_command(CommandLine& program);
 
 }  // namespace crevice

@@ -17,15 +17,15 @@ struct CompareWords {
 
 }  // namespace
 
-Command add_compare_command(CLI::App& program) {
+Command add_compare_command(CommandLine& program) {
     const auto words = std::make_shared<CompareWords>();
-    CLI::App* const command =
-        program.add_subcommand("compare", "Compare two images (.npy or .png) or two directories of them");
-    command->add_option("A", words->a, "an image or a directory")->required();
-    command->add_option("B", words->b, "another")->required();
-    command->add_option("--html", words->html,
+    CommandLine command =
+        program.subcommand("compare", "Compare two images (.npy or .png) or two directories of them");
+    command.required("A", words->a, "an image or a directory");
+    command.required("B", words->b, "another");
+    command.option("--html", words->html,
                         "write a page with both, their difference and the first pixels that differ");
-    command->add_option("--out", words->out, "the directory for the error images")->capture_default_str();
+    command.option("--out", words->out, "the directory for the error images");
     return {command, [words] {
                 return compare_files({words->a, words->b, words->html, words->out}, std::cout);
             }};

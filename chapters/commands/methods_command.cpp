@@ -7,8 +7,8 @@
 
 namespace crevice {
 
-Command add_methods_command(CLI::App& program) {
-    return {program.add_subcommand("methods", "List the ambient-occlusion methods"), [] {
+Command add_methods_command(CommandLine& program) {
+    return {program.subcommand("methods", "List the ambient-occlusion methods"), [] {
                 print_methods(std::cout);
                 return static_cast<int>(ExitCode::done);
             }};

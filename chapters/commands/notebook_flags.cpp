@@ -4,12 +4,12 @@
 
 namespace crevice {
 
-void add_notebook_flags(CLI::App& command, NotebookWords& words) {
-    command.add_option("--out", words.out, "the directory for pictures and pages")->capture_default_str();
-    command.add_option("--size", words.size, "size of the pictures in pixels, WxH; default: 640x360");
-    command.add_option("--seed", words.seed, "seed of whatever is random")->capture_default_str();
-    command.add_flag("--step", words.step, "wait for Enter after each cell");
-    command.add_flag("--quiet", words.quiet, "say only which checks fail");
+void add_notebook_flags(CommandLine& command, NotebookWords& words) {
+    command.option("--out", words.out, "the directory for pictures and pages");
+    command.option("--size", words.size, "size of the pictures in pixels, WxH; default: 640x360");
+    command.option("--seed", words.seed, "seed of whatever is random");
+    command.flag("--step", words.step, "wait for Enter after each cell");
+    command.flag("--quiet", words.quiet, "say only which checks fail");
 }
 
 NotebookOptions notebook_options_of(const NotebookWords& words) {

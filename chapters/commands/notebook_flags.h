@@ -4,9 +4,8 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
 #include "chapters/notebook/notebook.h"
+#include "chapters/terminal/command_line.h"
 
 namespace crevice {
 
@@ -16,7 +15,7 @@ struct NotebookWords {
     std::optional<std::string> size;
     bool step = false, quiet = false;
 };
-void add_notebook_flags(CLI::App& command, NotebookWords& words);
+void add_notebook_flags(CommandLine& command, NotebookWords& words);
 // Throws UsageError.
 NotebookOptions notebook_options_of(const NotebookWords& words);
 

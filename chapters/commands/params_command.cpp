@@ -9,11 +9,11 @@
 
 namespace crevice {
 
-Command add_params_command(CLI::App& program) {
+Command add_params_command(CommandLine& program) {
     const auto method = std::make_shared<std::string>();
-    CLI::App* const params =
-        program.add_subcommand("params", "List a method's parameters: range, unit, default, effect");
-    params->add_option("METHOD", *method, "a method (crevice methods)")->required();
+    CommandLine params =
+        program.subcommand("params", "List a method's parameters: range, unit, default, effect");
+    params.required("METHOD", *method, "a method (crevice methods)");
     return {params, [method] {
                 named_as({{"method", "METHOD"}}, [&] { print_parameters(std::cout, find_method(*method)); });
                 return static_cast<int>(ExitCode::done);

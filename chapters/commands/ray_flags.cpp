@@ -19,14 +19,13 @@ float radius_of(const std::string& word) {
 
 }  // namespace
 
-void add_ray_flags(CLI::App& command, RayWords& words, const char* default_radius) {
-    command.add_option("--rays", words.rays, "rays a point, 1..1048576")->capture_default_str();
-    command.add_option(
+void add_ray_flags(CommandLine& command, RayWords& words, const char* default_radius) {
+    command.option("--rays", words.rays, "rays a point, 1..1048576");
+    command.option(
         "--radius", words.radius,
         std::string("how far an occluder may be, scene units or inf; default: ") + default_radius);
-    command.add_option("--weight", words.weight, "how directions are spread: cosine or uniform")
-        ->capture_default_str();
-    command.add_option("--seed", words.seed, "of the rays' directions")->capture_default_str();
+    command.option("--weight", words.weight, "how directions are spread: cosine or uniform");
+    command.option("--seed", words.seed, "of the rays' directions");
 }
 
 RayAoSettings ray_settings_of(const RayWords& words) {

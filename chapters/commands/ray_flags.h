@@ -4,8 +4,7 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
+#include "chapters/terminal/command_line.h"
 #include "ssao/rays/ray_cast_ao.h"
 
 namespace crevice {
@@ -15,7 +14,7 @@ struct RayWords {
     std::string rays, weight = "cosine", seed = "1";
     std::optional<std::string> radius;
 };
-void add_ray_flags(CLI::App& command, RayWords& words, const char* default_radius);
+void add_ray_flags(CommandLine& command, RayWords& words, const char* default_radius);
 // The radius is that of RayAoSettings where --radius was not given. Throws UsageError.
 RayAoSettings ray_settings_of(const RayWords& words);
 

@@ -85,35 +85,31 @@ int run(const RenderWords& words) {
 
 }  // namespace
 
-Command add_render_command(CLI::App& program) {
+Command add_render_command(CommandLine& program) {
     const auto words = std::make_shared<RenderWords>();
-    CLI::App* const render = program.add_subcommand(
+    CommandLine render = program.subcommand(
         "render", "Draw a scene and write every buffer as NAME.npy and NAME.png, with passes.json");
-    render->add_option("SCENE", words->scene, kSceneMeaning);
-    render->add_option("--preset", words->preset, "instead of SCENE and --ao: xjun2020, xjun2022 or luna");
-    render->add_option("--size", words->size, "size of the picture in pixels, WxH")->capture_default_str();
-    add_camera_flags(*render, words->camera);
-    render->add_option("--ao", words->ao, "ambient-occlusion method (crevice methods); default: xjun");
-    render->add_option("--param", words->params, "name=value, any number of times (crevice params METHOD)")
-        ->allow_extra_args(false);
-    render->add_option("--ao-scale", words->ao_scale,
+    render.option("SCENE", words->scene, kSceneMeaning);
+    render.option("--preset", words->preset, "instead of SCENE and --ao: xjun2020, xjun2022 or luna");
+    render.option("--size", words->size, "size of the picture in pixels, WxH");
+    add_camera_flags(render, words->camera);
+    render.option("--ao", words->ao, "ambient-occlusion method (crevice methods); default: xjun");
+    render.option("--param", words->params, "name=value, any number of times (crevice params METHOD)");
+    render.option("--ao-scale", words->ao_scale,
                        "size of the AO map: .5 or 1 times the picture; default: the method's");
-    render->add_option("--only", words->only,
+    render.option("--only", words->only,
                        "write only these buffers, comma-separated; the rest is left out");
-    render->add_flag("--keep-all", words->run.keep_all, "leave nothing out: the same buffers, more slowly");
-    add_run_flags(*render, words->run);
-    render
-        ->add_option("--repeat", words->repeat,
-                     "draw the frame this often: times are medians, and what leaving out saves is measured")
-        ->capture_default_str();
-    render->add_option("--time", words->time, "seconds that the scene's lights have been turning")
-        ->capture_default_str();
-    render->add_flag("--inset", words->inset,
+    render.flag("--keep-all", words->run.keep_all, "leave nothing out: the same buffers, more slowly");
+    add_run_flags(render, words->run);
+    render.option("--repeat", words->repeat,
+                     "draw the frame this often: times are medians, and what leaving out saves is measured");
+    render.option("--time", words->time, "seconds that the scene's lights have been turning");
+    render.flag("--inset", words->inset,
                      "the AO map over the lower right of lit.png, as the tutorials show it");
-    render->add_option(
+    render.option(
         "--frames", words->frames,
         "A-B: a turntable of 36 frames a turn, as frame_NNNN.png and, with img2webp, turntable.webp");
-    render->add_option("--out", words->out, "the directory for the files")->capture_default_str();
+    render.option("--out", words->out, "the directory for the files");
     return {render, [words] { return run(*words); }};
 }
 

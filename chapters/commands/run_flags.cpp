@@ -30,12 +30,12 @@ Run with_lanes(Run run, int lanes, bool isa_was_named) {
 
 }  // namespace
 
-void add_run_flags(CLI::App& command, RunWords& words) {
-    command.add_option("--threads", words.threads, "0: all; 1: a plain loop")->capture_default_str();
-    command.add_option("--lanes", words.lanes,
+void add_run_flags(CommandLine& command, RunWords& words) {
+    command.option("--threads", words.threads, "0: all; 1: a plain loop");
+    command.option("--lanes", words.lanes,
                        "pixels at a time: 1, or as many as --isa has; default: those");
-    command.add_option("--isa", words.isa, "baseline or avx2; default: the best this machine has");
-    command.add_option("--tile", words.tile, "tile size in pixels, 8 16 32 64 or 128")->capture_default_str();
+    command.option("--isa", words.isa, "baseline or avx2; default: the best this machine has");
+    command.option("--tile", words.tile, "tile size in pixels, 8 16 32 64 or 128");
 }
 
 Run run_of(const RunWords& words) {
@@ -52,13 +52,13 @@ Run run_of(const RunWords& words) {
     return run;
 }
 
-void add_camera_flags(CLI::App& command, CameraFlags& camera) {
-    command.add_option("--eye", camera.eye, "where the camera stands, x,y,z in the scene's own coordinates");
-    command.add_option("--target", camera.target, "what it looks at, x,y,z");
-    command.add_option("--fov-y", camera.fov_y, "vertical field of view, degrees");
-    command.add_option("--near", camera.near_plane, "near plane, scene units");
-    command.add_option("--far", camera.far_plane, "far plane, scene units");
-    command.add_option("--ortho", camera.ortho, "orthographic camera; height of the picture, scene units");
+void add_camera_flags(CommandLine& command, CameraFlags& camera) {
+    command.option("--eye", camera.eye, "where the camera stands, x,y,z in the scene's own coordinates");
+    command.option("--target", camera.target, "what it looks at, x,y,z");
+    command.option("--fov-y", camera.fov_y, "vertical field of view, degrees");
+    command.option("--near", camera.near_plane, "near plane, scene units");
+    command.option("--far", camera.far_plane, "far plane, scene units");
+    command.option("--ortho", camera.ortho, "orthographic camera; height of the picture, scene units");
 }
 
 }  // namespace crevice

@@ -3,9 +3,8 @@
 
 #include <string>
 
-#include <CLI/CLI.hpp>
-
 #include "chapters/frame/scene_argument.h"
+#include "chapters/terminal/command_line.h"
 #include "rasterizer/base/run.h"
 
 namespace crevice {
@@ -19,11 +18,11 @@ struct RunWords {
     bool keep_all = false;
 };
 // --threads --lanes --isa --tile
-void add_run_flags(CLI::App& command, RunWords& words);
+void add_run_flags(CommandLine& command, RunWords& words);
 // Throws UsageError.
 Run run_of(const RunWords& words);
 
 inline constexpr const char* kCameraFlags[] = {"--eye", "--target", "--fov-y", "--near", "--far", "--ortho"};
-void add_camera_flags(CLI::App& command, CameraFlags& camera);
+void add_camera_flags(CommandLine& command, CameraFlags& camera);
 
 }  // namespace crevice

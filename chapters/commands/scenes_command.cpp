@@ -24,8 +24,8 @@ void print_scenes(std::ostream& out) {
 
 }  // namespace
 
-Command add_scenes_command(CLI::App& program) {
-    return {program.add_subcommand("scenes", "List the built-in scenes"), [] {
+Command add_scenes_command(CommandLine& program) {
+    return {program.subcommand("scenes", "List the built-in scenes"), [] {
                 print_scenes(std::cout);
                 return static_cast<int>(ExitCode::done);
             }};

@@ -57,29 +57,25 @@ TruthOptions options_of(const TruthWords& words) {
 
 }  // namespace
 
-Command add_truth_command(CLI::App& program) {
+Command add_truth_command(CommandLine& program) {
     const auto words = std::make_shared<TruthWords>();
-    CLI::App* const truth = program.add_subcommand(
+    CommandLine truth = program.subcommand(
         "truth", "Cast rays: truth_hard, truth_soft, truth_screen and truth_limit, each with its error");
-    truth->add_option("SCENE", words->scene, kSceneMeaning)->required();
-    truth->add_option("--size", words->size, "size of the picture in pixels, WxH")->capture_default_str();
-    add_camera_flags(*truth, words->camera);
-    truth->add_option("--ao", words->ao, "the method whose radius and fade are used")->capture_default_str();
-    truth->add_option("--param", words->params, "name=value of that method, any number of times")
-        ->allow_extra_args(false);
-    add_ray_flags(*truth, words->rays, "the method's");
-    truth
-        ->add_option("--hemisphere", words->hemisphere, "rays about the interpolated or the geometric normal")
-        ->capture_default_str();
-    truth->add_option("--error", words->error,
+    truth.required("SCENE", words->scene, kSceneMeaning);
+    truth.option("--size", words->size, "size of the picture in pixels, WxH");
+    add_camera_flags(truth, words->camera);
+    truth.option("--ao", words->ao, "the method whose radius and fade are used");
+    truth.option("--param", words->params, "name=value of that method, any number of times");
+    add_ray_flags(truth, words->rays, "the method's");
+    truth.option("--hemisphere", words->hemisphere, "rays about the interpolated or the geometric normal");
+    truth.option("--error", words->error,
                       "double the rays until the mean standard error of a pixel is at most this");
-    truth->add_option("--limit-seeds", words->limit_seeds, "seeds of truth_limit; 0: leave it out")
-        ->capture_default_str();
-    truth->add_option("--cache", words->cache,
+    truth.option("--limit-seeds", words->limit_seeds, "seeds of truth_limit; 0: leave it out");
+    truth.option("--cache", words->cache,
                       "where finished references are kept; default: ~/.cache/crevice");
-    truth->add_flag("--no-cache", words->no_cache, "make everything anew and keep nothing");
-    add_run_flags(*truth, words->run);
-    truth->add_option("--out", words->out, "the directory for the files")->capture_default_str();
+    truth.flag("--no-cache", words->no_cache, "make everything anew and keep nothing");
+    add_run_flags(truth, words->run);
+    truth.option("--out", words->out, "the directory for the files");
     return {truth, [words] {
                 write_truth(options_of(*words));
                 return static_cast<int>(ExitCode::done);

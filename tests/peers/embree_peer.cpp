@@ -6,10 +6,11 @@
 #include <iostream>
 #include <limits>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "chapters/frame/scene_argument.h"
+#include "chapters/commands/run_flags.h"
+#include "chapters/terminal/command_line.h"
+#include "chapters/terminal/exit_code.h"
 #include "chapters/terminal/parse.h"
 #include "rasterizer/base/error.h"
 #include "tests/peers/ray_duel.h"
@@ -19,10 +20,12 @@ namespace {
 using namespace crevice;
 using Json = nlohmann::ordered_json;
 
+constexpr int kMostRays = 1 << 20;
+
+// As they were typed.
 struct Words {
     std::string scene, size = "192x108", agreement_size = "320x180";
-    int rays = 64, rounds = 15, agreement_rays = 64, threads = 0;
-    float radius = 0.5f;
+    std::string rays = "64", rounds = "15", agreement_rays = "64", radius = "0.5", threads = "0";
     CameraFlags camera;
 };
 
@@ -37,6 +40,10 @@ void answer(const Json& line) { std::cout << line.dump() << std::endl; }
 
 // JSON has no infinity.
 Json length_answer(float length) { return std::isinf(length) ? Json("unbounded") : Json(length); }
+
+Run run_of(const Words& words) {
+    return {.threads = static_cast<int>(parse_whole("--threads", words.threads, 0, 1024))};
+}
 
 std::vector<SurfacePoint> seen_points(const Subject& subject, Size size) {
     const GBuffer g = normal_depth(subject.scene, subject.camera, size);
@@ -85,10 +92,11 @@ void answer_traces(const Subject& subject, const EmbreeScene& embree, const Grou
 void answer_agreement(const Subject& subject, const EmbreeScene& embree, const Words& words) {
     const auto points = seen_points(subject, parse_size("--agreement-size", words.agreement_size));
     RayAoSettings settings;
-    settings.rays = words.agreement_rays;
-    settings.radius = words.radius * subject.scene.length_unit;
-    Run run;
-    run.threads = words.threads;
+    settings.rays = static_cast<int>(parse_whole("--agreement-rays", words.agreement_rays, 0, kMostRays));
+    if (settings.rays == 0) return;
+    settings.radius =
+        static_cast<float>(parse_number("--radius", words.radius)) * subject.scene.length_unit;
+    const Run run = run_of(words);
     const AoAgreement a = compare_ao(subject.rays, embree, points, settings, run);
     answer({{"kind", "agreement"},
             {"radius", length_answer(settings.radius)},
@@ -109,56 +117,46 @@ void measure(const Words& words) {
     const SceneArgument argument = load_scene(words.scene, {.surfaces = false});
     const Camera camera = chosen_camera(argument, words.camera);
     const Subject subject{argument.scene, camera, ray_scene(argument.scene, camera.eye)};
-    Run run;
-    run.threads = words.threads;
+    const Run run = run_of(words);
+    const int rounds = static_cast<int>(parse_whole("--rounds", words.rounds, 0, 999));
     std::vector<int> thread_counts = {1};
     if (thread_count(run) > 1) thread_counts.push_back(thread_count(run));
     const EmbreeDevice device(thread_counts.back());
     const EmbreeScene embree(device, subject.rays.triangles, thread_counts.back());
     const auto points = seen_points(subject, parse_size("--size", words.size));
-    const GroupedRays rays = rays_of(points, words.rays);
+    const GroupedRays rays =
+        rays_of(points, static_cast<int>(parse_whole("--rays", words.rays, 1, kMostRays)));
     answer({{"kind", "scene"},
             {"triangles", subject.rays.triangles.size()},
             {"points", points.size()},
             {"rays", rays.rays.size()},
             {"embree", RTC_VERSION_STRING}});
-    if (rays.rays.empty() && words.rounds > 0)
+    if (rays.rays.empty() && rounds > 0)
         throw UsageError(words.scene + ": no surface is seen; choose another --scene or --eye");
-    if (words.rounds > 0) {
-        answer_builds(subject, device, thread_counts, words.rounds);
-        answer_traces(subject, embree, rays, thread_counts, words.rounds);
+    if (rounds > 0) {
+        answer_builds(subject, device, thread_counts, rounds);
+        answer_traces(subject, embree, rays, thread_counts, rounds);
     }
-    if (words.agreement_rays > 0) answer_agreement(subject, embree, words);
+    answer_agreement(subject, embree, words);
     answer({{"kind", "end"}});
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
-    Words words;
-    CLI::App app("Ambient occlusion rays: ours and Embree's, in turns");
-    app.add_option("scene", words.scene)->required();
-    app.add_option("--size", words.size, "picture whose pixels' rays are timed");
-    app.add_option("--rays", words.rays, "timed rays a pixel")->check(CLI::Range(1, 1 << 20));
-    app.add_option("--rounds", words.rounds, "0: no times")->check(CLI::Range(0, 999));
-    app.add_option("--agreement-size", words.agreement_size);
-    app.add_option("--agreement-rays", words.agreement_rays, "0: none")->check(CLI::Range(0, 1 << 20));
-    app.add_option("--radius", words.radius, "of the agreement, in the tutorials' units");
-    app.add_option("--threads", words.threads)->check(CLI::Range(0, 1024));
-    app.add_option("--eye", words.camera.eye);
-    app.add_option("--target", words.camera.target);
-    app.add_option("--fov-y", words.camera.fov_y);
-    app.add_option("--near", words.camera.near_plane);
-    app.add_option("--far", words.camera.far_plane);
-    app.add_option("--ortho", words.camera.ortho);
-    try {
-        app.parse(count, arguments);
-        measure(words);
-        return 0;
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::usage);
-    } catch (const Error& error) {
-        std::cerr << error.what() << "\n";
-        return static_cast<int>(error.code);
-    }
+    return exit_code_of([&] {
+        Words words;
+        CommandLine program("Ambient occlusion rays: ours and Embree's, in turns");
+        program.required("SCENE", words.scene, kSceneMeaning);
+        program.option("--size", words.size, "picture whose pixels' rays are timed");
+        program.option("--rays", words.rays, "timed rays a pixel");
+        program.option("--rounds", words.rounds, "0: no times");
+        program.option("--agreement-size", words.agreement_size, "picture whose pixels' AO is compared");
+        program.option("--agreement-rays", words.agreement_rays, "0: none");
+        program.option("--radius", words.radius, "of the agreement, in the tutorials' units");
+        program.option("--threads", words.threads, "0: all");
+        add_camera_flags(program, words.camera);
+        if (program.parse(count, arguments)) measure(words);
+        return static_cast<int>(ExitCode::done);
+    });
 }

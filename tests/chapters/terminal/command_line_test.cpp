@@ -1,0 +1,62 @@
+#include "chapters/terminal/command_line.h"
+
+#include <doctest/doctest.h>
+
+#include "rasterizer/base/error.h"
+
+using namespace crevice;
+
+namespace {
+
+// A program with one command that reads a word of each kind.
+struct Program {
+    CommandLine program{"A program."};
+    CommandLine command = program.subcommand("draw", "Draws.");
+    std::string scene, size = "4x3";
+    std::optional<std::string> eye;
+    std::vector<std::string> params;
+    bool quick = false;
+
+    Program() {
+        command.required("SCENE", scene, "what to draw");
+        command.option("--size", size, "how large");
+        command.option("--eye", eye, "from where");
+        command.option("--param", params, "any number");
+        command.flag("--quick", quick, "less of it");
+    }
+    bool parse(std::vector<const char*> words) const {
+        words.insert(words.begin(), "/bin/program");
+        return program.parse(static_cast<int>(words.size()), words.data());
+    }
+};
+
+std::string refusal(const std::vector<const char*>& words) {
+    try {
+        Program().parse(words);
+    } catch (const UsageError& error) {
+        return error.what();
+    }
+    return "nothing was refused";
+}
+
+}  // namespace
+
+TEST_CASE("words arrive where the caller keeps them") {
+    const Program p;
+    REQUIRE(p.parse({"draw", "--param", "a=1", "columns", "--param", "b=2", "--eye", "1,2,3"}));
+    CHECK(p.command.chosen());
+    CHECK(p.scene == "columns");
+    CHECK(p.size == "4x3");
+    CHECK(p.eye == "1,2,3");
+    CHECK(p.params == std::vector<std::string>{"a=1", "b=2"});
+    CHECK(!p.quick);
+    CHECK(p.command.given() == std::vector<std::string>{"SCENE", "--eye", "--param"});
+}
+
+TEST_CASE("what is wrong is said by the command that was meant") {
+    CHECK(refusal({}).starts_with("program: "));
+    CHECK(refusal({"darw"}) == "program: there is no such command (darw); program --help lists them");
+    CHECK(refusal({"draw"}).starts_with("program draw: SCENE is required"));
+    CHECK(refusal({"draw", "columns", "--siz", "1"}).starts_with("program draw: "));
+    CHECK(refusal({"draw", "columns", "--size"}).ends_with("; program draw --help tells more"));
+}
