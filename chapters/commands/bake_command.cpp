@@ -47,9 +47,8 @@ Command add_bake_command(CommandLine& program) {
     bake.required("SCENE", words->scene, kSceneMeaning);
     bake.flag("--vertex", words->vertex, "one value a vertex, as vertex colours of an OBJ");
     bake.flag("--lightmap", words->lightmap, "one value a texel, with texture coordinates of its own");
-    bake.flag(
-        "--mesh-texcoords", words->mesh_texcoords,
-        "with --lightmap: the mesh's own texture coordinates, if they lie in [0,1] and do not overlap");
+    bake.flag("--mesh-texcoords", words->mesh_texcoords,
+              "with --lightmap: the mesh's own texture coordinates, if they lie in [0,1] and do not overlap");
     bake.option("--texels", words->texels, "with --lightmap: side of the map, 16..4096");
     add_ray_flags(bake, words->rays, "inf");
     add_run_flags(bake, words->run);

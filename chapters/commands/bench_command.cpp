@@ -177,14 +177,13 @@ Command add_bench_command(CommandLine& program) {
     }
     bench.option("--scene", words->scene, "with --peers: one scene; default: columns and columns_luna");
     bench.option("--size", words->size, "size of the picture in pixels, WxH; default: 1280x720");
-    bench.option("--pairs", words->pairs,
-                      "with --peers: how many pairs of frames, 15..999; default: 21");
+    bench.option("--pairs", words->pairs, "with --peers: how many pairs of frames, 15..999; default: 21");
     add_camera_flags(bench, words->camera);
     bench.option("--threads", words->threads, "0: all; 1: a plain loop");
     bench.flag("--quick", words->quick, "with --scale or --error: less of it, in under a minute");
     bench.flag("--bless", words->bless, "with --instructions: store the figures instead of comparing");
     bench.option("--figures", words->figures,
-                      "with --instructions: where they are stored; default: tests/golden/instructions.json");
+                 "with --instructions: where they are stored; default: tests/golden/instructions.json");
     bench.option("--out", words->out, "the directory for tables (CSV, JSON) and pages");
     bench.option("--point", words->point, "");
     return {bench, [bench, words] { return run(bench.given(), *words); }};

@@ -24,7 +24,7 @@ Command add_compare_command(CommandLine& program) {
     command.required("A", words->a, "an image or a directory");
     command.required("B", words->b, "another");
     command.option("--html", words->html,
-                        "write a page with both, their difference and the first pixels that differ");
+                   "write a page with both, their difference and the first pixels that differ");
     command.option("--out", words->out, "the directory for the error images");
     return {command, [words] {
                 return compare_files({words->a, words->b, words->html, words->out}, std::cout);

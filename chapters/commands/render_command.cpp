@@ -96,16 +96,15 @@ Command add_render_command(CommandLine& program) {
     render.option("--ao", words->ao, "ambient-occlusion method (crevice methods); default: xjun");
     render.option("--param", words->params, "name=value, any number of times (crevice params METHOD)");
     render.option("--ao-scale", words->ao_scale,
-                       "size of the AO map: .5 or 1 times the picture; default: the method's");
-    render.option("--only", words->only,
-                       "write only these buffers, comma-separated; the rest is left out");
+                  "size of the AO map: .5 or 1 times the picture; default: the method's");
+    render.option("--only", words->only, "write only these buffers, comma-separated; the rest is left out");
     render.flag("--keep-all", words->run.keep_all, "leave nothing out: the same buffers, more slowly");
     add_run_flags(render, words->run);
     render.option("--repeat", words->repeat,
-                     "draw the frame this often: times are medians, and what leaving out saves is measured");
+                  "draw the frame this often: times are medians, and what leaving out saves is measured");
     render.option("--time", words->time, "seconds that the scene's lights have been turning");
     render.flag("--inset", words->inset,
-                     "the AO map over the lower right of lit.png, as the tutorials show it");
+                "the AO map over the lower right of lit.png, as the tutorials show it");
     render.option(
         "--frames", words->frames,
         "A-B: a turntable of 36 frames a turn, as frame_NNNN.png and, with img2webp, turntable.webp");

@@ -69,10 +69,9 @@ Command add_truth_command(CommandLine& program) {
     add_ray_flags(truth, words->rays, "the method's");
     truth.option("--hemisphere", words->hemisphere, "rays about the interpolated or the geometric normal");
     truth.option("--error", words->error,
-                      "double the rays until the mean standard error of a pixel is at most this");
+                 "double the rays until the mean standard error of a pixel is at most this");
     truth.option("--limit-seeds", words->limit_seeds, "seeds of truth_limit; 0: leave it out");
-    truth.option("--cache", words->cache,
-                      "where finished references are kept; default: ~/.cache/crevice");
+    truth.option("--cache", words->cache, "where finished references are kept; default: ~/.cache/crevice");
     truth.flag("--no-cache", words->no_cache, "make everything anew and keep nothing");
     add_run_flags(truth, words->run);
     truth.option("--out", words->out, "the directory for the files");

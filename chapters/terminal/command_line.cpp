@@ -43,7 +43,8 @@ void CommandLine::option(const std::string& name, std::string& word, const std::
     if (!word.empty()) option.capture_default_str();
 }
 
-void CommandLine::option(const std::string& name, std::optional<std::string>& word, const std::string& about) {
+void CommandLine::option(const std::string& name, std::optional<std::string>& word,
+                         const std::string& about) {
     added(*app_, name, word, about);
 }
 
@@ -86,7 +87,10 @@ bool CommandLine::chosen() const { return app_->parsed(); }
 std::vector<std::string> CommandLine::given() const {
     std::vector<std::string> names;
     for (const CLI::Option* option : app_->get_options()) {
-        if (option->count() > 0) names.push_back(option->get_name());
+        if (option->count() == 0) continue;
+        // get_name() says nothing of what --help does not show.
+        const bool by_place = option->get_lnames().empty();
+        names.push_back(by_place ? option->get_name(true) : "--" + option->get_lnames().front());
     }
     return names;
 }

@@ -29,6 +29,8 @@ void fill_tile(GBuffer& g, const Image<std::int32_t>& triangles, const ScreenGeo
     std::int32_t materials[kLargestTile_px];
     for (int y = tile.y0; y < tile.y1; ++y) {
         const std::int32_t* const triangle = triangles.row(y) + tile.x0;
+        for (Image<float>* const plane : {&g.view_depth, &g.normal.x, &g.normal.y, &g.normal.z})
+            expect_next_row(*plane, tile.x0, tile.x1, y);
         SurfaceRow row;
         row.view_depth = g.view_depth.row(y) + tile.x0;
         if (!g.material.empty()) row.material = g.material.row(y) + tile.x0;

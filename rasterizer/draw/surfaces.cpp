@@ -21,20 +21,26 @@ CREVICE_INLINE void find_group(const ScreenGeometry& geometry, Int<F> numbers, i
     // The background until the triangles say more. One by one, because GCC clears a struct of them in halves.
     F view_depth(std::numeric_limits<float>::infinity()), n_x = zero, n_y = zero, n_z = zero;
     Int<F> material(kNoTriangle);
-    for (TriangleWalk<F> walk(numbers); walk.next();) {
-        const TrianglePixels<F> pixels(geometry.triangle(walk.number), walk.shown, x, y);
-        view_depth = select(walk.shown, pixels.view_depth(geometry), view_depth);
-        material = select(walk.shown, Int<F>(pixels.triangle.material), material);
-        if (row.normal[0] == nullptr) continue;
-        const Vec3<F> n = pixels.interpolated_normal(geometry, x, y).n;
-        n_x = select(walk.shown, n.x, n_x);
-        n_y = select(walk.shown, n.y, n_y);
-        n_z = select(walk.shown, n.z, n_z);
+    TriangleWalk<F> walk(numbers);
+    if (walk.next()) {
+        do {
+            const TrianglePixels<F> pixels(geometry.triangle(walk.number), walk.shown, x, y);
+            view_depth = select(walk.shown, pixels.view_depth(geometry), view_depth);
+            material = select(walk.shown, Int<F>(pixels.triangle.material), material);
+            if (row.normal[0] == nullptr) continue;
+            const Vec3<F> n = pixels.interpolated_normal(geometry, x, y).n;
+            n_x = select(walk.shown, n.x, n_x);
+            n_y = select(walk.shown, n.y, n_y);
+            n_z = select(walk.shown, n.z, n_z);
+        } while (walk.next());
+        const Vec3<F> n = normalize_or<F>({n_x, n_y, n_z}, {zero, zero, zero});
+        n_x = n.x;
+        n_y = n.y;
+        n_z = n.z;
     }
     if (row.view_depth != nullptr) store(row.view_depth + at, view_depth);
     if (row.material != nullptr) store(row.material + at, material);
-    if (row.normal[0] != nullptr)
-        store3(row.normal, at, normalize_or<F>({n_x, n_y, n_z}, {zero, zero, zero}));
+    if (row.normal[0] != nullptr) store3<F>(row.normal, at, {n_x, n_y, n_z});
 }
 
 }  // namespace

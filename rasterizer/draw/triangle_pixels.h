@@ -1,7 +1,7 @@
 // A group of pixels that show one triangle: where in it they lie, and what follows from its three corners there.
 #pragma once
 
-#include <array>
+#include <bit>
 
 #include "rasterizer/draw/lane_edge.h"
 #include "rasterizer/draw/view_ray.h"
@@ -16,7 +16,7 @@ struct Barycentric {
 
     // An attribute of the three vertices here. A constant attribute comes out bit-constant.
     CREVICE_INLINE F interpolate(float a0, float a1, float a2) const {
-        return F(a0) + lambda1 * F(a1 - a0) + lambda2 * F(a2 - a0);
+        return F(a0) + lambda1 * (F(a1) - F(a0)) + lambda2 * (F(a2) - F(a0));
     }
     CREVICE_INLINE Vec3<F> interpolate(const glm::vec3& a0, const glm::vec3& a1, const glm::vec3& a2) const {
         return {interpolate(a0.x, a1.x, a2.x), interpolate(a0.y, a1.y, a2.y), interpolate(a0.z, a1.z, a2.z)};
@@ -84,41 +84,26 @@ struct TrianglePixels {
     }
 
  private:
-    // The three edges at the group's first pixel, side by side: edge i runs from corner i + 1 to corner i + 2.
-    struct Edges {
-        WideDouble<4> first, per_column;
-    };
-    CREVICE_INLINE static Edges edges_of(const ScreenTriangle& t, int x, int y) {
-        const auto from = [](const std::array<std::int32_t, 3>& c) __attribute__((always_inline)) {
-            return WideInt<4>(WideInt<4>::V{c[1], c[2], c[0], 0});
-        };
-        const auto to = [](const std::array<std::int32_t, 3>& c) __attribute__((always_inline)) {
-            return WideInt<4>(WideInt<4>::V{c[2], c[0], c[1], 0});
-        };
-        constexpr std::int32_t half = kSubpixelSteps / 2;
-        const WideInt<4> from_x = from(t.x), from_y = from(t.y);
-        const WideDouble<4> dx = to_double(to(t.x) - from_x), dy = to_double(to(t.y) - from_y);
-        // Whole numbers below 2^51: exact.
-        return {dx * to_double(WideInt<4>(y * kSubpixelSteps + half) - from_y) -
-                    dy * to_double(WideInt<4>(x * kSubpixelSteps + half) - from_x),
-                dy * WideDouble<4>(-kSubpixelSteps)};
-    }
-    // E is Int<F> for small triangles, whose values fit, or Double<F>.
+    // E is Int<F> for small triangles, whose products fit, or Double<F>, which holds those of any.
     template <class E>
     CREVICE_INLINE static Three<F> edges(const ScreenTriangle& t, int x, int y) {
-        const Edges edge = edges_of(t, x, y);
-        if constexpr (std::is_same_v<E, Int<F>>) {
-            const WideInt<4> first = to_int(edge.first), per_column = to_int(edge.per_column);
-            const auto at = [&](int i) __attribute__((always_inline)) {
-                return F(to_float(E(first[i]) + lane_index<F>() * E(per_column[i])));
-            };
-            return {at(0), at(1), at(2)};
-        } else {
-            const auto at = [&](int i) __attribute__((always_inline)) {
-                return F(to_float(E(edge.first[i]) + to_double(lane_index<F>()) * E(edge.per_column[i])));
-            };
-            return {at(0), at(1), at(2)};
-        }
+        constexpr std::int32_t half = kSubpixelSteps / 2;
+        const Int<F> centre_x = lane_index<F>() * Int<F>(kSubpixelSteps) + Int<F>(x * kSubpixelSteps + half);
+        const Int<F> centre_y(y * kSubpixelSteps + half);
+        const auto from_corner = [](Int<F> centre, std::int32_t corner) __attribute__((always_inline)) {
+            if constexpr (std::is_same_v<E, Int<F>>) {
+                return centre - Int<F>(corner);
+            } else {
+                return to_double(centre - Int<F>(corner));
+            }
+        };
+        const E x_0 = from_corner(centre_x, t.x[0]), x_1 = from_corner(centre_x, t.x[1]),
+                x_2 = from_corner(centre_x, t.x[2]);
+        const E y_0 = from_corner(centre_y, t.y[0]), y_1 = from_corner(centre_y, t.y[1]),
+                y_2 = from_corner(centre_y, t.y[2]);
+        const E zero(0);  // added, it leaves no -0 of doubles
+        return {F(to_float(x_1 * y_2 - y_1 * x_2 + zero)), F(to_float(x_2 * y_0 - y_2 * x_0 + zero)),
+                F(to_float(x_0 * y_1 - y_0 * x_1 + zero))};
     }
     // Pixels outside the triangle may meet a sum of zero.
     CREVICE_INLINE F inverse(const Three<F>& of) const {
@@ -142,24 +127,21 @@ struct TriangleWalk {
 
     // `numbers` says which triangle each pixel shows, or kNoTriangle.
     CREVICE_INLINE explicit TriangleWalk(Int<F> numbers)
-        : shown(numbers < numbers), numbers_(numbers), left_(numbers != Int<F>(kNoTriangle)) {
+        : shown(numbers < numbers), numbers_(numbers), left_(lane_bits(numbers != Int<F>(kNoTriangle))) {
         store(number_of_, numbers);
     }
     CREVICE_INLINE bool next() {
-        if (!any(left_)) return false;
-        do {
-            number = number_of_[lane_++];
-            shown = left_ & (numbers_ == Int<F>(number));
-        } while (!any(shown));
-        left_ = left_ & !shown;
+        if (left_ == 0) return false;
+        number = number_of_[std::countr_zero(left_)];
+        shown = numbers_ == Int<F>(number);
+        left_ &= ~lane_bits(shown);
         return true;
     }
 
  private:
     Int<F> numbers_;
-    Mask<F> left_;
-    std::int32_t number_of_[kLanes<F>];
-    int lane_ = 0;
+    unsigned left_;
+    alignas(64) std::int32_t number_of_[kLanes<F>];
 };
 
 }  // namespace crevice

@@ -18,8 +18,10 @@ namespace crevice {
 // ---- one lane
 
 CREVICE_INLINE bool any(bool m) { return m; }
-CREVICE_INLINE std::int32_t largest_of(std::int32_t a) { return a; }
 CREVICE_INLINE bool all(bool m) { return m; }
+// Bit i is set where lane i is.
+CREVICE_INLINE unsigned lane_bits(bool m) { return m ? 1u : 0u; }
+CREVICE_INLINE std::int32_t largest_of(std::int32_t a) { return a; }
 CREVICE_INLINE float select(bool m, float a, float b) { return m ? a : b; }
 CREVICE_INLINE double select(bool m, double a, double b) { return m ? a : b; }
 CREVICE_INLINE std::int32_t select(bool m, std::int32_t a, std::int32_t b) { return m ? a : b; }
@@ -67,6 +69,19 @@ CREVICE_INLINE bool any(WideMask<8> m) { return any(WideMask<4>{low_half(m.v) | 
 template <int N>
 CREVICE_INLINE bool all(WideMask<N> m) {
     return !any(!m);
+}
+CREVICE_INLINE unsigned lane_bits(WideMask<4> m) {
+#if defined(__SSE__)
+    return static_cast<unsigned>(__builtin_ia32_movmskps(__builtin_bit_cast(VectorOf<float, 4>::type, m.v)));
+#elif defined(__wasm_simd128__)
+    return static_cast<unsigned>(__builtin_wasm_bitmask_i32x4(m.v));
+#else
+    const auto bits = m.v & VectorOf<std::int32_t, 4>::type{1, 2, 4, 8};
+    return static_cast<unsigned>((bits[0] | bits[1]) | (bits[2] | bits[3]));
+#endif
+}
+CREVICE_INLINE unsigned lane_bits(WideMask<8> m) {
+    return lane_bits(WideMask<4>{low_half(m.v)}) | lane_bits(WideMask<4>{high_half(m.v)}) << 4;
 }
 template <int N>
 CREVICE_INLINE std::int32_t largest_of(WideInt<N> a) {

@@ -107,7 +107,7 @@ CREVICE_INLINE auto odd_words(Half low, Half high) {
 template <class V, class T>
 CREVICE_INLINE V spread_vector(T scalar) {
     if constexpr (kElements<V> == 8) {
-        V v;
+        V v = {};  // else GCC 12 for aarch64 takes it for uninitialized
         for (int i = 0; i < 8; ++i) v[i] = scalar;
         return v;
     } else {

@@ -42,7 +42,7 @@ class Texture {
 
  private:
     std::vector<Level> levels_;
-    std::vector<float, UninitializedAllocator<float>> texels_;
+    std::vector<float, CacheLineAllocator<float>> texels_;
     bool has_alpha_ = false;
 };
 

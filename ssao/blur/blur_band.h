@@ -110,9 +110,9 @@ class BlurBand {
     template <class F>
     CREVICE_INLINE void decide_pairs(int y) {
         const AoInputs& inputs = sweep_.inputs;
-        const SurfaceRow row = {inputs.normal.x.row(y), inputs.normal.y.row(y), inputs.normal.z.row(y),
-                                inputs.view_depth.row(y)};
-        const SurfaceRow padded = padded_copy(row);
+        const BlurRow row = {inputs.normal.x.row(y), inputs.normal.y.row(y), inputs.normal.z.row(y),
+                             inputs.view_depth.row(y)};
+        const BlurRow padded = padded_copy(row);
         const int rows_below = std::min(kBlurRadius, sweep_.size().height - 1 - y);
         const bool needs_surface = sweep_.settings.edges != BlurEdges::none;
         std::int32_t* pairs = pairs_.row(y);
@@ -131,8 +131,7 @@ class BlurBand {
     // The pair bits of the texels of row y from x on, as the settings' edges have it. `padded` is the row
     // with kBlurRadius texels more at its right end that have no surface; `row` is where it lies in the map.
     template <class F>
-    CREVICE_INLINE Int<F> pairs_at(const SurfaceRow& padded, const SurfaceRow& row, int y, int rows_below,
-                                   int x) {
+    CREVICE_INLINE Int<F> pairs_at(const BlurRow& padded, const BlurRow& row, int y, int rows_below, int x) {
         const Thresholds least = {sweep_.settings.normal_threshold, sweep_.settings.depth_threshold};
         const std::ptrdiff_t stride = sweep_.inputs.view_depth.stride;
         if (sweep_.settings.edges == BlurEdges::none) {
@@ -169,7 +168,7 @@ class BlurBand {
     }
 
     // The row with texels beyond its right end that have no surface.
-    CREVICE_INLINE SurfaceRow padded_copy(const SurfaceRow& row) {
+    CREVICE_INLINE BlurRow padded_copy(const BlurRow& row) {
         const int width = sweep_.size().width;
         std::copy_n(row.normal_x, width, normal_x_.row(0));
         std::copy_n(row.normal_y, width, normal_y_.row(0));

@@ -12,7 +12,7 @@ namespace crevice {
 inline constexpr float kNoSurface = std::numeric_limits<float>::infinity();
 
 // What decides whether two texels count for each other: one row of it.
-struct SurfaceRow {
+struct BlurRow {
     const float *normal_x, *normal_y, *normal_z, *view_depth;
 };
 
@@ -23,7 +23,7 @@ struct BlurSurface {
 };
 
 template <class F>
-CREVICE_INLINE BlurSurface<F> surface_at(const SurfaceRow& row, std::ptrdiff_t x) {
+CREVICE_INLINE BlurSurface<F> surface_at(const BlurRow& row, std::ptrdiff_t x) {
     return {{load<F>(row.normal_x + x), load<F>(row.normal_y + x), load<F>(row.normal_z + x)},
             load<F>(row.view_depth + x)};
 }

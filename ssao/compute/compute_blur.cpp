@@ -63,8 +63,8 @@ template <class F>
 struct SegmentTaps {
     const BlurPass& pass;
     const SegmentMemory& memory;
-    const SurfaceRow row = {memory.normal_x.data(), memory.normal_y.data(), memory.normal_z.data(),
-                            memory.view_depth.data()};
+    const BlurRow row = {memory.normal_x.data(), memory.normal_y.data(), memory.normal_z.data(),
+                         memory.view_depth.data()};
 
     // Slots a and b of the memory.
     CREVICE_INLINE Mask<F> count(int a, int b) const {

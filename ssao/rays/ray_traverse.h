@@ -57,22 +57,6 @@ inline BoxRay box_ray(const Ray& ray, float max_distance, float reach) {
     return {x, y, z, 0 + x.backwards, 2 + y.backwards, 4 + z.backwards, max_distance * kBoxTolerance};
 }
 
-// The lanes that hold, as bits.
-CREVICE_INLINE std::uint32_t lane_bits(bool mask) { return mask ? 1 : 0; }
-CREVICE_INLINE std::uint32_t joined_bits(WideInt<4>::V bits) {
-    typedef std::uint64_t Words __attribute__((vector_size(16)));
-    const Words words = __builtin_bit_cast(Words, bits);
-    const std::uint64_t both = words[0] | words[1];
-    return static_cast<std::uint32_t>(both | both >> 32);
-}
-CREVICE_INLINE std::uint32_t lane_bits(WideMask<4> mask) {
-    return joined_bits(mask.v & WideMask<4>::V{1, 2, 4, 8});
-}
-CREVICE_INLINE std::uint32_t lane_bits(WideMask<8> mask) {
-    const WideMask<8>::V bits = mask.v & WideMask<8>::V{1, 2, 4, 8, 16, 32, 64, 128};
-    return joined_bits(low_half(bits) | high_half(bits));
-}
-
 template <class F>
 struct Slab {
     F in, out;  // the distances between which the ray is between two planes

@@ -94,8 +94,7 @@ void answer_agreement(const Subject& subject, const EmbreeScene& embree, const W
     RayAoSettings settings;
     settings.rays = static_cast<int>(parse_whole("--agreement-rays", words.agreement_rays, 0, kMostRays));
     if (settings.rays == 0) return;
-    settings.radius =
-        static_cast<float>(parse_number("--radius", words.radius)) * subject.scene.length_unit;
+    settings.radius = static_cast<float>(parse_number("--radius", words.radius)) * subject.scene.length_unit;
     const Run run = run_of(words);
     const AoAgreement a = compare_ao(subject.rays, embree, points, settings, run);
     answer({{"kind", "agreement"},

@@ -13,7 +13,7 @@ struct Program {
     CommandLine program{"A program."};
     CommandLine command = program.subcommand("draw", "Draws.");
     std::string scene, size = "4x3";
-    std::optional<std::string> eye;
+    std::optional<std::string> eye, hidden;
     std::vector<std::string> params;
     bool quick = false;
 
@@ -23,6 +23,7 @@ struct Program {
         command.option("--eye", eye, "from where");
         command.option("--param", params, "any number");
         command.flag("--quick", quick, "less of it");
+        command.option("--hidden", hidden, "");
     }
     bool parse(std::vector<const char*> words) const {
         words.insert(words.begin(), "/bin/program");
@@ -43,14 +44,14 @@ std::string refusal(const std::vector<const char*>& words) {
 
 TEST_CASE("words arrive where the caller keeps them") {
     const Program p;
-    REQUIRE(p.parse({"draw", "--param", "a=1", "columns", "--param", "b=2", "--eye", "1,2,3"}));
+    REQUIRE(p.parse({"draw", "--param", "a=1", "columns", "--param", "b=2", "--eye", "1,2,3", "--hidden", "x"}));
     CHECK(p.command.chosen());
     CHECK(p.scene == "columns");
     CHECK(p.size == "4x3");
     CHECK(p.eye == "1,2,3");
     CHECK(p.params == std::vector<std::string>{"a=1", "b=2"});
     CHECK(!p.quick);
-    CHECK(p.command.given() == std::vector<std::string>{"SCENE", "--eye", "--param"});
+    CHECK(p.command.given() == std::vector<std::string>{"SCENE", "--eye", "--param", "--hidden"});
 }
 
 TEST_CASE("what is wrong is said by the command that was meant") {
