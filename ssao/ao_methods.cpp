@@ -3,11 +3,13 @@
 #include "rasterizer/base/error.h"
 #include "ssao/blur/bilateral_denoiser.h"
 #include "ssao/judge/luna_limit.h"
+#include "ssao/methods/gtao.h"
 #include "ssao/methods/luna_explain.h"
 #include "ssao/methods/luna_parameters.h"
 #include "ssao/methods/luna_ssao.h"
 #include "ssao/methods/open_tiles.h"
 #include "ssao/methods/xjun_ssao.h"
+#include "ssao/screen_method.h"
 
 namespace crevice {
 
@@ -67,6 +69,30 @@ Method luna_row() {
     return row;
 }
 
+Method gtao_row() {
+    using S = GtaoSettings;
+    return row_of<S>(
+        {.name = "gtao",
+         .title = "horizons in slices of the hemisphere, cosine-weighted",
+         .source = "Jimenez et al. 2016, ATVI-TR-16-01; XeGTAO",
+         .defaults = {},
+         .parameters = {whole("samples", 4, 192,
+                              "4, 8, 12 or a multiple of 6 from 18 on; fewer is faster and noisier",
+                              &S::samples),
+                        number("thickness", "[0, 0.7]", "-", "how much less things behind an edge occlude",
+                               &S::thickness)},
+         .samples_to_try = {4, 8, 18, 54},
+         .fetch = gtao_fetch,
+         .ao = gtao,
+         .reach_px = gtao_reach_px,
+         .explain = explain_gtao,
+         .question =
+             [](const S& s) {
+                 return AoQuestion{s.radius, s.radius, s.radius};
+             }},
+        bilateral_denoiser(kXjunBlur));
+}
+
 // Of `none` only the size of its open map can be set.
 struct OpenSettings {
     float ao_scale = 0.5f;
@@ -91,7 +117,7 @@ Method none_row() {
 }  // namespace
 
 std::span<const Method> ao_methods() {
-    static const Method rows[] = {xjun_row(), luna_row(), none_row()};
+    static const Method rows[] = {xjun_row(), luna_row(), gtao_row(), none_row()};
     return rows;
 }
 

@@ -1,74 +1,16 @@
 #include "ssao/judge/luna_limit.h"
 
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
-
-#include "rasterizer/base/error.h"
-#include "rasterizer/base/parallel.h"
-#include "ssao/rays/ray_cast_ao.h"
-
 namespace crevice {
-
-namespace {
-
-// Sums of one replicate, before the exponent, as the image's pixels.
-using Sums = std::vector<double>;
-
-float with_exponent(double accessibility, float exponent) {
-    return saturate(power(static_cast<float>(accessibility), exponent));
-}
-
-// How far the power of a mean is off when the mean is off by `error`: by the derivative.
-float error_with_exponent(const AoEstimate& before, float exponent) {
-    const float slope = exponent * power(before.mean, exponent - 1);
-    return before.error * slope;
-}
-
-}  // namespace
 
 ReferenceImage luna_limit(const AoInputs& inputs, const LunaSettings& settings, int seeds, const Run& run,
                           const std::function<void(long long)>& on_progress) {
-    if (seeds < kReplicates || seeds > 1 << 20)
-        throw UsageError("seeds: must lie in " + std::to_string(kReplicates) + "..1048576 (" +
-                         std::to_string(seeds) + "); choose another number");
     LunaSettings drawn = settings;
     drawn.exponent = 1;
     drawn.format = BufferFormat::float32;
-    const int of_replicate = (seeds + kReplicates - 1) / kReplicates;
-    const Size size = inputs.size();
-    std::array<Sums, kReplicates> sums;
-    for (std::size_t replicate = 0; replicate < kReplicates; ++replicate) {
-        Sums& sum = sums[replicate];
-        for (int i = 0; i < of_replicate; ++i) {
-            drawn.seed = kFirstLimitSeed +
-                         static_cast<std::uint32_t>(replicate) * static_cast<std::uint32_t>(of_replicate) +
-                         static_cast<std::uint32_t>(i);
-            const Image<float> ao = luna_occlusion(inputs, drawn, run).ao;
-            if (sum.empty()) sum.assign(ao.pixels.size(), 0);
-            for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += static_cast<double>(ao.pixels[k]);
-            if (on_progress) on_progress(1);
-        }
-    }
-    ReferenceImage limit{
-        Image<float>(size, 1), Image<float>(size, 0), {Image<float>(size, 1), Image<float>(size, 1)}};
-    parallel_rows(size.height, run, [&](int first_row, int end_row) {
-        for (int y = first_row; y < end_row; ++y) {
-            for (int x = 0; x < size.width; ++x) {
-                if (inputs.view_depth.at(x, y) == std::numeric_limits<float>::infinity()) continue;
-                const auto at = static_cast<std::size_t>(limit.mean.row(y) + x - limit.mean.pixels.data());
-                std::array<double, kReplicates> means;
-                for (std::size_t i = 0; i < kReplicates; ++i) means[i] = sums[i][at] / of_replicate;
-                const AoEstimate before = estimate_of(means);
-                limit.mean.at(x, y) = with_exponent(before.mean, settings.exponent);
-                limit.error.at(x, y) = error_with_exponent(before, settings.exponent);
-                for (std::size_t i = 0; i < 2; ++i)
-                    limit.half[i].at(x, y) = with_exponent(before.half[i], settings.exponent);
-            }
-        }
+    return seed_limit(inputs.view_depth, settings.exponent, seeds, run, on_progress, [&](std::uint32_t seed) {
+        drawn.seed = seed;
+        return luna_occlusion(inputs, drawn, run).ao;
     });
-    return limit;
 }
 
 }  // namespace crevice

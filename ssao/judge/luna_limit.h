@@ -8,15 +8,13 @@
 
 #include <functional>
 
-#include "ssao/judge/reference_image.h"
+#include "ssao/judge/seed_limit.h"
 #include "ssao/methods/luna_occlusion.h"
 
 namespace crevice {
 
-// The seeds are kFirstLimitSeed on: others than anybody would choose for a picture. `seeds` is at least
-// kReplicates (ray_cast_ao.h), rounded up to a multiple of it. Settings' seed is not looked at; samples are,
-// though they change only how fast the mean settles. Throws UsageError.
-inline constexpr std::uint32_t kFirstLimitSeed = 0x5eed0000u;
+// `seeds` as in seed_limit(). Settings' seed is not looked at; samples are, though they change only how fast the mean
+// settles. Throws UsageError.
 ReferenceImage luna_limit(const AoInputs& inputs, const LunaSettings& settings, int seeds,
                           const Run& run = {}, const std::function<void(long long)>& on_progress = {});
 

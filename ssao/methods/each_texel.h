@@ -1,0 +1,121 @@
+// What the screen-space methods have in common: a loop over the texels of the AO map, and the same kernel told in
+// numbers for one of them. A kernel is a struct with
+//   const AoInputs& inputs;
+//   template <class F, class Witness> F taken(const TexelPoint<F>& at, const Witness& witness) const;
+//       the sum of what its samples take from the points; it calls witness(SampleFacts<F>) for each, in the order of
+//       the sum, with every term of the sum that is not 0
+//   template <class F> static F value(const Settings& settings, F taken);
+//       accessibility as the map holds it
+#pragma once
+
+#include <limits>
+
+#include "rasterizer/base/parallel.h"
+#include "rasterizer/base/run.h"
+#include "ssao/methods/ao_map.h"
+#include "ssao/methods/explanation.h"
+
+namespace crevice {
+
+// Side of a tile of the maps that each_texel() makes, texels.
+inline constexpr int kTexelTile = 16;
+
+// The texels (x, y) ... (x + lanes - 1, y) of an AO map, and what they see.
+template <class F>
+struct TexelPoint {
+    int x, y;
+    Screen2<F> at;    // their centres, pixels of the picture
+    Vec3<F> p, n;     // view space; n as the G-buffer was fetched
+    Mask<F> surface;  // false: background, where p lies at depth 1 and means nothing
+};
+
+template <class F>
+CREVICE_INLINE TexelPoint<F> texel_point(const AoInputs& inputs, int x, int y) {
+    const Size size = inputs.size(), picture = inputs.picture;
+    const F z = load<F>(inputs.view_depth.row(y) + x);
+    const Mask<F> surface = z < F(std::numeric_limits<float>::infinity());
+    const F u = (F(to_float(lane_index<F>() + Int<F>(x))) + F(0.5f)) / F(static_cast<float>(size.width));
+    const F v = F((static_cast<float>(y) + 0.5f) / static_cast<float>(size.height));
+    return {x,
+            y,
+            {u * F(static_cast<float>(picture.width)), v * F(static_cast<float>(picture.height))},
+            inputs.rays.p_view(u, v, select(surface, z, F(1))),
+            {load<F>(inputs.normal.x.row(y) + x), load<F>(inputs.normal.y.row(y) + x),
+             load<F>(inputs.normal.z.row(y) + x)},
+            surface};
+}
+
+// What one sample found out about its texels.
+template <class F>
+struct SampleFacts {
+    Vec3<F> q;         // the point that is asked about, view space
+    Screen2<F> at;     // where it is seen, pixels of the picture
+    Vec3<F> r;         // the surface that is compared with, view space
+    F facing, weight;  // how squarely it lies over p; how much it counts at its distance
+    F contribution;    // the term of the sum
+};
+
+// Sees nothing, and costs nothing.
+struct NoWitness {
+    template <class Facts>
+    CREVICE_INLINE void operator()(const Facts&) const {}
+};
+
+// Which tiles show a surface at all; tiles that `run` keeps are done.
+TileMap surface_tiles(const AoInputs& inputs, const Run& run);
+
+// The map of a kernel; 1 where there is no surface.
+template <class Kernel, class Settings>
+AoMap each_texel(const Kernel& kernel, const Settings& settings, const Run& run) {
+    const AoInputs& inputs = kernel.inputs;
+    AoMap map{Image<float>(inputs.size(), 1.0f), surface_tiles(inputs, run)};
+    parallel_rows(map.ao.size.height, run, [&](int first_row, int end_row) {
+        run_kernel(run, [&]<class F>(Lanes<F>) {
+            for (int y = first_row; y < end_row; ++y) {
+                for (int x = 0; x < map.ao.size.width; x += kLanes<F>) {
+                    if (map.tiles.tiles.at(x / kTexelTile, y / kTexelTile) != TileWork::done) continue;
+                    const TexelPoint<F> at = texel_point<F>(inputs, x, y);
+                    if (run.leaves_out(Skip::background_pixels) && !any(at.surface)) continue;
+                    const F value = Kernel::value(settings, kernel.taken(at, NoWitness{}));
+                    store(map.ao.row(y) + x, select(at.surface, value, F(1)));
+                }
+            }
+        });
+    });
+    return map;
+}
+
+// Why a sample takes nothing, or that it takes something.
+const char* verdict_of(const ExplainedSample& sample);
+
+// One texel in numbers.
+template <class Kernel, class Settings>
+Explanation explain_texel(const Kernel& kernel, const Settings& settings, int x, int y) {
+    const auto as_glm = [](const Vec3<float>& v) { return glm::vec3(v.x, v.y, v.z); };
+    const TexelPoint<float> at = texel_point<float>(kernel.inputs, x, y);
+    Explanation result;
+    result.surface = at.surface;
+    if (!result.surface) {
+        result.value_of_sum = [](float) { return 1.0f; };
+        return result;
+    }
+    result.p_view = as_glm(at.p);
+    result.n_view = as_glm(at.n);
+    kernel.taken(at, [&](const SampleFacts<float>& facts) {
+        ExplainedSample sample;
+        sample.offset = as_glm(facts.q - at.p);
+        sample.q_view = as_glm(facts.q);
+        sample.q_screen = {facts.at.x, facts.at.y};
+        sample.r_view = as_glm(facts.r);
+        sample.dz = at.p.z - facts.r.z;
+        sample.dp = facts.facing;
+        sample.weight = facts.weight;
+        sample.contribution = facts.contribution;
+        sample.verdict = verdict_of(sample);
+        result.samples.push_back(sample);
+    });
+    result.value_of_sum = [settings](float sum) { return Kernel::value(settings, sum); };
+    return result;
+}
+
+}  // namespace crevice

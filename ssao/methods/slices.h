@@ -1,0 +1,101 @@
+// Slices of the hemisphere: half-planes through the eye's ray, along which GTAO and the visibility bitmask step over
+// the screen. What the two have in common: directions, noise, sample positions, and the cosine-weighted integral.
+// Source: Jimenez et al. 2016, "Practical real-time strategies for accurate indirect occlusion" (GTAO), section 4;
+//         XeGTAO 1.30 for noise and sample positions.
+#pragma once
+
+#include <cstdint>
+
+#include "rasterizer/lanes/approx_math.h"
+#include "rasterizer/lanes/arc_cosine.h"
+#include "ssao/inputs/noise_tile.h"
+#include "ssao/inputs/pixel_fetch.h"
+#include "ssao/methods/each_texel.h"
+
+namespace crevice {
+
+// Samples a texel as slices and steps: 4, 8, 18 and 54 are XeGTAO's presets of 1x2, 2x2, 3x3 and 9x3.
+struct SlicePlan {
+    int slices, steps;  // steps to each side
+};
+inline SlicePlan slice_plan(int samples) {
+    const int steps = samples < 18 ? 2 : 3;
+    return {samples / (2 * steps), steps};
+}
+// Throws UsageError unless `samples` is a whole number of slices, up to 32 of them.
+void validate_slice_samples(int samples);
+
+// The number of cell (x, y) along a Hilbert curve through 64 x 64 cells.
+int hilbert_index(int x, int y);
+
+// How a texel's slices are turned and its steps shifted: the R2 sequence of Roberts (2018) along a Hilbert curve, as in
+// XeGTAO. Each seed is another stretch of the sequence.
+struct SliceNoise {
+    NoiseTile cosine, sine;  // of the turn, between two slices
+    NoiseTile step;          // [0, 1)
+
+    SliceNoise(std::uint32_t seed, int slices);
+};
+
+// One slice through a group of texels. Its plane holds v, towards the eye, and t, to its positive side.
+template <class F>
+struct Slice {
+    F x, y;          // direction on the screen, y down, unit
+    Vec3<F> v, t;    // view space, unit, orthogonal
+    F length;        // of the normal's part in the plane, [0, 1]
+    F cosine, sine;  // of the angle gamma from v to that part, towards t; cosine >= 0
+    F gamma;         // radians
+    F open;          // accessibility of the whole slice where nothing occludes, over `length`
+};
+
+template <class F>
+CREVICE_INLINE Slice<F> slice_of(const TexelPoint<F>& texel, const AoInputs& inputs, F x, F y) {
+    Slice<F> slice;
+    slice.x = x;
+    slice.y = F(0) - y;
+    const F zero(0), one(1);
+    slice.v =
+        inputs.rays.perspective
+            ? normalize_or<F>({zero - texel.p.x, zero - texel.p.y, zero - texel.p.z}, {zero, zero, F(-1)})
+            : Vec3<F>{zero, zero, F(-1)};
+    const F along_v = x * slice.v.x + y * slice.v.y;
+    slice.t = normalize_or<F>(Vec3<F>{x, y, zero} - along_v * slice.v, {one, zero, zero});
+    const F n_t = dot(texel.n, slice.t), n_v = dot(texel.n, slice.v);
+    // A normal that points away from the eye is taken to lie at the edge of what can be seen.
+    const F towards = max_of(n_v, zero);
+    slice.length = square_root(n_t * n_t + towards * towards);
+    const auto usable = slice.length > F(1e-6f);
+    const F inverse = one / select(usable, slice.length, one);
+    slice.length = select(usable, slice.length, zero);
+    slice.cosine = select(usable, towards * inverse, one);
+    slice.sine = select(usable, n_t * inverse, zero);
+    const F angle = arc_cosine(slice.cosine);
+    slice.gamma = select(slice.sine < zero, zero - angle, angle);
+    slice.open = slice.cosine + slice.gamma * slice.sine;
+    return slice;
+}
+
+// What a slice loses, over its length, when everything beyond an angle from v on its positive side is closed: the
+// paper's integral (equation 7) from that angle to the horizon of the open plane. `c` is the cosine of the angle, at
+// least that of the open horizon, which is -sine. For the negative side give -gamma and -sine.
+template <class F>
+CREVICE_INLINE F closed_beyond(F c, F cosine, F sine, F gamma) {
+    const F h = arc_cosine(c), s = square_root(max_of(F(1) - c * c, F(0)));
+    const F of_double_angle = (F(2) * c * c - F(1)) * cosine + F(2) * c * s * sine;
+    const F loss =
+        F(0.25f) * (cosine + of_double_angle + F(2) * (gamma + F(static_cast<float>(kPi / 2)) - h) * sine);
+    return select(c > F(0) - sine, max_of(loss, F(0)), F(0));
+}
+
+// How far along its slice a step lies, as a share of the radius: denser near the texel (XeGTAO: to the power 2), and
+// always on another pixel.
+template <class F>
+CREVICE_INLINE F step_distance_px(int slice, int step, SlicePlan plan, F noise, F radius_px) {
+    constexpr float kGolden = 0.6180339887498948482f, kNextPixel = 1.3f;
+    const F shifted = noise + F(static_cast<float>(slice + step * plan.steps) * kGolden);
+    const F part = (F(static_cast<float>(step)) + shifted - F(to_float(floor_to_int(shifted)))) /
+                   F(static_cast<float>(plan.steps));
+    return part * part * radius_px + F(kNextPixel);
+}
+
+}  // namespace crevice

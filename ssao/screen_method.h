@@ -1,0 +1,78 @@
+// A row of the table of methods from the functions that each screen-space method has, whose settings S have members
+// radius, exponent, seed and ao_scale.
+#pragma once
+
+#include <vector>
+
+#include "ssao/judge/seed_limit.h"
+#include "ssao/methods/method.h"
+
+namespace crevice {
+
+template <class S>
+struct ScreenMethod {
+    const char *name, *title, *source;
+    S defaults;
+    std::vector<Parameter<S>> parameters;
+    std::vector<int> samples_to_try;
+    AoFetch (*fetch)(const S&);
+    AoMap (*ao)(const AoInputs&, const S&, const Run&);
+    double (*reach_px)(const AoInputs&, const S&, double view_depth);
+    Explanation (*explain)(const AoInputs&, const S&, int x, int y);
+    AoQuestion (*question)(const S&);
+};
+
+// The parameters that every screen-space method has beside its own.
+template <class S>
+std::vector<Parameter<S>> common_parameters() {
+    return {
+        number("radius", "[0, inf)", kSceneUnit, "how far from the surface something may occlude",
+               &S::radius),
+        number("exponent", "[0, 64]", "-", "contrast: accessibility is raised to it", &S::exponent),
+        whole("seed", 0, 0xffffffffLL, "of all that is random", &S::seed),
+        number("ao_scale", "0.5|1", "-", "size of the AO map over that of the picture; as --ao-scale",
+               &S::ao_scale),
+    };
+}
+
+template <class S>
+Method row_of(const ScreenMethod<S>& m, Denoiser denoiser) {
+    Method row;
+    row.name = m.name;
+    row.title = m.title;
+    row.source = m.source;
+    row.defaults = AnySettings::of(m.defaults);
+    std::vector<Parameter<S>> parameters = m.parameters;
+    for (Parameter<S>& common : common_parameters<S>()) parameters.push_back(std::move(common));
+    row.parameters = within<AnySettings>(
+        parameters, [](auto& settings) -> auto& { return settings.template as<S>(); });
+    row.validate = [](const AnySettings& s) { validate(s.as<S>()); };
+    row.samples_to_try = m.samples_to_try;
+    row.reach_px = [m](const AoInputs& inputs, const AnySettings& s, double view_depth) {
+        return m.reach_px(inputs, s.as<S>(), view_depth);
+    };
+    row.ao = [m](const GBuffer& gbuffer, const Camera& camera, const AnySettings& s, const Run& run) {
+        AoInputs inputs = ao_inputs(gbuffer, camera, m.fetch(s.as<S>()), run);
+        AoMap map = m.ao(inputs, s.as<S>(), run);
+        return RawAo{std::move(map.ao), std::move(map.tiles), std::move(inputs)};
+    };
+    row.denoiser = std::move(denoiser);
+    row.limit = [m](const GBuffer& gbuffer, const Camera& camera, const AnySettings& s, int seeds,
+                    const Run& run, const std::function<void(long long)>& on_progress) {
+        const AoInputs inputs = ao_inputs(gbuffer, camera, m.fetch(s.as<S>()), run);
+        S drawn = s.as<S>();
+        drawn.exponent = 1;
+        return seed_limit(inputs.view_depth, s.as<S>().exponent, seeds, run, on_progress,
+                          [&](std::uint32_t seed) {
+                              drawn.seed = seed;
+                              return m.ao(inputs, drawn, run).ao;
+                          });
+    };
+    row.question = [m](const AnySettings& s) { return m.question(s.as<S>()); };
+    row.explain = [m](const RawAo& raw, const AnySettings& s, int x, int y) {
+        return m.explain(raw.inputs, s.as<S>(), x, y);
+    };
+    return row;
+}
+
+}  // namespace crevice
