@@ -13,7 +13,7 @@
 #include "scenes/carved_head.h"
 #include "scenes/composing.h"
 #include "scenes/shapes.h"
-#include "scenes/surfaces.h"
+#include "scenes/scene_surfaces.h"
 #include "ssao/light/scene_shadow.h"
 
 namespace crevice {

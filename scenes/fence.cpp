@@ -8,7 +8,7 @@
 #include "scenes/composing.h"
 #include "scenes/flat_mesh.h"
 #include "scenes/shapes.h"
-#include "scenes/surfaces.h"
+#include "scenes/scene_surfaces.h"
 #include "ssao/light/scene_shadow.h"
 
 namespace crevice {

@@ -9,7 +9,7 @@
 #include "scenes/flat_mesh.h"
 #include "scenes/periodic_noise.h"
 #include "scenes/shapes.h"
-#include "scenes/surfaces.h"
+#include "scenes/scene_surfaces.h"
 
 namespace crevice {
 namespace {

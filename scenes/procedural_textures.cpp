@@ -122,8 +122,8 @@ Texture normal_map(const Image<float>& height, Image<float> shininess) {
     return build_texture(std::move(normals), std::move(shininess));
 }
 
-SurfaceTextures floor_tile_textures(int side) { return surface_textures(side, floor_tile); }
-SurfaceTextures brick_textures(int side) { return surface_textures(side, brick); }
-SurfaceTextures rough_stone_textures(int side) { return surface_textures(side, rough_stone); }
+SurfaceMaps floor_tile_textures(int side) { return surface_textures(side, floor_tile); }
+SurfaceMaps brick_textures(int side) { return surface_textures(side, brick); }
+SurfaceMaps rough_stone_textures(int side) { return surface_textures(side, rough_stone); }
 
 }  // namespace crevice

@@ -9,7 +9,7 @@ inline constexpr int kTextureSide = 512;  // texels; what the scenes use
 inline constexpr int kSmallestTextureSide = 8, kLargestTextureSide = 4096;
 
 // A surface that repeats in both directions: its opposite edges continue each other.
-struct SurfaceTextures {
+struct SurfaceMaps {
     Texture colour;  // albedo, linear light
     // RGB = n / 2 + 1/2: red along u (right), green along v (down), blue out of the surface. Alpha: the
     // factor of the material's shininess, as in Luna.
@@ -21,13 +21,13 @@ struct SurfaceTextures {
 // They are functions of the position alone, so another side gives the same surface sampled otherwise.
 
 // Four by four glazed clay tiles with rounded rims, each of its own shade, and rough grout between them.
-SurfaceTextures floor_tile_textures(int side = kTextureSide);
+SurfaceMaps floor_tile_textures(int side = kTextureSide);
 
 // Running bond, four bricks across and ten courses, with chipped rims and sunken mortar.
-SurfaceTextures brick_textures(int side = kTextureSide);
+SurfaceMaps brick_textures(int side = kTextureSide);
 
 // Weathered grey stone: grain, pits and a few cracks.
-SurfaceTextures rough_stone_textures(int side = kTextureSide);
+SurfaceMaps rough_stone_textures(int side = kTextureSide);
 
 // A single leaf, its tip up and its stalk at the lower edge, that fills the square but for a free rim. The
 // colours go on beyond the outline, so that filters mix in nothing foreign. Alpha is the covered part of each

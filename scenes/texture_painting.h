@@ -49,7 +49,7 @@ Texture normal_map(const Image<float>& height, Image<float> shininess);
 
 // `surface_at`(uv) gives the PaintedPoint there and repeats with period 1.
 template <class Surface>
-SurfaceTextures surface_textures(int side, const Surface& surface_at) {
+SurfaceMaps surface_textures(int side, const Surface& surface_at) {
     check_texture_side(side);
     Image3 colour({side, side}, glm::vec3(0));
     Image<float> height({side, side}, 0), shininess = height;

@@ -51,15 +51,15 @@ Method row_of(const ScreenMethod<S>& m, Denoiser denoiser) {
     row.reach_px = [m](const AoInputs& inputs, const AnySettings& s, double view_depth) {
         return m.reach_px(inputs, s.as<S>(), view_depth);
     };
-    row.ao = [m](const GBuffer& gbuffer, const Camera& camera, const AnySettings& s, const Run& run) {
-        AoInputs inputs = ao_inputs(gbuffer, camera, m.fetch(s.as<S>()), run);
+    row.ao = [m](const AoView& view, const AnySettings& s, const Run& run) {
+        AoInputs inputs = ao_inputs(view.gbuffer, view.camera, m.fetch(s.as<S>()), run);
         AoMap map = m.ao(inputs, s.as<S>(), run);
         return RawAo{std::move(map.ao), std::move(map.tiles), std::move(inputs)};
     };
     row.denoiser = std::move(denoiser);
-    row.limit = [m](const GBuffer& gbuffer, const Camera& camera, const AnySettings& s, int seeds,
-                    const Run& run, const std::function<void(long long)>& on_progress) {
-        const AoInputs inputs = ao_inputs(gbuffer, camera, m.fetch(s.as<S>()), run);
+    row.limit = [m](const AoView& view, const AnySettings& s, int seeds, const Run& run,
+                    const std::function<void(long long)>& on_progress) {
+        const AoInputs inputs = ao_inputs(view.gbuffer, view.camera, m.fetch(s.as<S>()), run);
         S drawn = s.as<S>();
         drawn.exponent = 1;
         return seed_limit(inputs.view_depth, s.as<S>().exponent, seeds, run, on_progress,
@@ -69,7 +69,7 @@ Method row_of(const ScreenMethod<S>& m, Denoiser denoiser) {
                           });
     };
     row.question = [m](const AnySettings& s) { return m.question(s.as<S>()); };
-    row.explain = [m](const RawAo& raw, const AnySettings& s, int x, int y) {
+    row.explain = [m](const AoView&, const RawAo& raw, const AnySettings& s, int x, int y) {
         return m.explain(raw.inputs, s.as<S>(), x, y);
     };
     return row;

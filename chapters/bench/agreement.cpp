@@ -84,7 +84,7 @@ std::vector<Agreement> agreement(const Scene& scene, const FrameRequest& request
     const double to_percent = 100 / std::max(1.0, counts.covered);
     MethodSettings as_peer = request.settings.method;
     as_peer.ao.as<LunaSettings>().edge_texels = EdgeTexels::mixed;
-    const RawAo raw = request.method->ao(ours.gbuffer, ours.camera, as_peer.ao, request.run);
+    const RawAo raw = request.method->ao({scene, ours.camera, ours.gbuffer}, as_peer.ao, request.run);
     const Image<float>& ao_raw = raw.ao;
     const Image<float> ao_blurred = denoised(*request.method, raw, as_peer, request.run).ao;
     const Image3 lit = shade(scene, ours.camera, ours.gbuffer.depth, ao_blurred, request.run);

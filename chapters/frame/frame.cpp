@@ -1,11 +1,13 @@
 #include "chapters/frame/frame.h"
 
+#include <optional>
 #include <utility>
 
 #include "ssao/light/ao_lookup.h"
 #include "ssao/light/scene_shadow.h"
 #include "ssao/light/shade.h"
 #include "ssao/light/sky.h"
+#include "ssao/rays/ray_cast.h"
 
 namespace crevice {
 
@@ -75,6 +77,9 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
     RawAo raw;
     ShadowMap shadow;
     Stopwatch stopwatch;
+    std::optional<RayScene> rays;  // of the scene at rest: built once for all repeats
+    if (needs.ao && method.casts_rays)
+        stopwatch.time("ray_scene", [&] { rays = ray_scene(scene, frame.camera.eye, request.run); });
     for (int repeat = 0; repeat < request.repeats; ++repeat) {
         stopwatch.time("frame", [&] {
             stopwatch.time("normal_depth", [&] {
@@ -87,7 +92,8 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
             });
             if (needs.ao) {
                 stopwatch.time("ao", [&] {
-                    raw = method.ao(frame.gbuffer, frame.camera, settings.method.ao, request.run);
+                    raw = method.ao({scene, frame.camera, frame.gbuffer, rays ? &*rays : nullptr},
+                                    settings.method.ao, request.run);
                 });
             }
             if (needs.blur) {

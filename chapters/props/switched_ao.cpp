@@ -39,7 +39,7 @@ SwitchedAo SwitchedView::ao(const Words& words, float ao_scale) const {
     result.settings = settings.method.ao.as<LunaSettings>();
     result.blur = settings.method.denoiser.as<BlurSettings>();
     result.gbuffer = normal_depth(scene_, camera, size_, settings.buffers);
-    RawAo raw = method_.ao(result.gbuffer, camera, settings.method.ao, {});
+    RawAo raw = method_.ao({scene_, camera, result.gbuffer}, settings.method.ao, {});
     result.blurred = denoised(method_, raw, settings.method).ao;
     result.raw = std::move(raw.ao);
     result.inputs = std::move(raw.inputs);

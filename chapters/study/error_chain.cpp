@@ -17,15 +17,14 @@ Image<float> moved_by(Image<float> image, const Image<float>& a, const Image<flo
 
 ReferenceImage limit_of(const MethodView& view, const FrameSettings& settings, int limit_seeds,
                         const Run& run) {
-    return view.method->limit(gbuffer_of(view, settings), view.camera, settings.method.ao, limit_seeds, run,
-                              {});
+    return view.method->limit(ao_view_of(view, settings), settings.method.ao, limit_seeds, run, {});
 }
 
 // What the denoiser alone does to the method's limit, on top of the image `before` it.
 ChainImage blurred_limit(const MethodView& view, const FrameSettings& settings, const Image<float>& before,
                          int limit_seeds, const Run& run) {
     const ReferenceImage limit = limit_of(view, settings, limit_seeds, run);
-    RawAo raw = view.method->ao(gbuffer_of(view, settings), view.camera, settings.method.ao, run);
+    RawAo raw = view.method->ao(ao_view_of(view, settings), settings.method.ao, run);
     raw.format = BufferFormat::float32;
     const auto half = [&](std::size_t i) {
         raw.ao = limit.half[i];
@@ -66,10 +65,10 @@ std::vector<ChainImage> error_chain(const MethodView& view, const References& re
         chain.push_back({step, ao_at_picture_size(map, view.size, run)});
     };
     const auto raw = [&](const FrameSettings& settings) {
-        return method.ao(gbuffer_of(view, settings), view.camera, settings.method.ao, run).ao;
+        return method.ao(ao_view_of(view, settings), settings.method.ao, run).ao;
     };
     if (method.ao_in_double) {
-        add("sampling", method.ao_in_double(gbuffer_of(view, plain), view.camera, plain.method.ao, run));
+        add("sampling", method.ao_in_double(ao_view_of(view, plain), plain.method.ao, run));
         add("rounding", raw(plain));
     } else {
         add("sampling", raw(plain));

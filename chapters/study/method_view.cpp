@@ -3,28 +3,31 @@
 #include <utility>
 
 #include "ssao/light/widened_ao.h"
+#include "ssao/rays/ray_cast.h"
 
 namespace crevice {
 
 MethodView method_view(const Scene& scene, const Camera& camera, Size size, const Method& method,
                        const Run& run) {
-    MethodView view{&method, scene.length_unit, camera, size, {}};
+    MethodView view{&method, &scene, scene.length_unit, camera, size, {}, {}};
     const BufferFormat formats[] = {BufferFormat::float32, BufferFormat::float16_toward_zero};
     for (std::size_t i = 0; i < view.gbuffer.size(); ++i) {
         NormalDepthSettings settings;
         settings.buffer_format = formats[i];
         view.gbuffer[i] = normal_depth(scene, camera, size, settings, run);
     }
+    if (method.casts_rays) view.rays = std::make_shared<const RayScene>(ray_scene(scene, camera.eye, run));
     return view;
 }
 
-const GBuffer& gbuffer_of(const MethodView& view, const FrameSettings& settings) {
-    return view.gbuffer[settings.buffers.buffer_format != BufferFormat::float32 ? 1 : 0];
+AoView ao_view_of(const MethodView& view, const FrameSettings& settings) {
+    const bool half_floats = settings.buffers.buffer_format != BufferFormat::float32;
+    return {*view.scene, view.camera, view.gbuffer[half_floats ? 1 : 0], view.rays.get()};
 }
 
 Image<float> ao_map_of(const MethodView& view, const FrameSettings& settings, const Run& run) {
     const Method& method = *view.method;
-    RawAo raw = method.ao(gbuffer_of(view, settings), view.camera, settings.method.ao, run);
+    RawAo raw = method.ao(ao_view_of(view, settings), settings.method.ao, run);
     if (value_of(method, settings.method, "blur_iterations") == 0) return std::move(raw.ao);
     return denoised(method, raw, settings.method, run).ao;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 
 #include "chapters/study/error_settings.h"
 #include "rasterizer/draw/normal_depth.h"
@@ -10,17 +11,19 @@ namespace crevice {
 
 struct MethodView {
     const Method* method = nullptr;
+    const Scene* scene = nullptr;  // must outlive this
     float length_unit = 1;
     Camera camera;
     Size size;
-    std::array<GBuffer, 2> gbuffer;  // float32, float16
+    std::array<GBuffer, 2> gbuffer;        // float32, float16
+    std::shared_ptr<const RayScene> rays;  // where the method casts them
 };
 
 MethodView method_view(const Scene& scene, const Camera& camera, Size size, const Method& method,
                        const Run& run);
 
-// The buffers that the settings ask for.
-const GBuffer& gbuffer_of(const MethodView& view, const FrameSettings& settings);
+// What the method is given to look at: the buffers that the settings ask for.
+AoView ao_view_of(const MethodView& view, const FrameSettings& settings);
 
 // The AO map as it is before the picture is lit: estimated and denoised. This is what is timed, inputs included.
 Image<float> ao_map_of(const MethodView& view, const FrameSettings& settings, const Run& run);

@@ -42,14 +42,14 @@ class ReferenceMaker {
     }
 
     // At full size, whatever the settings say.
-    Reference limit_of(const GBuffer& gbuffer, const Camera& camera) {
+    Reference limit_of(const AoView& view) {
         const Method& method = *request_.method;
         const MethodSettings settings = with_value(method, request_.settings, "ao_scale", 1);
-        const std::string name = key_of_limit(gbuffer, camera, settings) + "-limit";
+        const std::string name = key_of_limit(view, settings) + "-limit";
         if (auto found = find(name)) return counted(std::move(*found), request_.limit_seeds, 0, true);
         Progress progress("limit", request_.limit_seeds);
         const Clocks before = clocks();
-        ReferenceImage image = method.limit(gbuffer, camera, settings.ao, request_.limit_seeds, request_.run,
+        ReferenceImage image = method.limit(view, settings.ao, request_.limit_seeds, request_.run,
                                             [&](long long done) { progress.advance(done); });
         const double ms = clocks().wall_ms - before.wall_ms;
         store(name, image);
@@ -83,8 +83,9 @@ class ReferenceMaker {
     }
 
     // All that a limit can depend on: buffers, camera, and every parameter of the method but its denoiser's.
-    std::string key_of_limit(const GBuffer& gbuffer, const Camera& camera,
-                             const MethodSettings& settings) const {
+    std::string key_of_limit(const AoView& view, const MethodSettings& settings) const {
+        const GBuffer& gbuffer = view.gbuffer;
+        const Camera& camera = view.camera;
         ContentKey key;
         key.add(kReferenceVersion);
         key.add_all(std::string(request_.method->name));
@@ -100,6 +101,7 @@ class ReferenceMaker {
         key.add(camera.projection);
         for (const Parameter<AnySettings>& parameter : request_.method->parameters)
             key.add(parameter.get(settings.ao));
+        if (view.rays != nullptr) key.add_all(view.rays->triangles);
         return key.hex();
     }
 
@@ -209,7 +211,9 @@ References make_references(const Scene& scene, const Camera& camera, const Refer
     const SurfacePoints in_buffer =
         points_on_depth_mesh(references.points, references.gbuffer, camera, request.run);
     references.screen = maker.traced("screen", in_buffer, screen, fade).soft;
-    if (request.limit_seeds > 0) references.limit = maker.limit_of(references.gbuffer, camera);
+    if (request.limit_seeds > 0)
+        references.limit =
+            maker.limit_of({scene, camera, references.gbuffer, request.method->casts_rays ? &rays : nullptr});
     return references;
 }
 

@@ -5,8 +5,8 @@
 
 #include <glm/vec4.hpp>
 
-#include "ssao/ao_methods.h"
-#include "ssao/judge/reference_image.h"
+#include "ssao/judge/luna_limit.h"
+#include "ssao/methods/xjun_ssao.h"
 #include "ssao/rays/ray_cast_ao.h"
 
 namespace crevice {
@@ -20,10 +20,10 @@ constexpr float kSamePlace = 0.03f;
 }  // namespace
 
 Image<float> noiseless_ao(const GBuffer& gbuffer, const Camera& camera) {
-    const Method& xjun = find_method("xjun");
-    MethodSettings linear = with_value(xjun, defaults_of(xjun), "exponent", 1);
-    linear = with_value(xjun, linear, "ao_scale", 1);
-    return xjun.limit(gbuffer, camera, linear.ao, kSeeds, {}, {}).mean;
+    LunaSettings linear = kXjunSettings;
+    linear.exponent = 1;
+    linear.ao_scale = 1;
+    return luna_limit(ao_inputs(gbuffer, camera, xjun_fetch(linear)), linear, kSeeds).mean;
 }
 
 SeenAo seen_ao(const Scene& scene, const Camera& camera, Size size, std::span<const WorldPoint> points) {

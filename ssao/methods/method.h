@@ -19,7 +19,16 @@
 
 namespace crevice {
 
+struct RayScene;        // ssao/rays/ray_cast.h
 struct ReferenceImage;  // ssao/judge/reference_image.h
+
+// What a method is given to look at. The screen-space methods see the G-buffer and the camera alone.
+struct AoView {
+    const Scene& scene;
+    const Camera& camera;
+    const GBuffer& gbuffer;          // drawn of both
+    const RayScene* rays = nullptr;  // for methods that cast rays: the scene, its origin the eye
+};
 
 // The settings of one method or one denoiser, by value. Which struct that is only its own functions know;
 // everything else goes by its parameters.
@@ -86,20 +95,22 @@ struct Method {
     // changes nothing of it, where all that is shown around there is no nearer than view_depth.
     std::function<double(const AoInputs&, const AnySettings&, double view_depth)> reach_px;
 
+    bool casts_rays = false;  // it needs AoView::rays: what lies beyond the screen counts as well
+
     // The raw map. Empty: the method computes none, and everything counts as open.
-    std::function<RawAo(const GBuffer&, const Camera&, const AnySettings&, const Run&)> ao;
+    std::function<RawAo(const AoView&, const AnySettings&, const Run&)> ao;
     Denoiser denoiser;
 
     // The same kernel in double: the map without its rounding errors. Empty: not known.
-    std::function<Image<float>(const GBuffer&, const Camera&, const AnySettings&, const Run&)> ao_in_double;
+    std::function<Image<float>(const AoView&, const AnySettings&, const Run&)> ao_in_double;
     // What the raw map tends to with ever more samples; `on_progress` is called with numbers of seeds. Throws
     // UsageError for too few seeds.
-    std::function<ReferenceImage(const GBuffer&, const Camera&, const AnySettings&, int seeds, const Run&,
+    std::function<ReferenceImage(const AoView&, const AnySettings&, int seeds, const Run&,
                                  const std::function<void(long long)>& on_progress)>
         limit;
     std::function<AoQuestion(const AnySettings&)> question;
-    // Texel (x, y) of a map that ao() made with these settings.
-    std::function<Explanation(const RawAo&, const AnySettings&, int x, int y)> explain;
+    // Texel (x, y) of a map that ao() made of this view with these settings.
+    std::function<Explanation(const AoView&, const RawAo&, const AnySettings&, int x, int y)> explain;
 
     bool computes_ao() const { return ao != nullptr; }
 };

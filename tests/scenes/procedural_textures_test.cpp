@@ -18,7 +18,7 @@ namespace {
 
 struct NamedSurface {
     const char* name;
-    SurfaceTextures (*make)(int side);
+    SurfaceMaps (*make)(int side);
 };
 constexpr NamedSurface kSurfaces[] = {
     {"floor tiles", floor_tile_textures}, {"bricks", brick_textures}, {"rough stone", rough_stone_textures}};
@@ -70,7 +70,7 @@ TEST_CASE("procedural textures: opposite edges continue each other") {
     for (const NamedSurface& surface : kSurfaces) {
         const std::string name = surface.name;
         CAPTURE(name);
-        const SurfaceTextures textures = surface.make(160);
+        const SurfaceMaps textures = surface.make(160);
         const int repeats_down = name == "bricks" ? 5 : 4;  // every second course
         check_that_it_continues(textures.height, repeats_down);
         check_that_it_continues(textures.colour.colour(0).x, repeats_down);
@@ -84,7 +84,7 @@ TEST_CASE("procedural textures: opposite edges continue each other") {
 
 TEST_CASE("procedural textures: normals are those of the height field, across the edges too") {
     for (const NamedSurface& surface : kSurfaces) {
-        const SurfaceTextures textures = surface.make(48);
+        const SurfaceMaps textures = surface.make(48);
         const Image3& normals = textures.normal.colour(0);
         for (int y = 0; y < 48; ++y) {
             for (int x = 0; x < 48; ++x) {
@@ -104,7 +104,7 @@ TEST_CASE("procedural textures: normals are those of the height field, across th
 TEST_CASE("procedural textures: colours and factors in [0,1], neither black nor burnt out, bumps of use") {
     for (const NamedSurface& surface : kSurfaces) {
         CAPTURE(surface.name);
-        const SurfaceTextures textures = surface.make(64);
+        const SurfaceMaps textures = surface.make(64);
         CHECK(textures.colour.levels().size() == 7);
         CHECK(textures.normal.has_alpha());
         CHECK(!textures.colour.has_alpha());
@@ -125,7 +125,7 @@ TEST_CASE("procedural textures: colours and factors in [0,1], neither black nor 
 
 TEST_CASE("procedural textures: another side is the same surface sampled otherwise") {
     for (const NamedSurface& surface : kSurfaces) {
-        const SurfaceTextures coarse = surface.make(16), fine = surface.make(48);
+        const SurfaceMaps coarse = surface.make(16), fine = surface.make(48);
         for (int y = 0; y < 16; ++y) {
             for (int x = 0; x < 16; ++x) {
                 CAPTURE(surface.name);
@@ -184,7 +184,7 @@ TEST_CASE("procedural textures: the fence is wire with holes in every diamond") 
 }
 
 TEST_CASE("procedural textures: the same bits everywhere") {
-    const auto hashes = [](const SurfaceTextures& textures) {
+    const auto hashes = [](const SurfaceMaps& textures) {
         return content_hash(textures.colour.colour(0)) + " " + content_hash(textures.normal.colour(1)) + " " +
                content_hash(textures.normal.alpha(0)) + " " + content_hash(textures.height);
     };

@@ -137,6 +137,23 @@ std::vector<GoldenBuffer> rendered_artifacts() {
     return buffers;
 }
 
+// Both maps of every method, of one scene.
+std::vector<GoldenBuffer> rendered_methods() {
+    std::vector<GoldenBuffer> buffers;
+    const Scene scene = find_builtin_scene("columns")->make(SceneDetail::surfaces);
+    for (const Method& method : ao_methods()) {
+        if (!method.computes_ao()) continue;
+        const Frame frame = frame_of(scene, kGoldenSize, method.name, {});
+        for (const char* buffer : {"ao_raw", "ao_blurred"}) {
+            buffers.push_back(
+                {"methods_of_columns", std::string(method.name) + "." + buffer,
+                 std::string("render columns --ao ") + method.name + " --size 160x90 --only " + buffer,
+                 planes_named(frame, buffer)});
+        }
+    }
+    return buffers;
+}
+
 // The references, smaller: what they are made of is seen in few pixels.
 std::vector<GoldenBuffer> referenced_scenes() {
     std::vector<GoldenBuffer> buffers;
@@ -167,6 +184,7 @@ std::vector<GoldenBuffer> referenced_scenes() {
 
 std::vector<GoldenBuffer> golden_buffers() {
     std::vector<GoldenBuffer> buffers = rendered_scenes();
+    for (GoldenBuffer& buffer : rendered_methods()) buffers.push_back(std::move(buffer));
     for (GoldenBuffer& buffer : rendered_artifacts()) buffers.push_back(std::move(buffer));
     for (GoldenBuffer& buffer : referenced_scenes()) buffers.push_back(std::move(buffer));
     return buffers;

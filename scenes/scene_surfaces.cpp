@@ -1,4 +1,4 @@
-#include "scenes/surfaces.h"
+#include "scenes/scene_surfaces.h"
 
 #include <utility>
 
@@ -7,7 +7,7 @@
 
 namespace crevice {
 
-Surface shared_surface(SurfaceTextures textures) {
+Surface shared_surface(SurfaceMaps textures) {
     return {std::make_shared<const Texture>(std::move(textures.colour)),
             std::make_shared<const Texture>(std::move(textures.normal))};
 }

@@ -19,7 +19,7 @@ namespace crevice {
 struct Surface {
     std::shared_ptr<const Texture> colour, normal;
 };
-Surface shared_surface(SurfaceTextures textures);
+Surface shared_surface(SurfaceMaps textures);
 
 // The material of a surface. A texture brings its colour along, so that the reflectances alone are left to
 // the material; where there is none, `mean_colour` (linear light) multiplies diffuse and ambient instead.
