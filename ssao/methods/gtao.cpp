@@ -34,27 +34,27 @@ struct GtaoKernel {
 
     // XeGTAO 1.30, XeGTAO_MainPass: falloff, thin occluder compensation, horizon.
     template <class F>
-    CREVICE_INLINE void raise(Horizon<F>& horizon, const TexelPoint<F>& texel, const Slice<F>& slice, F open,
-                              Screen2<F> at) const {
+    CREVICE_INLINE void raise(Horizon<F>& horizon, const TexelPoint<F>& texel, const Slice<F>& slice,
+                              float side, F sine, Screen2<F> at) const {
         const FetchedPixel<F> pixel = fetch_pixel(inputs, at);
         const Vec3<F> delta = pixel.r - texel.p;
         const F squared = dot(delta, delta);
         const auto apart = squared > F(reach) * F(reach) * F(1e-12f);
         const F distance = square_root(select(apart, squared, F(1)));
-        const F cosine = dot(delta, slice.v) / distance;
+        const F above_surface = dot(texel.n, delta) / distance;
         const F deeper = delta.z * F(1 + settings.thickness);
         const F felt =
             settings.thickness == 0
                 ? distance
                 : square_root(select(apart, delta.x * delta.x + delta.y * delta.y + deeper * deeper, F(1)));
         const F weight = select(apart, saturate((F(reach) - felt) * F(inverse_fade)), F(0));
-        const F c = mix(open, cosine, weight);
+        const F c = mix(F(0) - sine, horizon_cosine(slice, side, texel.n, delta), weight);
         const auto higher = (c > horizon.c) & (pixel.r.z > F(inputs.near_plane));
         horizon.c = select(higher, c, horizon.c);
         horizon.highest.q = select<F>(higher, pixel.r, horizon.highest.q);
         horizon.highest.at = {select(higher, pixel.at.x, horizon.highest.at.x),
                               select(higher, pixel.at.y, horizon.highest.at.y)};
-        horizon.highest.facing = select(higher, dot(texel.n, delta) / distance, horizon.highest.facing);
+        horizon.highest.facing = select(higher, above_surface, horizon.highest.facing);
         horizon.highest.weight = select(higher, weight, horizon.highest.weight);
     }
 
@@ -62,11 +62,12 @@ struct GtaoKernel {
     template <class F, class Witness>
     CREVICE_INLINE F lost(const TexelPoint<F>& texel, const Slice<F>& slice, int number, float side,
                           F radius_px, F shift, const Witness& witness) const {
-        const F sine = F(side) * slice.sine, gamma = F(side) * slice.gamma, open = F(0) - sine;
-        Horizon<F> horizon{open, {texel.p, texel.at, texel.p, F(0), F(0), F(0)}};
+        const F sine = F(side) * slice.sine, gamma = F(side) * slice.gamma;
+        Horizon<F> horizon{F(0) - sine, {texel.p, texel.at, texel.p, F(0), F(0), F(0)}};
         for (int step = 0; step < plan.steps; ++step) {
             const F along = F(side) * step_distance_px(number, step, plan, shift, radius_px);
-            raise(horizon, texel, slice, open, {texel.at.x + along * slice.x, texel.at.y + along * slice.y});
+            raise(horizon, texel, slice, side, sine,
+                  {texel.at.x + along * slice.x, texel.at.y + along * slice.y});
         }
         const F loss = slice.length * closed_beyond(horizon.c, slice.cosine, sine, gamma);
         horizon.highest.r = horizon.highest.q;

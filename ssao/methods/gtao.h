@@ -5,8 +5,9 @@
 // Out:    cosine-weighted accessibility in [0,1] of what lies within the radius, to the power `exponent`
 // Reach:  kGtaoReach radii around p on the screen, at p's depth, and a pixel
 // Differs from both: each slice is counted by what it loses against an open plane, not by what it keeps. Over all
-//         directions that is the same integral, but one slice is not 1 where nothing occludes, and here it is. XeGTAO's
-//         depth pyramid, its 5 % for short normals and its fade below 10 pixels are left out; its exponent is 2.2.
+//         directions that is the same integral, but one slice is not 1 where nothing occludes, and here it is. Pixels
+//         beside a slice are moved into it (horizon_cosine()). XeGTAO's depth pyramid, its 5 % for short normals and
+//         its fade below 10 pixels are left out; its exponent is 2.2.
 // Cost:   about 60 operations and one depth read a sample, 120 a slice.
 #pragma once
 

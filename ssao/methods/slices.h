@@ -37,15 +37,21 @@ struct SliceNoise {
     SliceNoise(std::uint32_t seed, int slices);
 };
 
+template <class F>
+CREVICE_INLINE Vec3<F> cross(Vec3<F> a, Vec3<F> b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
 // One slice through a group of texels. Its plane holds v, towards the eye, and t, to its positive side.
 template <class F>
 struct Slice {
-    F x, y;          // direction on the screen, y down, unit
-    Vec3<F> v, t;    // view space, unit, orthogonal
-    F length;        // of the normal's part in the plane, [0, 1]
-    F cosine, sine;  // of the angle gamma from v to that part, towards t; cosine >= 0
-    F gamma;         // radians
-    F open;          // accessibility of the whole slice where nothing occludes, over `length`
+    F x, y;            // direction on the screen, y down, unit
+    Vec3<F> v, t;      // view space, unit, orthogonal
+    F length;          // of the normal's part in the plane, [0, 1]
+    F inverse_length;  // 1 where the length is 0
+    F cosine, sine;    // of the angle gamma from v to that part, towards t; cosine >= 0
+    F gamma;           // radians
+    F open;            // accessibility of the whole slice where nothing occludes, over `length`
 };
 
 template <class F>
@@ -67,12 +73,28 @@ CREVICE_INLINE Slice<F> slice_of(const TexelPoint<F>& texel, const AoInputs& inp
     const auto usable = slice.length > F(1e-6f);
     const F inverse = one / select(usable, slice.length, one);
     slice.length = select(usable, slice.length, zero);
+    slice.inverse_length = inverse;
     slice.cosine = select(usable, towards * inverse, one);
     slice.sine = select(usable, n_t * inverse, zero);
     const F angle = arc_cosine(slice.cosine);
     slice.gamma = select(slice.sine < zero, zero - angle, angle);
     slice.open = slice.cosine + slice.gamma * slice.sine;
     return slice;
+}
+
+// The cosine of the angle from v at which something at `delta` from the point stands in the slice. A pixel lies beside the
+// slice's plane by up to half a pixel: it is moved into it along the surface, keeping its height above that. Taken as it
+// is seen, an open plane seen at a slant would rise above itself. `side` is 1 or -1; what comes to lie on the other side
+// is behind the point: -1.
+template <class F>
+CREVICE_INLINE F horizon_cosine(const Slice<F>& slice, float side, Vec3<F> n, Vec3<F> delta) {
+    const Vec3<F> axis = cross(slice.t, slice.v);
+    const F beside = dot(axis, n) * dot(axis, delta) * slice.inverse_length;
+    const F across = dot(slice.t, delta) + slice.sine * beside,
+            towards = dot(slice.v, delta) + slice.cosine * beside;
+    const F squared = across * across + towards * towards;
+    return select(F(side) * across > F(0), towards / square_root(select(squared > F(0), squared, F(1))),
+                  F(-1));
 }
 
 // What a slice loses, over its length, when everything beyond an angle from v on its positive side is closed: the
