@@ -8,6 +8,7 @@
 #include "ssao/methods/luna_parameters.h"
 #include "ssao/methods/luna_ssao.h"
 #include "ssao/methods/open_tiles.h"
+#include "ssao/methods/vbao.h"
 #include "ssao/methods/xjun_ssao.h"
 #include "ssao/screen_method.h"
 
@@ -93,6 +94,36 @@ Method gtao_row() {
         bilateral_denoiser(kXjunBlur));
 }
 
+Method vbao_row() {
+    using S = VbaoSettings;
+    return row_of<S>(
+        {.name = "vbao",
+         .title = "visibility bitmask: sectors of slices, closed by things of a thickness",
+         .source = "Therrien et al. 2023, arXiv 2301.11376",
+         .defaults = {},
+         .parameters =
+             {whole("samples", 4, 192, "4, 8, 12 or a multiple of 6 from 18 on; fewer is faster and noisier",
+                    &S::samples),
+              number("thickness", "[0, inf)", kSceneUnit,
+                     "how far behind its front a thing ends; 1e30: never, dark behind fences", &S::thickness),
+              choice<S, Sectors>("sectors", "32 of equal light, or of equal angles as published", &S::sectors,
+                                 {{"cosine", Sectors::cosine}, {"angle", Sectors::angle}}),
+              choice<S, ClosedSectors>(
+                  "closed", "touched: as published, also sectors that are covered in part: dark", &S::closed,
+                  {{"middle", ClosedSectors::middle}, {"touched", ClosedSectors::touched}})},
+         .samples_to_try = {4, 8, 18, 54},
+         .fetch = vbao_fetch,
+         .ao = vbao,
+         .reach_px = vbao_reach_px,
+         .explain = explain_vbao,
+         // Equal angles weigh nearer to the cosine than to even weights, too.
+         .question =
+             [](const S& s) {
+                 return AoQuestion{s.radius, s.radius, s.radius};
+             }},
+        bilateral_denoiser(kXjunBlur));
+}
+
 // Of `none` only the size of its open map can be set.
 struct OpenSettings {
     float ao_scale = 0.5f;
@@ -117,7 +148,7 @@ Method none_row() {
 }  // namespace
 
 std::span<const Method> ao_methods() {
-    static const Method rows[] = {xjun_row(), luna_row(), gtao_row(), none_row()};
+    static const Method rows[] = {xjun_row(), luna_row(), gtao_row(), vbao_row(), none_row()};
     return rows;
 }
 

@@ -22,6 +22,8 @@ using namespace crevice;
 namespace {
 
 constexpr Size kSize{53, 31};
+// A radius with which much occludes in the still life, even where it ends sharply.
+constexpr double kFar = 1;
 
 std::vector<const Method*> computing_methods() {
     std::vector<const Method*> methods;
@@ -113,6 +115,8 @@ TEST_CASE("every method: in [0,1], no NaN, the sky exactly 1, something is darke
     Scene orthographic = still_life();
     orthographic.camera.projection = Projection::orthographic;
     orthographic.camera.ortho_height = 4;
+    orthographic.camera.eye = {0, 3, 0};  // so that the floor is seen
+    orthographic.camera.target = {0, -1, 4};
     for (const Method* method : computing_methods()) {
         for (const Scene& scene : {still_life(), orthographic, columns_scene(), cornell_scene()}) {
             CAPTURE(std::string(method->name));
@@ -225,8 +229,8 @@ TEST_CASE("every method: a picture of one pixel, and one of the sky alone") {
 TEST_CASE("every method: the explained numbers add up to each texel, to the last bit") {
     for (const Method* method : computing_methods()) {
         const Scene scene = still_life();
-        const MethodSettings settings = defaults_of(*method);
-        const RawAo raw = maps_of(*method, scene).raw;
+        const MethodSettings settings = with_value(*method, defaults_of(*method), "radius", kFar);
+        const RawAo raw = maps_of(*method, scene, kSize, settings).raw;
         int samples = 0, occluding = 0;
         CAPTURE(std::string(method->name));
         CHECK(pixels_against(raw.ao.size, [&](int x, int y) {
@@ -251,13 +255,13 @@ TEST_CASE("every method: the G-buffer beyond its reach changes nothing") {
     const Scene scene = still_life();
     for (const Method* method : computing_methods()) {
         CAPTURE(std::string(method->name));
-        const MethodSettings settings = full_size(*method);
+        const MethodSettings settings = with_value(*method, full_size(*method), "radius", kFar);
         const Size size{160, 90};
         GBuffer g = normal_depth(scene, scene.camera, size);
         const RawAo before = method->ao(g, scene.camera, settings.ao, {});
         // The far left is replaced by a wall close to the eye.
         constexpr int kWall_px = 8;
-        const float z = 1;
+        const float z = 1.5f;
         const CameraMatrices m = camera_matrices(scene.camera, size);
         for (int y = 0; y < size.height; ++y) {
             for (int x = 0; x < kWall_px; ++x) {
