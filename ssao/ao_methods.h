@@ -1,5 +1,5 @@
 // The table of AO methods. Everything that works with any method (frames, references, studies, commands, the
-// tests of all methods) finds them here; to add one is to add a row to ao_methods.cpp.
+// tests of all methods) finds them here; to add one is to add a row in rows/.
 #pragma once
 
 #include <span>

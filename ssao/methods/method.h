@@ -2,7 +2,7 @@
 // of all methods know of a method. A row is plain values and functions, so that a new method is its own files
 // and its row.
 // Order:  this header knows none of the folders that come after methods/. A row draws on them (its blur, its
-//         limit), so the rows stand in ssao/ao_methods.cpp.
+//         limit), so the rows stand in ssao/rows/.
 #pragma once
 
 #include <any>

@@ -23,6 +23,8 @@ using namespace crevice;
 namespace {
 
 constexpr Size kSize{53, 31};
+// A radius with which much occludes in the still life, even where it ends sharply.
+constexpr double kFar = 1;
 
 std::vector<const Method*> computing_methods() {
     std::vector<const Method*> methods;
@@ -116,6 +118,8 @@ TEST_CASE("every method: in [0,1], no NaN, the sky exactly 1, something is darke
     Scene orthographic = still_life();
     orthographic.camera.projection = Projection::orthographic;
     orthographic.camera.ortho_height = 4;
+    orthographic.camera.eye = {0, 3, 0};  // so that the floor is seen
+    orthographic.camera.target = {0, -1, 4};
     for (const Method* method : computing_methods()) {
         for (const Scene& scene : {still_life(), orthographic, columns_scene(), cornell_scene()}) {
             CAPTURE(std::string(method->name));
@@ -229,8 +233,8 @@ TEST_CASE("every method: a picture of one pixel, and one of the sky alone") {
 TEST_CASE("every method: the explained numbers add up to each texel, to the last bit") {
     for (const Method* method : computing_methods()) {
         const Scene scene = still_life();
-        const MethodSettings settings = defaults_of(*method);
-        const Maps maps = maps_of(*method, scene);
+        const MethodSettings settings = with_value(*method, defaults_of(*method), "radius", kFar);
+        const Maps maps = maps_of(*method, scene, kSize, settings);
         const RawAo& raw = maps.raw;
         const AoView view = {scene, scene.camera, maps.gbuffer, &maps.rays};
         int samples = 0, occluding = 0;
@@ -258,13 +262,13 @@ TEST_CASE("every method: the G-buffer beyond its reach changes nothing") {
     for (const Method* method : computing_methods()) {
         CAPTURE(std::string(method->name));
         if (method->casts_rays) continue;  // they meet the scene, not the G-buffer
-        const MethodSettings settings = full_size(*method);
+        const MethodSettings settings = with_value(*method, full_size(*method), "radius", kFar);
         const Size size{160, 90};
         GBuffer g = normal_depth(scene, scene.camera, size);
         const RawAo before = method->ao({scene, scene.camera, g}, settings.ao, {});
         // The far left is replaced by a wall close to the eye.
         constexpr int kWall_px = 8;
-        const float z = 1;
+        const float z = 1.5f;
         const CameraMatrices m = camera_matrices(scene.camera, size);
         for (int y = 0; y < size.height; ++y) {
             for (int x = 0; x < kWall_px; ++x) {

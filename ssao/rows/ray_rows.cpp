@@ -1,0 +1,89 @@
+// Methods that cast rays.
+#include "ssao/rows/rows.h"
+
+#include "ssao/blur/bilateral_denoiser.h"
+#include "ssao/inputs/pixel_fetch.h"
+#include "ssao/rays/ray_cast_map.h"
+#include "ssao/screen_method.h"
+
+namespace crevice {
+
+namespace {
+
+// What ray_cast and crevice have in common: they differ in their defaults and their denoiser.
+Method ray_row(const RayMapSettings& defaults, Denoiser denoiser) {
+    using S = RayMapSettings;
+    const auto inputs_of = [](const AoView& view, const AnySettings& s, const Run& run) {
+        return ao_inputs(view.gbuffer, view.camera, ray_map_fetch(s.as<S>()), run);
+    };
+    Method row;
+    row.defaults = AnySettings::of(defaults);
+    std::vector<Parameter<S>> parameters = common_parameters<S>();
+    parameters.push_back(whole("samples", 1, 256, "rays a texel; fewer is faster and noisier", &S::samples));
+    parameters.push_back(
+        choice<S, RayWeight>("weight", "how directions are spread", &S::weight,
+                             {{"cosine", RayWeight::cosine}, {"uniform", RayWeight::uniform}}));
+    parameters.push_back(choice<S, RayPattern>(
+        "pattern", "interleaved: the texels of an 8x8 square share one set of rays", &S::pattern,
+        {{"independent", RayPattern::independent}, {"interleaved", RayPattern::interleaved}}));
+    row.parameters = within<AnySettings>(
+        parameters, [](auto& settings) -> auto& { return settings.template as<S>(); });
+    row.validate = [](const AnySettings& s) { validate(s.as<S>()); };
+    row.samples_to_try = {1, 2, 4, 8, 16};
+    row.casts_rays = true;
+    row.reach_px = [](const AoInputs& inputs, const AnySettings& s, double view_depth) {
+        return length_px(inputs, s.as<S>().radius, view_depth);
+    };
+    row.ao = [inputs_of](const AoView& view, const AnySettings& s, const Run& run) {
+        AoInputs inputs = inputs_of(view, s, run);
+        AoMap map = ray_cast_map(*view.rays, view.camera, inputs, s.as<S>(), run);
+        return RawAo{std::move(map.ao), std::move(map.tiles), std::move(inputs)};
+    };
+    row.denoiser = std::move(denoiser);
+    row.limit = [inputs_of](const AoView& view, const AnySettings& s, int seeds, const Run& run,
+                            const std::function<void(long long)>& on_progress) {
+        const AoInputs inputs = inputs_of(view, s, run);
+        S drawn = s.as<S>();
+        drawn.exponent = 1;
+        return seed_limit(inputs.view_depth, s.as<S>().exponent, seeds, run, on_progress,
+                          [&](std::uint32_t seed) {
+                              drawn.seed = seed;
+                              return ray_cast_map(*view.rays, view.camera, inputs, drawn, run).ao;
+                          });
+    };
+    row.question = [](const AnySettings& s) {
+        const S& rays = s.as<S>();
+        return AoQuestion{rays.radius, rays.radius, rays.radius, rays.weight == RayWeight::cosine};
+    };
+    row.explain = [](const AoView& view, const RawAo& raw, const AnySettings& s, int x, int y) {
+        return explain_ray_cast_map(*view.rays, view.camera, raw.inputs, s.as<S>(), x, y);
+    };
+    return row;
+}
+
+}  // namespace
+
+Method ray_cast_row() {
+    Method row = ray_row({}, bilateral_denoiser({.weights = kLunaBlurWeights,
+                                                 .iterations = 1,
+                                                 .depth_threshold = 0.02f,
+                                                 .edges = BlurEdges::slope}));
+    row.name = "ray_cast";
+    row.title = "a few rays a texel through the scene";
+    row.source = "X_Jun and Luna on ray casting";
+    return row;
+}
+
+Method crevice_row() {
+    Method row = ray_row({.samples = 2, .pattern = RayPattern::interleaved, .ao_scale = 1},
+                         bilateral_denoiser({.weights = kLunaBlurWeights,
+                                             .iterations = 1,
+                                             .depth_threshold = 0.02f,
+                                             .edges = BlurEdges::slope}));
+    row.name = "crevice";
+    row.title = "two rays a pixel, interleaved over 8x8, denoised along planes";
+    row.source = "this lab, after Keller & Heidrich 2001";
+    return row;
+}
+
+}  // namespace crevice
