@@ -9,6 +9,9 @@ namespace crevice {
 Method xjun_row();
 Method luna_row();
 Method none_row();
+// hemisphere_rows.cpp
+Method hemisphere_row();
+Method unity_row();
 // slice_rows.cpp
 Method gtao_row();
 Method vbao_row();
