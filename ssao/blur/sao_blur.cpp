@@ -13,9 +13,19 @@ namespace crevice {
 namespace {
 
 constexpr float kNoSurface = std::numeric_limits<float>::infinity();
-constexpr int kTaps = 4, kStep = 2;  // to each side
-constexpr float kGaussian[kTaps + 1] = {0.153170f, 0.144893f, 0.122649f, 0.092902f, 0.062970f};
-constexpr float kEvenly = 0.3f;  // added to a neighbour's weight
+// The weights of a pass: the texel's own, then those of its neighbours at equal distances to each side.
+struct BlurPass {
+    int step;  // texels from one neighbour to the next
+    int taps;  // to each side
+    float weights[5];
+};
+
+// The published Gaussian, which adds .3 to the weight of each neighbour.
+constexpr BlurPass kPublished{
+    2, 4, {0.153170f, 0.3f + 0.144893f, 0.3f + 0.122649f, 0.3f + 0.092902f, 0.3f + 0.062970f}};
+// What alternates from texel to texel becomes its mean.
+constexpr BlurPass kFine{1, 1, {0.5f, 0.25f}};
+
 // The texels of a square of four must agree better than the blur's: .02 m of its .15 m.
 constexpr float kQuadShare = 0.02f / 0.15f;
 
@@ -25,13 +35,13 @@ struct WeighedSum {
     F z;  // of the texel
     F sum, total;
 
-    CREVICE_INLINE WeighedSum(const float* ao, const float* depth)
-        : z(load<F>(depth)), sum(F(kGaussian[0]) * load<F>(ao)), total(kGaussian[0]) {}
+    CREVICE_INLINE WeighedSum(const float* ao, const float* depth, float weight)
+        : z(load<F>(depth)), sum(F(weight) * load<F>(ao)), total(weight) {}
 
     // Texels without a surface have no weight: they are infinitely far away, or their distance is not a number.
-    CREVICE_INLINE void add(int tap, const float* ao, const float* depth, F inverse_depth) {
+    CREVICE_INLINE void add(const float* ao, const float* depth, float full_weight, F inverse_depth) {
         const F agreement = max_of(F(1) - absolute(z - load<F>(depth)) * inverse_depth, F(0));
-        const F weight = F(kEvenly + kGaussian[tap]) * agreement;
+        const F weight = F(full_weight) * agreement;
         sum = sum + select(weight > F(0), weight * load<F>(ao), F(0));
         total = total + weight;
     }
@@ -50,12 +60,12 @@ class ApronedRow {
     }
 
  private:
-    static constexpr int kApron = kTaps * kStep;
+    static constexpr int kApron = kPublished.taps * kPublished.step;
     std::vector<float> texels_;
 };
 
-void blur_across(const Image<float>& ao, const Image<float>& depth, float inverse_depth, Image<float>& result,
-                 const Run& run) {
+void blur_across(const BlurPass& pass, const Image<float>& ao, const Image<float>& depth, float inverse_depth,
+                 Image<float>& result, const Run& run) {
     const int width = ao.size.width;
     parallel_rows(ao.size.height, run, [&](int first_row, int end_row) {
         ApronedRow ao_row(width), depth_row(width);
@@ -64,11 +74,10 @@ void blur_across(const Image<float>& ao, const Image<float>& depth, float invers
                 const float* const values = ao_row.filled(ao.row(y), width, 1);
                 const float* const depths = depth_row.filled(depth.row(y), width, kNoSurface);
                 for (int x = 0; x < width; x += kLanes<F>) {
-                    WeighedSum<F> at(values + x, depths + x);
-                    for (int tap = 1; tap <= kTaps; ++tap) {
-                        const int way = tap * kStep;
-                        at.add(tap, values + x - way, depths + x - way, F(inverse_depth));
-                        at.add(tap, values + x + way, depths + x + way, F(inverse_depth));
+                    WeighedSum<F> at(values + x, depths + x, pass.weights[0]);
+                    for (int tap = 1; tap <= pass.taps; ++tap) {
+                        for (const int column : {x - tap * pass.step, x + tap * pass.step})
+                            at.add(values + column, depths + column, pass.weights[tap], F(inverse_depth));
                     }
                     store(result.row(y) + x, at.mean());
                 }
@@ -77,18 +86,18 @@ void blur_across(const Image<float>& ao, const Image<float>& depth, float invers
     });
 }
 
-void blur_down(const Image<float>& ao, const Image<float>& depth, float inverse_depth, Image<float>& result,
-               const Run& run) {
+void blur_down(const BlurPass& pass, const Image<float>& ao, const Image<float>& depth, float inverse_depth,
+               Image<float>& result, const Run& run) {
     const Size size = ao.size;
     parallel_rows(size.height, run, [&](int first_row, int end_row) {
         run_kernel(run, [&]<class F>(Lanes<F>) {
             for (int y = first_row; y < end_row; ++y) {
                 for (int x = 0; x < size.width; x += kLanes<F>) {
-                    WeighedSum<F> at(ao.row(y) + x, depth.row(y) + x);
-                    for (int tap = 1; tap <= kTaps; ++tap) {
-                        for (const int row : {y - tap * kStep, y + tap * kStep}) {
+                    WeighedSum<F> at(ao.row(y) + x, depth.row(y) + x, pass.weights[0]);
+                    for (int tap = 1; tap <= pass.taps; ++tap) {
+                        for (const int row : {y - tap * pass.step, y + tap * pass.step}) {
                             if (row < 0 || row >= size.height) continue;
-                            at.add(tap, ao.row(row) + x, depth.row(row) + x, F(inverse_depth));
+                            at.add(ao.row(row) + x, depth.row(row) + x, pass.weights[tap], F(inverse_depth));
                         }
                     }
                     store(result.row(y) + x, at.mean());
@@ -125,6 +134,7 @@ std::vector<Parameter<SaoBlurSettings>> blur_parameters() {
                                {{"sao", SaoBlurKind::sao}, {"bilateral", SaoBlurKind::bilateral}}),
         whole("blur_iterations", 0, 64, "times horizontal and vertical; 0: no blur", &S::iterations),
         yes_no("blur_quads", "first the mean of each square of four texels", &S::quads),
+        yes_no("blur_fine", "at last the mean with the nearest neighbours, against stripes", &S::fine),
         number("blur_depth", "[0, inf)", kSceneUnit, "neighbours whose depth differs more do not count",
                &S::depth),
     };
@@ -152,10 +162,12 @@ AoMap sao_blur(const Image<float>& ao, const AoInputs& inputs, const SaoBlurSett
     if (settings.iterations > 0 && settings.quads)
         even_out_quads(blurred.ao, inputs.view_depth, kQuadShare * settings.depth, run);
     Image<float> across(ao.size, 1.0f);
-    for (int i = 0; i < settings.iterations; ++i) {
-        blur_across(blurred.ao, inputs.view_depth, inverse_depth, across, run);
-        blur_down(across, inputs.view_depth, inverse_depth, blurred.ao, run);
-    }
+    const auto both_ways = [&](const BlurPass& pass) {
+        blur_across(pass, blurred.ao, inputs.view_depth, inverse_depth, across, run);
+        blur_down(pass, across, inputs.view_depth, inverse_depth, blurred.ao, run);
+    };
+    for (int i = 0; i < settings.iterations; ++i) both_ways(kPublished);
+    if (settings.iterations > 0 && settings.fine) both_ways(kFine);
     return blurred;
 }
 
