@@ -12,6 +12,9 @@ Method none_row();
 // hemisphere_rows.cpp
 Method hemisphere_row();
 Method unity_row();
+// obscurance_rows.cpp
+Method alchemy_row();
+Method sao_row();
 // slice_rows.cpp
 Method gtao_row();
 Method vbao_row();

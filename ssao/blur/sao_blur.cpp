@@ -1,0 +1,186 @@
+#include "ssao/blur/sao_blur.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "rasterizer/base/parallel.h"
+#include "ssao/blur/bilateral_blur.h"
+#include "ssao/methods/settings_range.h"
+
+namespace crevice {
+
+namespace {
+
+constexpr float kNoSurface = std::numeric_limits<float>::infinity();
+// The weights of a pass: the texel's own, then those of its neighbours at equal distances to each side.
+struct BlurPass {
+    int step;  // texels from one neighbour to the next
+    int taps;  // to each side
+    float weights[5];
+};
+
+// The published Gaussian, which adds .3 to the weight of each neighbour.
+constexpr BlurPass kPublished{
+    2, 4, {0.153170f, 0.3f + 0.144893f, 0.3f + 0.122649f, 0.3f + 0.092902f, 0.3f + 0.062970f}};
+// What alternates from texel to texel becomes its mean.
+constexpr BlurPass kFine{1, 1, {0.5f, 0.25f}};
+
+// The texels of a square of four must agree better than the blur's: .02 m of its .15 m.
+constexpr float kQuadShare = 0.02f / 0.15f;
+
+// What the taps of a group of texels amount to so far.
+template <class F>
+struct WeighedSum {
+    F z;  // of the texel
+    F sum, total;
+
+    CREVICE_INLINE WeighedSum(const float* ao, const float* depth, float weight)
+        : z(load<F>(depth)), sum(F(weight) * load<F>(ao)), total(weight) {}
+
+    // Texels without a surface have no weight: they are infinitely far away, or their distance is not a number.
+    CREVICE_INLINE void add(const float* ao, const float* depth, float full_weight, F inverse_depth) {
+        const F agreement = max_of(F(1) - absolute(z - load<F>(depth)) * inverse_depth, F(0));
+        const F weight = F(full_weight) * agreement;
+        sum = sum + select(weight > F(0), weight * load<F>(ao), F(0));
+        total = total + weight;
+    }
+    CREVICE_INLINE F mean() const { return select(z < F(kNoSurface), saturate(sum / total), F(1)); }
+};
+
+// A row with texels that show nothing on both sides, so that no tap needs a test of its position.
+class ApronedRow {
+ public:
+    explicit ApronedRow(int width)
+        : texels_(static_cast<std::size_t>(round_up(width, kRowAlignment) + 2 * kApron)) {}
+    const float* filled(const float* row, int width, float beyond) {
+        std::fill(texels_.begin(), texels_.end(), beyond);
+        std::copy_n(row, width, texels_.data() + kApron);
+        return texels_.data() + kApron;
+    }
+
+ private:
+    static constexpr int kApron = kPublished.taps * kPublished.step;
+    std::vector<float> texels_;
+};
+
+void blur_across(const BlurPass& pass, const Image<float>& ao, const Image<float>& depth, float inverse_depth,
+                 Image<float>& result, const Run& run) {
+    const int width = ao.size.width;
+    parallel_rows(ao.size.height, run, [&](int first_row, int end_row) {
+        ApronedRow ao_row(width), depth_row(width);
+        run_kernel(run, [&]<class F>(Lanes<F>) {
+            for (int y = first_row; y < end_row; ++y) {
+                const float* const values = ao_row.filled(ao.row(y), width, 1);
+                const float* const depths = depth_row.filled(depth.row(y), width, kNoSurface);
+                for (int x = 0; x < width; x += kLanes<F>) {
+                    WeighedSum<F> at(values + x, depths + x, pass.weights[0]);
+                    for (int tap = 1; tap <= pass.taps; ++tap) {
+                        for (const int column : {x - tap * pass.step, x + tap * pass.step})
+                            at.add(values + column, depths + column, pass.weights[tap], F(inverse_depth));
+                    }
+                    store(result.row(y) + x, at.mean());
+                }
+            }
+        });
+    });
+}
+
+void blur_down(const BlurPass& pass, const Image<float>& ao, const Image<float>& depth, float inverse_depth,
+               Image<float>& result, const Run& run) {
+    const Size size = ao.size;
+    parallel_rows(size.height, run, [&](int first_row, int end_row) {
+        run_kernel(run, [&]<class F>(Lanes<F>) {
+            for (int y = first_row; y < end_row; ++y) {
+                for (int x = 0; x < size.width; x += kLanes<F>) {
+                    WeighedSum<F> at(ao.row(y) + x, depth.row(y) + x, pass.weights[0]);
+                    for (int tap = 1; tap <= pass.taps; ++tap) {
+                        for (const int row : {y - tap * pass.step, y + tap * pass.step}) {
+                            if (row < 0 || row >= size.height) continue;
+                            at.add(ao.row(row) + x, depth.row(row) + x, pass.weights[tap], F(inverse_depth));
+                        }
+                    }
+                    store(result.row(y) + x, at.mean());
+                }
+            }
+        });
+    });
+}
+
+// Two neighbours of one surface both become their mean.
+void even_out(float& a, float a_z, float& b, float b_z, float limit) {
+    const float apart = a_z - b_z;
+    if (apart < limit && -limit < apart) a = b = 0.5f * (a + b);
+}
+
+// As the derivatives of a GPU do it, whose pixels are shaded in squares of four: first across, then down.
+void even_out_quads(Image<float>& ao, const Image<float>& depth, float limit, const Run& run) {
+    const Size size = ao.size;
+    parallel_rows((size.height + 1) / 2, run, [&](int first_pair, int end_pair) {
+        for (int y = 2 * first_pair; y < std::min(2 * end_pair, size.height); ++y) {
+            for (int x = 0; x + 1 < size.width; x += 2)
+                even_out(ao.at(x, y), depth.at(x, y), ao.at(x + 1, y), depth.at(x + 1, y), limit);
+            if (y % 2 == 0) continue;
+            for (int x = 0; x < size.width; ++x)
+                even_out(ao.at(x, y - 1), depth.at(x, y - 1), ao.at(x, y), depth.at(x, y), limit);
+        }
+    });
+}
+
+std::vector<Parameter<SaoBlurSettings>> blur_parameters() {
+    using S = SaoBlurSettings;
+    return {
+        choice<S, SaoBlurKind>("blur_kind", "the paper's, or the tutorials' with X_Jun's weights", &S::kind,
+                               {{"sao", SaoBlurKind::sao}, {"bilateral", SaoBlurKind::bilateral}}),
+        whole("blur_iterations", 0, 64, "times horizontal and vertical; 0: no blur", &S::iterations),
+        yes_no("blur_quads", "first the mean of each square of four texels", &S::quads),
+        yes_no("blur_fine", "at last the mean with the nearest neighbours, against stripes", &S::fine),
+        number("blur_depth", "[0, inf)", kSceneUnit, "neighbours whose depth differs more do not count",
+               &S::depth),
+    };
+}
+
+}  // namespace
+
+void validate(const SaoBlurSettings& s) {
+    require_within("blur_iterations", s.iterations, 0, 64);
+    require_length("blur_depth", s.depth);
+}
+
+AoMap sao_blur(const Image<float>& ao, const AoInputs& inputs, const SaoBlurSettings& settings,
+               const Run& run) {
+    validate(settings);
+    if (settings.kind == SaoBlurKind::bilateral) {
+        BlurSettings blur = kXjunBlur;
+        blur.iterations = settings.iterations;
+        blur.depth_threshold = settings.depth;
+        return bilateral_blur(ao, inputs, blur, run);
+    }
+    // So large for 0 that only equal depths agree.
+    const float inverse_depth = settings.depth > 0 ? 1 / settings.depth : 3e38f;
+    AoMap blurred{ao, TileMap(ao.size, kBlurTile)};
+    if (settings.iterations > 0 && settings.quads)
+        even_out_quads(blurred.ao, inputs.view_depth, kQuadShare * settings.depth, run);
+    Image<float> across(ao.size, 1.0f);
+    const auto both_ways = [&](const BlurPass& pass) {
+        blur_across(pass, blurred.ao, inputs.view_depth, inverse_depth, across, run);
+        blur_down(pass, across, inputs.view_depth, inverse_depth, blurred.ao, run);
+    };
+    for (int i = 0; i < settings.iterations; ++i) both_ways(kPublished);
+    if (settings.iterations > 0 && settings.fine) both_ways(kFine);
+    return blurred;
+}
+
+Denoiser sao_denoiser() {
+    Denoiser denoiser;
+    denoiser.defaults = AnySettings::of(SaoBlurSettings{});
+    denoiser.parameters = within<AnySettings>(
+        blur_parameters(), [](auto& settings) -> auto& { return settings.template as<SaoBlurSettings>(); });
+    denoiser.validate = [](const AnySettings& settings) { validate(settings.as<SaoBlurSettings>()); };
+    denoiser.denoised = [](const RawAo& raw, const AnySettings& settings, const Run& run) {
+        return sao_blur(raw.ao, raw.inputs, settings.as<SaoBlurSettings>(), run);
+    };
+    return denoiser;
+}
+
+}  // namespace crevice

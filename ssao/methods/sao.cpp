@@ -1,0 +1,158 @@
+#include "ssao/methods/sao.h"
+
+#include <vector>
+
+#include "rasterizer/lanes/approx_math.h"
+#include "ssao/inputs/noise_tile.h"
+#include "ssao/inputs/pixel_fetch.h"
+#include "ssao/methods/each_texel.h"
+#include "ssao/methods/obscurance.h"
+#include "ssao/methods/settings_range.h"
+
+namespace crevice {
+
+namespace {
+
+// A tap further away than 2^(this + 1) pixels is read from a coarser level: more, and several taps fall into one cell.
+constexpr int kLogFinest = 3;
+
+// The angle by which the spiral of a texel is turned; the published one is that of the texel's column and row, here of
+// the first 64.
+NoiseTile turn(const SaoSettings& settings, double SineCosine::*part) {
+    constexpr int kSide = 64;
+    return {kSide, kSide, [=](int x, int y) {
+                if (settings.as_published)
+                    return static_cast<float>(sine_cosine(10.0 * ((3 * x) ^ (y + x * y))).*part);
+                const auto cell = static_cast<std::uint32_t>(y * kSide + x);
+                const double turns = static_cast<double>(unit_number(hash_of(settings.seed, 0, cell)));
+                return static_cast<float>(sine_cosine(2 * kPi * turns).*part);
+            }};
+}
+
+// What one tap of all texels has in common: its place on the spiral before the texel's turn, in radii.
+std::vector<Screen2<float>> spiral(int samples, int turns) {
+    std::vector<Screen2<float>> taps;
+    for (int i = 0; i < samples; ++i) {
+        const double part = (i + 0.5) / samples;
+        const SineCosine at = sine_cosine(2 * kPi * turns * part);
+        taps.push_back({static_cast<float>(part * at.cosine), static_cast<float>(part * at.sine)});
+    }
+    return taps;
+}
+
+struct SaoKernel {
+    const AoInputs& inputs;
+    const SaoSettings settings;
+    const SaoPlace place;
+    const DepthPyramid pyramid;
+    const std::vector<Screen2<float>> taps;
+    const NoiseTile cosine, sine;
+    const float inverse_radius;  // 0 for radius 0, where all lies at p
+
+    SaoKernel(const AoInputs& ao_inputs, const SaoSettings& sao, const Run& run)
+        : inputs(ao_inputs),
+          settings(sao),
+          place(sao.as_published ? SaoPlace::tapped : sao.place),
+          pyramid(ao_inputs, sao.levels, run),
+          taps(spiral(sao.samples, sao.turns)),
+          cosine(turn(sao, &SineCosine::cosine)),
+          sine(turn(sao, &SineCosine::sine)),
+          inverse_radius(sao.radius > 0 ? 1 / sao.radius : 0) {}
+
+    // The level that a tap `distance_px` away is read from.
+    template <class F>
+    CREVICE_INLINE Int<F> level_of(F distance_px) const {
+        const Int<F> log = (float_bits(distance_px) >> 23) - Int<F>(127);
+        return clamp_int(log - Int<F>(kLogFinest), Int<F>(0), Int<F>(pyramid.top()));
+    }
+
+    template <class F>
+    CREVICE_INLINE FetchedPixel<F> fetched(Screen2<F> position, F distance_px) const {
+        const auto found = pyramid.fetch(position, level_of(distance_px));
+        Screen2<F> at = found.at;
+        if (place == SaoPlace::tapped)
+            at = {F(to_float(floor_to_int(position.x))) + F(0.5f),
+                  F(to_float(floor_to_int(position.y))) + F(0.5f)};
+        const F width = F(static_cast<float>(inputs.picture.width)),
+                height = F(static_cast<float>(inputs.picture.height));
+        // Beyond the picture nothing can occlude.
+        const F z = select(found.inside, found.z, F(inputs.depth_map.pixels.front()));
+        return {at, inputs.rays.p_view(at.x / width, at.y / height, z)};
+    }
+
+    // The tap whose place on the turned spiral is `offset`, in radii; it lies `part` of a radius away.
+    template <class F, class Witness>
+    CREVICE_INLINE F tap(const TexelPoint<F>& texel, Screen2<F> offset, float part, F radius_px,
+                         const Witness& witness) const {
+        const Screen2<F> position{texel.at.x + radius_px * offset.x, texel.at.y + radius_px * offset.y};
+        const FetchedPixel<F> pixel = fetched(position, F(part) * radius_px);
+        const auto usable = can_occlude(inputs, pixel.r.z);
+        // In radii from here on.
+        const Vec3<F> v = F(inverse_radius) * (pixel.r - texel.p);
+        const F squared = dot(v, v), above = dot(v, texel.n);
+        const F near = max_of(F(1) - squared, F(0));
+        const F weight = select(usable, near * near * near, F(0));
+        const F obscurance = max_of(above - F(settings.bias), F(0)) / (F(settings.epsilon) + squared);
+        const F contribution = F(5 * settings.intensity) * weight * obscurance;
+        const F distance = square_root(squared);
+        const F facing = max_of(above / select(distance > F(0), distance, F(1)), F(0));
+        witness(SampleFacts<F>{pixel.r, pixel.at, pixel.r, facing, weight, contribution});
+        return contribution;
+    }
+
+    template <class F, class Witness>
+    CREVICE_INLINE F taken(const TexelPoint<F>& texel, const Witness& witness) const {
+        const F radius_px = length_px(inputs, settings.radius, texel.p.z);
+        const F c = cosine.at<F>(texel.x, texel.y), s = sine.at<F>(texel.x, texel.y);
+        F sum(0);
+        for (int i = 0; i < settings.samples; ++i) {
+            const Screen2<float> base = taps[static_cast<std::size_t>(i)];
+            const float part = (static_cast<float>(i) + 0.5f) / static_cast<float>(settings.samples);
+            const Screen2<F> offset{F(base.x) * c - F(base.y) * s, F(base.x) * s + F(base.y) * c};
+            sum = sum + tap(texel, offset, part, radius_px, witness);
+        }
+        return sum;
+    }
+
+    template <class F>
+    CREVICE_INLINE static F value(const SaoSettings& settings, F taken) {
+        const F access = F(1) - taken / F(static_cast<float>(settings.samples));
+        return saturate(power(max_of(access, F(0)), F(settings.exponent)));
+    }
+};
+
+}  // namespace
+
+void validate(const SaoSettings& s) {
+    require_within("samples", s.samples, 1, 64);
+    require_within("turns", s.turns, 1, 64);
+    require_length("radius", s.radius);
+    require_within("intensity", s.intensity, 0, 64);
+    require_within("bias", s.bias, 0, 1);
+    require_within("epsilon", s.epsilon, 1e-8, 1);
+    require_within("levels", s.levels, 0, kPyramidLevels - 1);
+    require_within("exponent", s.exponent, 0, 64);
+    ao_map_size({1, 1}, s.ao_scale);  // which refuses what is no scale
+}
+
+AoFetch sao_fetch(const SaoSettings& settings) {
+    return {.depth = DepthSource::view_depth, .point_normals = true, .scale = settings.ao_scale};
+}
+
+AoMap sao(const AoInputs& inputs, const SaoSettings& settings, const Run& run) {
+    validate(settings);
+    return each_texel(SaoKernel(inputs, settings, run), settings, run);
+}
+
+double sao_reach_px(const AoInputs& inputs, const SaoSettings& settings, double view_depth) {
+    constexpr double kWithCell = 1.25, kNextPixel = 2;
+    return kWithCell * length_px(inputs, 1.0f, view_depth) * static_cast<double>(settings.radius) +
+           kNextPixel;
+}
+
+Explanation explain_sao(const AoInputs& inputs, const SaoSettings& settings, int x, int y) {
+    validate(settings);
+    return explain_texel(SaoKernel(inputs, settings, {}), settings, x, y);
+}
+
+}  // namespace crevice
