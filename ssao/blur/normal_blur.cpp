@@ -1,6 +1,8 @@
 #include "ssao/blur/normal_blur.h"
 
+#include <algorithm>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "rasterizer/base/parallel.h"

@@ -22,8 +22,10 @@ namespace crevice {
 
 // Which depth is compared with that of the surface a point falls onto.
 enum class ComparedDepth {
-    point,   // the point's own: whether it is hidden
-    centre,  // p's, as published: whether the surface is nearer than p. Half of a plane at a slant is nearer
+    point,  // the point's own: whether it is hidden
+    // p's, as published: whether the surface is nearer than p. Half of a plane at a slant is nearer, which
+    // SelfOcclusion::plane hides.
+    centre,
 };
 
 // What is summed up, and what the map holds of it.
@@ -59,7 +61,8 @@ struct UnitySettings {
     SelfOcclusion self_occlusion = SelfOcclusion::plane;
     CountedPoints counted_points = CountedPoints::hidden;
     // true: a normal whose z has the other sign than the positions' lets the points lie in a mirrored
-    // hemisphere, of what faces the eye behind the surface.
+    // hemisphere, of what faces the eye behind the surface: it occludes itself, which SelfOcclusion::plane
+    // hides.
     bool mirrored_z = false;
     // true: coordinates on the screen are divided by the projected z without its constant part instead of by w,
     // and drawn together by (far - near) / (far + near).

@@ -80,7 +80,7 @@ Method unity_row() {
               yes_no("weight_smoothing", "points that lie close to the pixel across the view count less",
                      &S::weight_smoothing),
               choice<S, ComparedDepth>(
-                  "compared_depth", "centre: not the point's own depth; surfaces at a slant darken",
+                  "compared_depth", "centre: not the point's own; with self_occlusion=depth slants darken",
                   &S::compared_depth, {{"point", ComparedDepth::point}, {"centre", ComparedDepth::centre}}),
               self_occlusion(&S::self_occlusion),
               choice<S, CountedPoints>(
@@ -90,7 +90,8 @@ Method unity_row() {
                   {{"hidden", CountedPoints::hidden},
                    {"open", CountedPoints::open},
                    {"hidden_as_open", CountedPoints::hidden_as_open}}),
-              yes_no("mirrored_z", "true: normal and position disagree in z, points lie behind the surface",
+              yes_no("mirrored_z",
+                     "true: points lie behind the surface, with self_occlusion=depth it darkens",
                      &S::mirrored_z),
               yes_no("divided_by_z", "true: z instead of w, points are looked up nearer to the middle",
                      &S::divided_by_z)},

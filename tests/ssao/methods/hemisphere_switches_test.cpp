@@ -1,6 +1,7 @@
 // What can be set of LearnOpenGL's SSAO: each erratum and its cure.
 #include "ssao/methods/hemisphere.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <doctest/doctest.h>

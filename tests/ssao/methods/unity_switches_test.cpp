@@ -1,6 +1,7 @@
 // What can be set of the Unity notes' SSAO: each erratum and its cure.
 #include "ssao/methods/unity.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <doctest/doctest.h>
