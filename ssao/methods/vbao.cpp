@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ssao/methods/screen_rays.h"
 #include "ssao/methods/sector_bits.h"
 #include "ssao/methods/settings_range.h"
 #include "ssao/methods/slices.h"
@@ -53,22 +54,6 @@ struct VbaoKernel {
         return sign > 0 ? bits_between(first, last) : bits_between(count - last, count - first);
     }
 
-    // The cosine of the angle from v that belongs to a direction d. A pixel lies beside its slice by up to half of
-    // one, where a tilted plane stands higher or lower. So d keeps the angle that it has above the plane beneath it.
-    template <class F>
-    CREVICE_INLINE F cosine_in_slice(Vec3<F> d, Vec3<F> n, const Slice<F>& slice, const Side<F>& side) const {
-        const F d_v = dot(d, slice.v), n_v = dot(n, slice.v), d_n = dot(d, n);
-        const F squared = F(1) - d_v * d_v;
-        const auto beside_v = squared > F(1e-3f);
-        const F d_e = square_root(select(beside_v, squared, F(1)));
-        const F n_e = (d_n - n_v * d_v) / d_e;  // e is the direction of d across v
-        const F length = n_e * n_e + n_v * n_v;
-        const auto usable = beside_v & (n_v > F(0)) & (length > F(1e-6f));
-        const F inverse = F(1) / square_root(select(usable, length, F(1)));
-        const F sine_above = d_n * inverse, cosine_above = (n_v * d_e - n_e * d_v) * inverse;
-        return select(usable, sine_above * side.cosine - cosine_above * side.sine, d_v);
-    }
-
     // What one sample closes and none before it has; `mask` are the sectors that are closed.
     template <class F>
     CREVICE_INLINE SampleFacts<F> sample(const TexelPoint<F>& texel, const Slice<F>& slice,
@@ -82,8 +67,10 @@ struct VbaoKernel {
                             (pixel.r.z > F(inputs.near_plane));
         const Vec3<F> front = (one / square_root(select(counts, squared, one))) * delta,
                       back = (one / square_root(select(counts, squared_behind, one))) * behind;
-        const F nearer = share_beyond(cosine_in_slice(front, texel.n, slice, side), slice, side),
-                further = share_beyond(cosine_in_slice(back, texel.n, slice, side), slice, side);
+        const F nearer =
+                    share_beyond(cosine_beside(front, texel.n, slice.v, side.cosine, side.sine), slice, side),
+                further =
+                    share_beyond(cosine_beside(back, texel.n, slice.v, side.cosine, side.sine), slice, side);
         // Where nothing counts the shares are those of no direction.
         const Int<F> covered =
             closed_sectors(select(counts, nearer, zero), select(counts, further, zero), side.sign);
