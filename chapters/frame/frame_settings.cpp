@@ -46,9 +46,10 @@ FrameSettings settings_of(const Method& method, const std::vector<std::string>& 
 }
 
 void print_methods(std::ostream& out) {
+    constexpr int kNames = 12;  // how wide their column is
     for (const Method& method : ao_methods()) {
-        out << std::left << std::setw(8) << method.name << method.title << "\n"
-            << std::string(8, ' ') << method.source << "\n";
+        out << std::left << std::setw(kNames) << method.name << method.title << "\n"
+            << std::string(kNames, ' ') << method.source << "\n";
     }
 }
 
