@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ssao/methods/screen_rays.h"
 #include "ssao/methods/sector_bits.h"
 #include "ssao/methods/settings_range.h"
 #include "ssao/methods/slices.h"
@@ -32,41 +33,35 @@ struct VbaoKernel {
     struct Side {
         float sign;  // 1 or -1
         F cosine, sine, gamma;
+        F sectors;  // over the measure that they share: the whole integral, or pi
     };
-
-    // The share of the slice's sectors between an angle from v, given by its cosine, and the open horizon.
     template <class F>
-    CREVICE_INLINE F share_beyond(F c, const Slice<F>& slice, const Side<F>& side) const {
-        if (settings.sectors == Sectors::cosine)
-            return closed_beyond(c, side.cosine, side.sine, side.gamma) / slice.open;
-        return (side.gamma + F(static_cast<float>(kPi / 2)) - arc_cosine(c)) * F(static_cast<float>(1 / kPi));
+    CREVICE_INLINE Side<F> side_of(const Slice<F>& slice, float sign) const {
+        const F all(kSectors), pi = F(static_cast<float>(kPi));
+        return {sign, slice.cosine, F(sign) * slice.sine, F(sign) * slice.gamma,
+                settings.sectors == Sectors::cosine ? all / slice.open : all / pi};
     }
 
-    // The sectors between two shares of them, counted from the open horizon of this side.
+    // How many sectors lie between a direction and the open horizon of its side.
     template <class F>
-    CREVICE_INLINE Int<F> closed_sectors(F front, F back, float sign) const {
-        const F all(kSectors), near = saturate(back) * all, far = saturate(front) * all;
-        const bool touched = settings.closed == ClosedSectors::touched;
-        const Int<F> first = floor_to_int(touched ? near : near + F(0.5f));
-        const Int<F> end = touched ? Int<F>(0) - floor_to_int(F(0) - far) : floor_to_int(far + F(0.5f));
-        const Int<F> count(kSectors), last = max_of(end, first);
-        return sign > 0 ? bits_between(first, last) : bits_between(count - last, count - first);
+    CREVICE_INLINE F sectors_beyond(Vec3<F> d, const TexelPoint<F>& texel, const Slice<F>& slice,
+                                    const Side<F>& side) const {
+        const F c = cosine_beside(d, texel.n, slice.v, side.cosine, side.sine);
+        const F beyond = settings.sectors == Sectors::cosine
+                             ? closed_beyond(c, side.cosine, side.sine, side.gamma)
+                             : side.gamma + F(static_cast<float>(kPi / 2)) - arc_cosine(c);
+        return min_of(max_of(beyond * side.sectors, F(0)), F(kSectors));
     }
 
-    // The cosine of the angle from v that belongs to a direction d. A pixel lies beside its slice by up to half of
-    // one, where a tilted plane stands higher or lower. So d keeps the angle that it has above the plane beneath it.
+    // The first sector that counts as closed by a thing with its back there, and the one after the last by its front.
     template <class F>
-    CREVICE_INLINE F cosine_in_slice(Vec3<F> d, Vec3<F> n, const Slice<F>& slice, const Side<F>& side) const {
-        const F d_v = dot(d, slice.v), n_v = dot(n, slice.v), d_n = dot(d, n);
-        const F squared = F(1) - d_v * d_v;
-        const auto beside_v = squared > F(1e-3f);
-        const F d_e = square_root(select(beside_v, squared, F(1)));
-        const F n_e = (d_n - n_v * d_v) / d_e;  // e is the direction of d across v
-        const F length = n_e * n_e + n_v * n_v;
-        const auto usable = beside_v & (n_v > F(0)) & (length > F(1e-6f));
-        const F inverse = F(1) / square_root(select(usable, length, F(1)));
-        const F sine_above = d_n * inverse, cosine_above = (n_v * d_e - n_e * d_v) * inverse;
-        return select(usable, sine_above * side.cosine - cosine_above * side.sine, d_v);
+    CREVICE_INLINE Int<F> first_covered(F sectors) const {
+        return floor_to_int(settings.closed == ClosedSectors::touched ? sectors : sectors + F(0.5f));
+    }
+    template <class F>
+    CREVICE_INLINE Int<F> end_of_covered(F sectors) const {
+        if (settings.closed == ClosedSectors::middle) return floor_to_int(sectors + F(0.5f));
+        return Int<F>(0) - floor_to_int(F(0) - sectors);
     }
 
     // What one sample closes and none before it has; `mask` are the sectors that are closed.
@@ -80,22 +75,23 @@ struct VbaoKernel {
                 least = reach_squared * F(1e-12f);
         const auto counts = (squared > least) & (squared <= reach_squared) & (squared_behind > least) &
                             (pixel.r.z > F(inputs.near_plane));
-        const Vec3<F> front = (one / square_root(select(counts, squared, one))) * delta,
-                      back = (one / square_root(select(counts, squared_behind, one))) * behind;
-        const F nearer = share_beyond(cosine_in_slice(front, texel.n, slice, side), slice, side),
-                further = share_beyond(cosine_in_slice(back, texel.n, slice, side), slice, side);
-        // Where nothing counts the shares are those of no direction.
+        const Vec3<F> front = (one / square_root(select(counts, squared, one))) * delta;
+        const Int<F> none(0), all(kSectors);
+        const Int<F> end = select(counts, end_of_covered(sectors_beyond(front, texel, slice, side)), none);
+        SampleFacts<F> facts{
+            pixel.r, pixel.at, pixel.r, select(counts, dot(texel.n, front), zero), select(counts, one, zero),
+            zero};
+        // Most samples lie on the open plane, and have no back either.
+        if (!any(end > none)) return facts;
+        const Vec3<F> back = (one / square_root(select(counts, squared_behind, one))) * behind;
+        const Int<F> first = min_of(first_covered(sectors_beyond(back, texel, slice, side)), end);
         const Int<F> covered =
-            closed_sectors(select(counts, nearer, zero), select(counts, further, zero), side.sign);
-        const Int<F> fresh = bits_outside(covered, mask);
+            side.sign > 0 ? bits_between(first, end) : bits_between(all - end, all - first);
+        const Int<F> fresh = select(counts, bits_outside(covered, mask), none);
         mask = mask | fresh;
         const F weight = settings.sectors == Sectors::cosine ? slice.length * slice.open : one;
-        return {pixel.r,
-                pixel.at,
-                pixel.r,
-                select(counts, dot(texel.n, front), zero),
-                select(counts, one, zero),
-                F(to_float(bit_count(fresh))) * F(1.0f / kSectors) * weight};
+        facts.contribution = F(to_float(bit_count(fresh))) * F(1.0f / kSectors) * weight;
+        return facts;
     }
 
     template <class F, class Witness>
@@ -110,7 +106,7 @@ struct VbaoKernel {
             const Slice<F> slice = slice_of(texel, inputs, x * cosine - y * sine, x * sine + y * cosine);
             Int<F> mask(0);
             for (const float sign : {1.0f, -1.0f}) {
-                const Side<F> side{sign, slice.cosine, F(sign) * slice.sine, F(sign) * slice.gamma};
+                const Side<F> side = side_of(slice, sign);
                 for (int step = 0; step < plan.steps; ++step) {
                     const F along = F(sign) * step_distance_px(i, step, plan, shift, radius_px);
                     const SampleFacts<F> facts =

@@ -11,7 +11,7 @@
 //         away than the radius do not count. No light is gathered. A direction keeps its angle above the plane beneath
 //         it, or pixels beside a slice would let tilted planes close themselves.
 // Limit:  what lies between the few samples of a slice is missed; a thickness above the true one makes up for it.
-// Cost:   about 110 operations and one depth read a sample, 60 a slice.
+// Cost:   one depth read a sample and about 70 operations, 130 where anything stands above the open plane; 60 a slice.
 #pragma once
 
 #include <cstdint>

@@ -15,6 +15,9 @@ Method unity_row();
 // obscurance_rows.cpp
 Method alchemy_row();
 Method sao_row();
+// screen_ray_rows.cpp
+Method hbao_row();
+Method hbao_plus_row();
 // slice_rows.cpp
 Method gtao_row();
 Method vbao_row();
