@@ -1,5 +1,6 @@
 #include "chapters/bench/error_against_time.h"
 
+#include <functional>
 #include <memory>
 #include <ostream>
 
@@ -13,6 +14,24 @@
 namespace crevice {
 
 namespace {
+
+// The chain of each error is long: the demo shows that of the two tutorials alone.
+constexpr std::size_t kQuickChains = 2;
+
+// Every method against one truth, each point whole.
+Table methods_table(const MethodsStudy& study) {
+    Table table{"error_methods",
+                {"method", "setting", "time_ms", "time_mad_ms", "runs", "truth_rmse", "lowest", "highest",
+                 "standard_error", "truth_bias"},
+                {}};
+    for (const StudyPoint& p : study.points) {
+        table.rows.push_back(
+            {p.method, p.setting, TableValue(p.time.wall_ms, 3), TableValue(p.time.wall_ms_mad, 3),
+             TableValue(p.time.runs, 0), TableValue(p.truth.rmse, 5), TableValue(p.truth.lowest, 5),
+             TableValue(p.truth.highest, 5), TableValue(p.truth.error, 5), TableValue(p.truth.bias, 5)});
+    }
+    return table;
+}
 
 // Every point of a study, whole.
 Table point_table(const ErrorStudy& study) {
@@ -80,29 +99,32 @@ Facts facts_of(const BenchErrorOptions& options, const std::vector<ErrorStudy>& 
     return facts;
 }
 
-ErrorStudy measured(const SceneArgument& argument, const Camera& camera, const Method& method,
-                    const ErrorPlan& plan, const BenchErrorOptions& options) {
-    std::unique_ptr<Progress> bar;
-    std::string shown;
-    long long last = 0;
-    const auto progress = [&](const char* stage, long long done, long long total) {
-        if (shown != stage) {
-            bar = nullptr;
-            bar = std::make_unique<Progress>(std::string(method.name) + " " + stage, total);
-            shown = stage;
-            last = 0;
+// A bar for each stage of a study.
+class StageBars {
+ public:
+    explicit StageBars(std::string of) : of_(std::move(of)) {}
+    void operator()(const char* stage, long long done, long long total) {
+        if (shown_ != stage) {
+            bar_ = nullptr;
+            bar_ = std::make_unique<Progress>(of_ + " " + stage, total);
+            shown_ = stage;
+            last_ = 0;
         }
-        bar->advance(done - last);
-        last = done;
-    };
-    return error_study(argument.scene, camera, method, plan, options.cache, true, options.run, progress);
-}
+        bar_->advance(done - last_);
+        last_ = done;
+    }
+
+ private:
+    std::string of_, shown_;
+    std::unique_ptr<Progress> bar_;
+    long long last_ = 0;
+};
 
 }  // namespace
 
-std::vector<ErrorPoint> points_against_truth(const ErrorStudy& study) {
+std::vector<ErrorPoint> points_against_truth(std::span<const StudyPoint> of) {
     std::vector<ErrorPoint> points;
-    for (const StudyPoint& p : study.points)
+    for (const StudyPoint& p : of)
         points.push_back(
             {p.method, p.setting, p.time.wall_ms, p.truth.rmse, p.truth.lowest, p.truth.highest});
     return points;
@@ -116,13 +138,24 @@ int bench_error(const BenchErrorOptions& options, std::ostream& out) {
     const Camera camera = chosen_camera(argument, options.camera);
     std::vector<ErrorStudy> studies;
     BenchReport report{"error", {}, {}};
+    MethodsPlan together = options.quick ? quick_methods_plan() : full_methods_plan();
+    if (options.size) together.size = *options.size;
+    StageBars all_bars("all methods");
+    const MethodsStudy all =
+        methods_study(argument.scene, camera, together, options.cache, true, options.run, std::ref(all_bars));
+    const std::vector<ErrorPoint> all_points = points_against_truth(all.points);
+    report.tables = {methods_table(all), equal_time_table(all_points, kBudgets_ms),
+                     equal_error_table(all_points, kErrorLevels)};
     for (const Method& method : ao_methods()) {
         if (!method.computes_ao()) continue;
+        if (options.quick && studies.size() == kQuickChains) break;
         ErrorPlan plan = options.quick ? quick_error_plan(method) : full_error_plan(method);
         if (options.size) plan.size = *options.size;
-        studies.push_back(measured(argument, camera, method, plan, options));
+        StageBars bars(method.name);
+        studies.push_back(error_study(argument.scene, camera, method, plan, options.cache, true, options.run,
+                                      std::ref(bars)));
         const ErrorStudy& study = studies.back();
-        const std::vector<ErrorPoint> points = points_against_truth(study);
+        const std::vector<ErrorPoint> points = points_against_truth(study.points);
         report.tables.push_back(reference_table(study));
         report.tables.push_back(point_table(study));
         for (Table table : {equal_time_table(points, kBudgets_ms), equal_error_table(points, kErrorLevels)}) {
@@ -137,7 +170,7 @@ int bench_error(const BenchErrorOptions& options, std::ostream& out) {
     if (options.out) {
         write_report(report, *options.out, out);
         const std::filesystem::path page = *options.out / "bench_error.html";
-        write_file_atomically(page, error_page(report, studies));
+        write_file_atomically(page, error_page(report, all, studies));
         out << page.string() << "\n";
     }
     return static_cast<int>(ExitCode::done);

@@ -5,11 +5,12 @@
 #include <filesystem>
 #include <iosfwd>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "chapters/frame/scene_argument.h"
 #include "chapters/study/error_points.h"
-#include "chapters/study/error_study.h"
+#include "chapters/study/methods_study.h"
 
 namespace crevice {
 
@@ -28,6 +29,6 @@ struct BenchErrorOptions {
 int bench_error(const BenchErrorOptions& options, std::ostream& out);
 
 // Points against T for the tables and plots of error_points.h.
-std::vector<ErrorPoint> points_against_truth(const ErrorStudy& study);
+std::vector<ErrorPoint> points_against_truth(std::span<const StudyPoint> of);
 
 }  // namespace crevice

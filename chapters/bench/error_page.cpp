@@ -8,6 +8,7 @@
 #include "chapters/notebook/plot.h"
 #include "chapters/notebook/report_page.h"
 #include "chapters/study/error_picture.h"
+#include "chapters/terminal/number_text.h"
 #include "rasterizer/base/image_io.h"
 
 namespace crevice {
@@ -71,10 +72,31 @@ std::string section(const ErrorStudy& study) {
            escape_html(setting_name(study.parts_setting)) + ", comes from</h3>\n" + signed_pictures(study);
 }
 
+// Where the error is the same in all of a method's points, more samples buy nothing.
+std::string methods_section(const MethodsStudy& all) {
+    std::vector<ErrorPoint> points;
+    for (const StudyPoint& p : all.points) {
+        points.push_back(
+            {p.method, p.setting, p.time.wall_ms, p.truth.rmse, p.truth.lowest, p.truth.highest});
+    }
+    return "<h2>All methods, one question</h2>\n<p>Of the rays over a point, cosine-weighted, the share that "
+           "meets "
+           "nothing within " +
+           decimal_text(all.radius, 3) + " scene units: " + std::to_string(all.truth.rays) +
+           " rays a pixel, mean standard error " + decimal_text(all.truth.mean_error, 4) +
+           ". Each method with its own denoiser and its defaults, at half and at full size. What a method "
+           "asks by "
+           "itself may differ, in fade, weight or exponent; that is a part of its error here.</p>\n" +
+           log_log_plot("Error over time, all methods", "median wall time, ms", "RMSE against T, debiased",
+                        error_curves(points));
+}
+
 }  // namespace
 
-std::string error_page(const BenchReport& report, const std::vector<ErrorStudy>& studies) {
-    std::string body = "<h1>Error against run time</h1>\n" + facts_element(report.facts);
+std::string error_page(const BenchReport& report, const MethodsStudy& all,
+                       const std::vector<ErrorStudy>& studies) {
+    std::string body =
+        "<h1>Error against run time</h1>\n" + facts_element(report.facts) + methods_section(all);
     std::vector<StackedBar> bars;
     for (const ErrorStudy& study : studies) bars.push_back(error_bar(study.method->name, study.parts));
     for (const ErrorStudy& study : studies) body += section(study);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "chapters/study/candidates.h"
 #include "chapters/study/error_chain.h"
 #include "ssao/bakes/vertex_ao_picture.h"
 #include "ssao/judge/fitted_power.h"
@@ -10,17 +11,6 @@
 namespace crevice {
 
 namespace {
-
-// Seeds of the images that are judged: none of them is a reference's.
-constexpr std::uint32_t kFirstStudySeed = 1000;
-
-// A point and how to make its picture, and how to do only what is timed.
-struct Candidate {
-    StudyPoint point;
-    bool of_method = false;
-    std::function<Image<float>(std::uint32_t seed)> picture;
-    std::function<void()> timed;
-};
 
 class Study {
  public:
@@ -76,26 +66,6 @@ class Study {
         if (!candidate.of_method) return;
         candidate.point.limit = spread_of(limit);
         candidate.point.fitted_rmse = spread_of(fitted).rmse;
-    }
-
-    // All candidates in turns; each point's time is set.
-    void time(std::vector<Candidate>& all) const {
-        std::vector<PassSamples> samples(all.size());
-        for (int round = -1; round < study.plan.rounds; ++round) {
-            for (std::size_t i = 0; i < all.size(); ++i) {
-                PassSamples& own = samples[i];
-                const bool slow = !own.wall_ms.empty() && own.wall_ms.front() > kSlow_ms;
-                if (slow && round >= study.plan.slow_rounds) continue;
-                const Clocks before = clocks();
-                all[i].timed();
-                const Clocks after = clocks();
-                if (round < 0) continue;
-                own.wall_ms.push_back(after.wall_ms - before.wall_ms);
-                own.cpu_ms.push_back(after.cpu_ms - before.cpu_ms);
-            }
-            report("timing", round + 2, study.plan.rounds + 1);
-        }
-        for (std::size_t i = 0; i < all.size(); ++i) all[i].point.time = samples[i].summary();
     }
 
     void report(const char* stage, long long done, long long total) const {
@@ -168,23 +138,6 @@ class Study {
         return candidate;
     }
 
-    // Roots of each image's mean square; the mean square of all for the middle.
-    static ErrorSpread spread_of(const std::vector<MeanError>& errors) {
-        ErrorSpread spread;
-        double square = 0, squared_error = 0;
-        spread.lowest = errors.front().squared.root();
-        for (const MeanError& e : errors) {
-            square += e.squared.mean / static_cast<double>(errors.size());
-            squared_error += e.squared.error / static_cast<double>(errors.size());
-            spread.bias += e.bias / static_cast<double>(errors.size());
-            spread.lowest = std::min(spread.lowest, e.squared.root());
-            spread.highest = std::max(spread.highest, e.squared.root());
-        }
-        spread.rmse = std::sqrt(std::max(square, 0.0));
-        if (spread.rmse > 0) spread.error = squared_error / (2 * spread.rmse);
-        return spread;
-    }
-
     const Scene& scene_;
     const Run& run_;
     const StudyProgress& progress_;
@@ -209,7 +162,7 @@ ErrorStudy error_study(const Scene& scene, const Camera& camera, const Method& m
         maker.judge(candidates[i]);
         maker.report("images", static_cast<long long>(i) + 1, static_cast<long long>(candidates.size()));
     }
-    if (timed) maker.time(candidates);
+    if (timed) time_in_turns(candidates, plan.rounds, plan.slow_rounds, progress);
     for (Candidate& candidate : candidates) maker.study.points.push_back(std::move(candidate.point));
     return std::move(maker.study);
 }

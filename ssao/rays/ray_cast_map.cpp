@@ -10,6 +10,7 @@
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/parallel.h"
 #include "rasterizer/lanes/arc_cosine.h"
+#include "ssao/inputs/linear_taps.h"
 #include "ssao/methods/each_texel.h"
 #include "ssao/methods/settings_range.h"
 #include "ssao/rays/open_region.h"
@@ -28,20 +29,29 @@ struct RayStart {
     float lift = 0;
 };
 
+struct Pixel {
+    int x, y;
+};
+
 struct RayMapCaster {
     const RayScene& scene;
+    const GBuffer& gbuffer;
     const AoInputs& inputs;
     const RayMapSettings& settings;
+    const LinearTaps columns, rows;  // where the texels fall among the pixels
     const glm::mat3 relative_from_view;
     std::vector<glm::vec3>
         pattern;             // of RayPattern::interleaved: directions about +z, those of a texel side by side
     std::vector<int> order;  // of a tile's texels: those whose rays point alike together
 
-    RayMapCaster(const RayScene& ray_scene, const Camera& camera, const AoInputs& ao_inputs,
+    RayMapCaster(const RayScene& ray_scene, const Camera& camera, const GBuffer& g, const AoInputs& ao_inputs,
                  const RayMapSettings& ray_map)
         : scene(ray_scene),
+          gbuffer(g),
           inputs(ao_inputs),
           settings(ray_map),
+          columns(inputs.size().width, inputs.picture.width),
+          rows(inputs.size().height, inputs.picture.height),
           relative_from_view(camera_matrices(camera, ao_inputs.picture).relative_from_view) {
         if (settings.pattern == RayPattern::interleaved)
             pattern = directions(settings.samples * kPatternSide * kPatternSide, 0);
@@ -70,11 +80,31 @@ struct RayMapCaster {
         return result;
     }
 
+    // The pixel nearest to the eye of those around a texel's centre, the first of equals: at half size the point between
+    // four pixels of a curved surface would lie inside it.
+    Pixel pixel_of(int x, int y) const {
+        const auto column = static_cast<std::size_t>(x), row = static_cast<std::size_t>(y);
+        const int left = columns.first[column], top = rows.first[row];
+        const int right = columns.weight_of_second[column] > 0 ? columns.second[column] : left,
+                  bottom = rows.weight_of_second[row] > 0 ? rows.second[row] : top;
+        Pixel nearest{left, top};
+        for (const Pixel other : {Pixel{right, top}, Pixel{left, bottom}, Pixel{right, bottom}}) {
+            if (gbuffer.view_depth.at(other.x, other.y) < gbuffer.view_depth.at(nearest.x, nearest.y))
+                nearest = other;
+        }
+        return nearest;
+    }
+
     RayStart start_at(int x, int y) const {
-        const TexelPoint<float> at = texel_point<float>(inputs, x, y);
-        if (!at.surface) return {};
-        const glm::vec3 p = relative_from_view * glm::vec3(at.p.x, at.p.y, at.p.z),
-                        n = relative_from_view * glm::vec3(at.n.x, at.n.y, at.n.z);
+        if (!(inputs.view_depth.at(x, y) < std::numeric_limits<float>::infinity())) return {};
+        const Pixel pixel = pixel_of(x, y);
+        const float z = gbuffer.view_depth.at(pixel.x, pixel.y);
+        if (!(z < std::numeric_limits<float>::infinity())) return {};
+        const float u = (static_cast<float>(pixel.x) + 0.5f) / static_cast<float>(inputs.picture.width),
+                    v = (static_cast<float>(pixel.y) + 0.5f) / static_cast<float>(inputs.picture.height);
+        const Vec3<float> at = inputs.rays.p_view(u, v, z);
+        const glm::vec3 p = relative_from_view * glm::vec3(at.x, at.y, at.z),
+                        n = relative_from_view * gbuffer.normal.at(pixel.x, pixel.y);
         const float length = glm::length(n);
         if (!(length > 0)) return {};
         const glm::vec3 normal = n / length;
@@ -196,11 +226,11 @@ AoFetch ray_map_fetch(const RayMapSettings& settings) {
     return {.depth = DepthSource::view_depth, .point_normals = true, .scale = settings.ao_scale};
 }
 
-AoMap ray_cast_map(const RayScene& scene, const Camera& camera, const AoInputs& inputs,
-                   const RayMapSettings& settings, const Run& run) {
+AoMap ray_cast_map(const RayScene& scene, const Camera& camera, const GBuffer& gbuffer,
+                   const AoInputs& inputs, const RayMapSettings& settings, const Run& run) {
     validate(settings);
     AoMap map{Image<float>(inputs.size(), 1.0f), surface_tiles(inputs, run)};
-    const RayMapCaster caster(scene, camera, inputs, settings);
+    const RayMapCaster caster(scene, camera, gbuffer, inputs, settings);
     Image<TileWork>& tiles = map.tiles.tiles;
     parallel_for(tiles.size.width * tiles.size.height, run, [&](int tile) {
         const int column = tile % tiles.size.width, row = tile / tiles.size.width;
@@ -216,19 +246,18 @@ AoMap ray_cast_map(const RayScene& scene, const Camera& camera, const AoInputs& 
     return map;
 }
 
-Explanation explain_ray_cast_map(const RayScene& scene, const Camera& camera, const AoInputs& inputs,
-                                 const RayMapSettings& settings, int x, int y) {
+Explanation explain_ray_cast_map(const RayScene& scene, const Camera& camera, const GBuffer& gbuffer,
+                                 const AoInputs& inputs, const RayMapSettings& settings, int x, int y) {
     validate(settings);
-    const RayMapCaster caster(scene, camera, inputs, settings);
+    const RayMapCaster caster(scene, camera, gbuffer, inputs, settings);
     const RayStart from = caster.start_at(x, y);
     Explanation result;
     result.surface = inputs.view_depth.at(x, y) < std::numeric_limits<float>::infinity();
     result.value_of_sum = [](float) { return 1.0f; };
     if (!from.surface) return result;
-    const TexelPoint<float> at = texel_point<float>(inputs, x, y);
-    result.p_view = {at.p.x, at.p.y, at.p.z};
-    result.n_view = {at.n.x, at.n.y, at.n.z};
     const glm::mat3 view_from_relative = glm::transpose(caster.relative_from_view);
+    result.p_view = view_from_relative * (from.origin - from.lift * from.normal);
+    result.n_view = view_from_relative * from.normal;
     std::vector<Ray> rays;
     caster.add_rays(from, x, y, rays);
     for (const Ray& ray : rays) {

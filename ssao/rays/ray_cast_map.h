@@ -1,11 +1,12 @@
 // Ray-cast ambient occlusion as an AO map: a few rays a texel through the scene, so that what the screen does not show
 // occludes as well.
 // Source: X_Jun and Luna on ray casting; Keller & Heidrich 2001, "Interleaved sampling", for RayPattern::interleaved
-// In:     RayScene with its origin at the eye; AoInputs, whose texels the rays start at
+// In:     RayScene with its origin at the eye; GBuffer, whose pixels the rays start at; AoInputs, whose texels are wanted
 // Out:    accessibility in [0,1]: the share of the rays that meet nothing within the radius, to the power `exponent`;
 //         background 1. Tiles: background, or open where no triangle can be met
-// Rules:  directions lie about the texel's normal. Origins are lifted along it by kRayLift of their largest coordinate:
-//         what the position of a texel may be off.
+// Rules:  a texel has the rays of one pixel, at half size of the nearest to the eye of the four around its centre.
+//         Directions lie about its normal. Origins are lifted along that by kRayLift of their largest coordinate: what
+//         the position of a pixel may be off.
 // Cost:   20 to 100 ns of one core a ray; open tiles one walk down the tree.
 #pragma once
 
@@ -41,10 +42,11 @@ struct RayMapSettings {
 void validate(const RayMapSettings& settings);
 
 AoFetch ray_map_fetch(const RayMapSettings& settings);
-AoMap ray_cast_map(const RayScene& scene, const Camera& camera, const AoInputs& inputs,
-                   const RayMapSettings& settings, const Run& run = {});
+// `inputs` were made of `gbuffer`.
+AoMap ray_cast_map(const RayScene& scene, const Camera& camera, const GBuffer& gbuffer,
+                   const AoInputs& inputs, const RayMapSettings& settings, const Run& run = {});
 // Every ray of a texel as a sample; r is what it meets.
-Explanation explain_ray_cast_map(const RayScene& scene, const Camera& camera, const AoInputs& inputs,
-                                 const RayMapSettings& settings, int x, int y);
+Explanation explain_ray_cast_map(const RayScene& scene, const Camera& camera, const GBuffer& gbuffer,
+                                 const AoInputs& inputs, const RayMapSettings& settings, int x, int y);
 
 }  // namespace crevice

@@ -36,7 +36,7 @@ Method ray_row(const RayMapSettings& defaults, Denoiser denoiser) {
     };
     row.ao = [inputs_of](const AoView& view, const AnySettings& s, const Run& run) {
         AoInputs inputs = inputs_of(view, s, run);
-        AoMap map = ray_cast_map(*view.rays, view.camera, inputs, s.as<S>(), run);
+        AoMap map = ray_cast_map(*view.rays, view.camera, view.gbuffer, inputs, s.as<S>(), run);
         return RawAo{std::move(map.ao), std::move(map.tiles), std::move(inputs)};
     };
     row.denoiser = std::move(denoiser);
@@ -45,18 +45,18 @@ Method ray_row(const RayMapSettings& defaults, Denoiser denoiser) {
         const AoInputs inputs = inputs_of(view, s, run);
         S drawn = s.as<S>();
         drawn.exponent = 1;
-        return seed_limit(inputs.view_depth, s.as<S>().exponent, seeds, run, on_progress,
-                          [&](std::uint32_t seed) {
-                              drawn.seed = seed;
-                              return ray_cast_map(*view.rays, view.camera, inputs, drawn, run).ao;
-                          });
+        return seed_limit(
+            inputs.view_depth, s.as<S>().exponent, seeds, run, on_progress, [&](std::uint32_t seed) {
+                drawn.seed = seed;
+                return ray_cast_map(*view.rays, view.camera, view.gbuffer, inputs, drawn, run).ao;
+            });
     };
     row.question = [](const AnySettings& s) {
         const S& rays = s.as<S>();
         return AoQuestion{rays.radius, rays.radius, rays.radius, rays.weight == RayWeight::cosine};
     };
     row.explain = [](const AoView& view, const RawAo& raw, const AnySettings& s, int x, int y) {
-        return explain_ray_cast_map(*view.rays, view.camera, raw.inputs, s.as<S>(), x, y);
+        return explain_ray_cast_map(*view.rays, view.camera, view.gbuffer, raw.inputs, s.as<S>(), x, y);
     };
     return row;
 }

@@ -14,6 +14,7 @@
 #include "ssao/judge/reference_image.h"
 #include "ssao/rays/ray_cast.h"
 #include "tests/tools/every_run.h"
+#include "tests/tools/flat_scenes.h"
 #include "tests/tools/image_checks.h"
 #include "tests/tools/small_scenes.h"
 #include "tests/tools/special_floats.h"
@@ -228,6 +229,22 @@ TEST_CASE("every method: towards radius 0 everything is open, at 0 exactly where
         // One pixel's centre lies exactly where the box meets the floor: half of its rays are blocked, however short.
         CHECK(darker_than(0.999f, 1e-5) <= (method->casts_rays ? 1 : 0));
         CHECK(darker_than(0.9f, value_of(*method, defaults_of(*method), "radius").value()) > 0);
+    }
+}
+
+TEST_CASE("every method: an open plane is open at any tilt, at half and at full size") {
+    for (const Method* method : computing_methods()) {
+        for (const float degrees : {0.0f, 30.0f, 60.0f, 80.0f}) {
+            for (const double scale : {0.5, 1.0}) {
+                CAPTURE(std::string(method->name));
+                CAPTURE(degrees);
+                CAPTURE(scale);
+                const MethodSettings settings = with_value(*method, defaults_of(*method), "ao_scale", scale);
+                const Maps maps = maps_of(*method, tilted_plane(degrees), {96, 64}, settings);
+                CHECK(mean_inside(maps.raw.ao, maps.raw.inputs, 4) >= 0.99);
+                CHECK(mean_inside(maps.smooth.ao, maps.raw.inputs, 4) >= 0.99);
+            }
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 // AO maps of rays: against the references of the same rays, and what is left out of them.
 #include "ssao/rays/ray_cast_map.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <doctest/doctest.h>
@@ -30,8 +31,8 @@ struct View {
           rays(ray_scene(scene, scene.camera.eye)) {}
 
     AoMap map(const RayMapSettings& settings, const Run& run = {}) const {
-        return ray_cast_map(rays, scene.camera, ao_inputs(gbuffer, scene.camera, ray_map_fetch(settings)),
-                            settings, run);
+        return ray_cast_map(rays, scene.camera, gbuffer,
+                            ao_inputs(gbuffer, scene.camera, ray_map_fetch(settings)), settings, run);
     }
     Image<float> truth(float radius) const {
         const SurfacePoints points = surface_points(scene, scene.camera, gbuffer);
@@ -55,6 +56,29 @@ TEST_CASE("ray map: with many rays at full size it is the ray-cast reference") {
             CHECK(compare_images(map, truth).rmse < 0.02);
             CHECK(std::fabs(compare_images(map, truth).bias) < 0.002);
         }
+    }
+}
+
+TEST_CASE("ray map: at half size as well, no surface hides itself") {
+    for (const Scene& scene : {still_life(), cornell_scene(), columns_scene()}) {
+        const View view(scene);
+        const float radius = 0.5f * scene.length_unit;
+        const Image<float> map = view.map({.samples = 256, .radius = radius}).ao;
+        const Image<float> truth = view.truth(radius);
+        // Texel (x, y) shows one of the pixels (2 x, 2 y) ... (2 x + 1, 2 y + 1), or a neighbour of theirs at an edge.
+        double sum = 0;
+        for (int y = 0; y < map.size.height; ++y) {
+            for (int x = 0; x < map.size.width; ++x) {
+                double nearest = 1;
+                for (int i = 0; i < 4; ++i) {
+                    const double other = truth.at(2 * x + i % 2, 2 * y + i / 2);
+                    nearest = std::min(nearest, std::fabs(double{map.at(x, y)} - other));
+                }
+                sum += nearest;
+            }
+        }
+        CAPTURE(scene.name);
+        CHECK(sum / (map.size.width * map.size.height) < 0.01);
     }
 }
 
