@@ -26,12 +26,13 @@ enum class Zenith {
 };
 
 struct HbaoSettings {
-    int samples = 24;  // directions times steps, at most 64 directions
-    int steps = 4;     // [1, 32]; a direction. Few: thin things are missed, with more directions all around
+    int samples = 24;     // directions times steps, at most 64 directions
+    int steps = 4;        // [1, 32]; of a direction; the more, the fewer thin things are missed
     float radius = 0.5f;  // [0, inf) scene units; what is further away does not occlude
-    float bias = 30;     // [0, 90) degrees; what is lower above the tangent plane than this does not occlude:
-                         // coarse meshes lose their facets, creases their depth
-    float exponent = 1;  // [0, 64]; contrast: accessibility is raised to it
+    // [0, 89.9] degrees; what is lower above the tangent plane does not occlude: coarse meshes lose their facets,
+    // creases their depth.
+    float bias = 30;
+    float exponent = 1;      // [0, 64]; contrast: accessibility is raised to it
     std::uint32_t seed = 1;  // of the turns and shifts
     float ao_scale = 0.5f;   // 0.5 or 1; AO map size over picture size
     Zenith zenith = Zenith::ray;

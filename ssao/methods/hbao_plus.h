@@ -51,7 +51,7 @@ enum class NormalSource {
 
 struct HbaoPlusSettings {
     int samples = 12;        // directions times steps, at most 64 directions
-    int steps = 3;           // [1, 32]; a direction
+    int steps = 3;           // [1, 32]; of a direction
     float radius = 0.8f;     // [0, inf) scene units; what is further away does not occlude
     float bias = 0;          // [0, 0.9]; taken from the cosine between normal and sample, facets occlude less
     float exponent = 1;      // [0, 64]; contrast: accessibility is raised to it

@@ -36,10 +36,10 @@ enum class ClosedSectors {
 struct VbaoSettings {
     int samples = 18;     // 4, 8, 12, 18, 24 ... 192: slices times steps to both sides
     float radius = 0.5f;  // [0, inf) scene units; what is further away does not occlude
-    float thickness =
-        0.125f;          // [0, inf) scene units; how far behind its front a thing ends, along the eye's ray;
-                         // 0: nothing occludes, 1e30: nothing ends, as with a horizon
-    float exponent = 1;  // [0, 64]; contrast: accessibility is raised to it
+    // [0, inf) scene units; how far behind its front a thing ends, along the eye's ray. 0: nothing occludes; 1e30:
+    // nothing ends, as with a horizon.
+    float thickness = 0.125f;
+    float exponent = 1;      // [0, 64]; contrast: accessibility is raised to it
     std::uint32_t seed = 1;  // of the slices' turns and the steps' shifts
     float ao_scale = 0.5f;   // 0.5 or 1; AO map size over picture size
     Sectors sectors = Sectors::cosine;

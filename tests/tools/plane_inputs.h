@@ -25,7 +25,7 @@ inline AoInputs tilted_inputs(Size size, float slope_x, float slope_y = 0) {
 // Where a step up begins.
 enum class StepSide { right, left, below, above };
 
-// A plane that faces the eye, and another one nearer by `height`, from `distance` pixels beside the picture's centre on.
+// A plane that faces the eye, and another one nearer by `height`, from `distance` pixels beside the centre on.
 inline AoInputs step_inputs(Size size, StepSide side, float distance, float height) {
     AoInputs inputs = plain_inputs(size, 1000);
     for (int y = 0; y < size.height; ++y) {

@@ -11,8 +11,8 @@
 #include "rasterizer/base/error.h"
 #include "ssao/methods/sector_bits.h"
 #include "ssao/methods/slices.h"
-#include "tests/tools/ao_cases.h"
 #include "tests/tools/image_checks.h"
+#include "tests/tools/plane_inputs.h"
 
 using namespace crevice;
 
@@ -21,7 +21,7 @@ namespace {
 // Two planes that meet in a vertical edge in the middle, seen orthographically, a unit a pixel: each falls away from
 // the eye by `slope` a pixel towards the edge, and to the left of column `top` nothing of the left one is left but a
 // plane that goes no higher.
-AoInputs groove(Size size, float slope, int top = 0) {
+AoInputs groove(Size size, float slope, int top) {
     AoInputs inputs = plain_inputs(size, 0);
     const float length = std::sqrt(1 + slope * slope), edge = 0.5f * static_cast<float>(size.width);
     for (int y = 0; y < size.height; ++y) {
@@ -157,14 +157,7 @@ TEST_CASE("vbao: a plane at any tilt is open to the last bit, unless sectors cou
     for (const Sectors sectors : {Sectors::cosine, Sectors::angle}) {
         for (const float slope : {0.0f, 0.25f, 1.0f, 4.0f}) {
             CAPTURE(slope);
-            AoInputs inputs = groove(size, slope, 0);
-            for (int y = 0; y < size.height; ++y) {  // the right half goes on as the left one
-                for (int x = 0; x < size.width; ++x) {
-                    inputs.view_depth.at(x, y) = 1000 + slope * static_cast<float>(x);
-                    inputs.normal.set(x, y, inputs.normal.at(0, 0));
-                    inputs.depth_map.at(x + 1, y + 1) = inputs.view_depth.at(x, y);
-                }
-            }
+            const AoInputs inputs = tilted_inputs(size, slope, 0.25f);
             CHECK(other_than(vbao(inputs, {.radius = 12, .thickness = 3, .sectors = sectors}).ao, 1) == "");
         }
         // Seen in perspective, where what lies between pixels is not quite on the plane.
@@ -201,7 +194,7 @@ TEST_CASE("vbao: a wall as high as the radius is as dark as its closed form, and
         CAPTURE(x);
         const double c = (x + 0.5 - 64) * std::sqrt(2.0) / radius;
         const double expected = 1 - (std::acos(c) - c * std::sqrt(1 - c * c)) / kPi,
-                     mean = mean_of_column(groove(size, 1), x);
+                     mean = mean_of_column(groove(size, 1, 0), x);
         CHECK(mean > expected - 0.01);
         CHECK(mean < expected + (x == 64 ? 0.07 : 0.2));
     }
