@@ -72,10 +72,11 @@ std::string section(const ErrorStudy& study) {
            escape_html(setting_name(study.parts_setting)) + ", comes from</h3>\n" + signed_pictures(study);
 }
 
-// Where the error is the same in all of a method's points, more samples buy nothing.
+// One line a method, along it its samples. Points at half size, which lie between them, are for the table.
 std::string methods_section(const MethodsStudy& all) {
     std::vector<ErrorPoint> points;
     for (const StudyPoint& p : all.points) {
+        if (!p.setting.ends_with("full size")) continue;
         points.push_back(
             {p.method, p.setting, p.time.wall_ms, p.truth.rmse, p.truth.lowest, p.truth.highest});
     }
@@ -84,9 +85,11 @@ std::string methods_section(const MethodsStudy& all) {
            "nothing within " +
            decimal_text(all.radius, 3) + " scene units: " + std::to_string(all.truth.rays) +
            " rays a pixel, mean standard error " + decimal_text(all.truth.mean_error, 4) +
-           ". Each method with its own denoiser and its defaults, at half and at full size. What a method "
-           "asks by "
-           "itself may differ, in fade, weight or exponent; that is a part of its error here.</p>\n" +
+           ". Each line is a method at full size with its own denoiser and its defaults, along it ever more "
+           "samples; half "
+           "size is in the table. What a method asks by itself may differ, in fade, weight or exponent; that "
+           "is a "
+           "part of its error here.</p>\n" +
            log_log_plot("Error over time, all methods", "median wall time, ms", "RMSE against T, debiased",
                         error_curves(points));
 }

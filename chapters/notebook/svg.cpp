@@ -79,9 +79,9 @@ std::string svg_picture(std::string_view title, double width, double height, std
 }
 
 std::string_view series_colour(std::size_t index) {
-    static constexpr std::array<std::string_view, 10> kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                                                  "#332288", "#e69f00", "#56b4e9", "#7f3c8d",
-                                                                  "#8c564b", "#8a8a00"};
+    static constexpr std::array<std::string_view, 14> kColours = {
+        "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#332288", "#e69f00", "#56b4e9",
+        "#7f3c8d", "#8c564b", "#8a8a00", "#4d4d4d", "#e31a1c", "#8dd35f", "#b39ddb"};
     return kColours[index % kColours.size()];
 }
 
