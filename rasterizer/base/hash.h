@@ -23,4 +23,9 @@ inline std::uint32_t hash_of(std::uint32_t seed, std::uint32_t a, std::uint32_t 
     return x;
 }
 
+// The upper 24 bits of a hash as a number in [0, 1).
+inline float unit_number(std::uint32_t hash) {
+    return static_cast<float>(static_cast<std::int32_t>(hash >> 8)) * 0x1p-24f;
+}
+
 }  // namespace crevice

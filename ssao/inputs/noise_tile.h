@@ -35,9 +35,6 @@ class NoiseTile {
     std::vector<float> values_;
 };
 
-// A hash as a number in [0, 1).
-inline float unit_number(std::uint32_t hash) { return static_cast<float>(hash >> 8) * 0x1p-24f; }
-
 // Numbers in [0, 1) without any pattern, 64 x 64 of them. Different streams of one seed have nothing in common.
 inline NoiseTile white_noise(std::uint32_t seed, std::uint32_t stream) {
     constexpr int kSide = 64;

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "rasterizer/base/hash.h"
 #include "rasterizer/lanes/approx_math.h"
 #include "rasterizer/lanes/vec3.h"
 
@@ -51,11 +52,6 @@ CREVICE_INLINE std::uint32_t reversed_bits(std::uint32_t x) {
     x = ((x & 0xf0f0f0f0u) >> 4) | ((x & 0x0f0f0f0fu) << 4);
     x = ((x & 0xccccccccu) >> 2) | ((x & 0x33333333u) << 2);
     return ((x & 0xaaaaaaaau) >> 1) | ((x & 0x55555555u) << 1);
-}
-
-// The upper 24 bits as a number in [0, 1).
-CREVICE_INLINE float unit_number(std::uint32_t x) {
-    return static_cast<float>(static_cast<std::int32_t>(x >> 8)) * 0x1p-24f;
 }
 
 // Points of the unit square that directions are made of: the same number of them for each pair of seed and
