@@ -3,12 +3,14 @@
 #include "rasterizer/base/error.h"
 #include "ssao/blur/bilateral_denoiser.h"
 #include "ssao/blur/sao_blur.h"
+#include "ssao/inputs/depth_inputs.h"
 #include "ssao/judge/luna_limit.h"
 #include "ssao/methods/alchemy.h"
 #include "ssao/methods/gtao.h"
 #include "ssao/methods/luna_explain.h"
 #include "ssao/methods/luna_parameters.h"
 #include "ssao/methods/luna_ssao.h"
+#include "ssao/methods/msvo.h"
 #include "ssao/methods/open_tiles.h"
 #include "ssao/methods/sao.h"
 #include "ssao/methods/xjun_ssao.h"
@@ -158,6 +160,57 @@ Method sao_row() {
         sao_denoiser());
 }
 
+// Reads depths alone, so it fetches its inputs itself.
+Method msvo_row() {
+    using S = MsvoSettings;
+    Method row = row_of<S>(
+        {.name = "msvo",
+         .title = "how much of a ball lies in front, at four sizes; no normals",
+         .source = "MiniEngine; Unity Post-Processing v2",
+         .defaults = {},
+         .parameters = {whole("samples", kMsvoTaps, kMsvoScales * kMsvoTaps,
+                              "36, 72, 108 or 144: 36 a scale, the coarsest first", &S::samples),
+                        number("intensity", "[0, 4]", "-", "how much of what a scale found it takes",
+                               &S::intensity),
+                        number("thickness", "[1, 10]", "-",
+                               "how far in front things occlude: darker, with halos", &S::thickness),
+                        choice<S, MsvoCombine>(
+                            "combine", "what the scales leave open, multiplied, or the least", &S::combine,
+                            {{"product", MsvoCombine::product}, {"minimum", MsvoCombine::minimum}}),
+                        choice<S, MsvoPairs>(
+                            "pairs",
+                            "a pair opens up to what a plane leaves, or all; the latter's edges stay bright",
+                            &S::pairs, {{"plane", MsvoPairs::plane}, {"all", MsvoPairs::all}})},
+         .samples_to_try = {36, 72, 108, 144},
+         .fetch = nullptr,
+         .ao = msvo,
+         .reach_px = msvo_reach_px,
+         .explain = explain_msvo,
+         .question =
+             [](const S& s) {
+                 return AoQuestion{s.radius, 0, s.radius, false};
+             }},
+        {});
+    row.reads_normals = false;
+    row.ao = [](const GBuffer& gbuffer, const Camera& camera, const AnySettings& s, const Run& run) {
+        AoInputs inputs = depth_inputs(gbuffer, camera, s.as<S>().ao_scale, run);
+        AoMap map = msvo(inputs, s.as<S>(), run);
+        return RawAo{std::move(map.ao), std::move(map.tiles), std::move(inputs)};
+    };
+    row.limit = [](const GBuffer& gbuffer, const Camera& camera, const AnySettings& s, int seeds,
+                   const Run& run, const std::function<void(long long)>& on_progress) {
+        const AoInputs inputs = depth_inputs(gbuffer, camera, s.as<S>().ao_scale, run);
+        S drawn = s.as<S>();
+        drawn.exponent = 1;
+        return seed_limit(inputs.view_depth, s.as<S>().exponent, seeds, run, on_progress,
+                          [&](std::uint32_t seed) {
+                              drawn.seed = seed;
+                              return msvo(inputs, drawn, run).ao;
+                          });
+    };
+    return row;
+}
+
 // Of `none` only the size of its open map can be set.
 struct OpenSettings {
     float ao_scale = 0.5f;
@@ -182,7 +235,8 @@ Method none_row() {
 }  // namespace
 
 std::span<const Method> ao_methods() {
-    static const Method rows[] = {xjun_row(), luna_row(), gtao_row(), alchemy_row(), sao_row(), none_row()};
+    static const Method rows[] = {xjun_row(), luna_row(), gtao_row(), alchemy_row(),
+                                  sao_row(),  msvo_row(), none_row()};
     return rows;
 }
 
