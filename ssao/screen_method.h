@@ -15,11 +15,14 @@ struct ScreenMethod {
     S defaults;
     std::vector<Parameter<S>> parameters;
     std::vector<int> samples_to_try;
-    AoFetch (*fetch)(const S&);
+    AoFetch (*fetch)(const S&) =
+        nullptr;  // how it reads the G-buffer; or, where that is no fetch of ao_inputs():
+    AoInputs (*inputs)(const AoView&, const S&, const Run&) = nullptr;
     AoMap (*ao)(const AoInputs&, const S&, const Run&);
     double (*reach_px)(const AoInputs&, const S&, double view_depth);
     Explanation (*explain)(const AoInputs&, const S&, int x, int y);
     AoQuestion (*question)(const S&);
+    bool reads_normals = true;
 };
 
 // The parameters that every screen-space method has beside its own.
@@ -36,6 +39,12 @@ std::vector<Parameter<S>> common_parameters() {
 }
 
 template <class S>
+AoInputs inputs_of(const ScreenMethod<S>& m, const AoView& view, const S& settings, const Run& run) {
+    if (m.inputs != nullptr) return m.inputs(view, settings, run);
+    return ao_inputs(view.gbuffer, view.camera, m.fetch(settings), run);
+}
+
+template <class S>
 Method row_of(const ScreenMethod<S>& m, Denoiser denoiser) {
     Method row;
     row.name = m.name;
@@ -47,19 +56,20 @@ Method row_of(const ScreenMethod<S>& m, Denoiser denoiser) {
     row.parameters = within<AnySettings>(
         parameters, [](auto& settings) -> auto& { return settings.template as<S>(); });
     row.validate = [](const AnySettings& s) { validate(s.as<S>()); };
+    row.reads_normals = m.reads_normals;
     row.samples_to_try = m.samples_to_try;
     row.reach_px = [m](const AoInputs& inputs, const AnySettings& s, double view_depth) {
         return m.reach_px(inputs, s.as<S>(), view_depth);
     };
     row.ao = [m](const AoView& view, const AnySettings& s, const Run& run) {
-        AoInputs inputs = ao_inputs(view.gbuffer, view.camera, m.fetch(s.as<S>()), run);
+        AoInputs inputs = inputs_of(m, view, s.as<S>(), run);
         AoMap map = m.ao(inputs, s.as<S>(), run);
         return RawAo{std::move(map.ao), std::move(map.tiles), std::move(inputs)};
     };
     row.denoiser = std::move(denoiser);
     row.limit = [m](const AoView& view, const AnySettings& s, int seeds, const Run& run,
                     const std::function<void(long long)>& on_progress) {
-        const AoInputs inputs = ao_inputs(view.gbuffer, view.camera, m.fetch(s.as<S>()), run);
+        const AoInputs inputs = inputs_of(m, view, s.as<S>(), run);
         S drawn = s.as<S>();
         drawn.exponent = 1;
         return seed_limit(inputs.view_depth, s.as<S>().exponent, seeds, run, on_progress,

@@ -1,9 +1,10 @@
-// The picture's view depths at full, half, a quarter ... of its size, so that taps far from each other on the screen are
-// near each other in memory.
-// Source: McGuire, Mara, Luebke 2012, "Scalable ambient obscurance" (HPG), section 2.2: each cell of a level is one of the
+// The picture's view depths at full, half, a quarter ... of its size, so that taps far from each other on the
+// screen are near each other in memory.
+// Source: McGuire, Mara, Luebke 2012, "Scalable ambient obscurance" (HPG): each cell of a level is one of the
 //         four below it, which one alternates from cell to cell; no depth is a mean of two surfaces.
 // In:     AoInputs::depth_map of view depths
-// Out:    at each level real points of the picture: a fetch tells the depth and the pixel that it was picked from
+// Out:    at each level real points of the picture: a fetch tells the depth and the pixel that it was picked
+//         from
 // Differs from the source: all levels lie in one array, so that each lane can read from a level of its own.
 #pragma once
 
@@ -66,8 +67,8 @@ class DepthPyramid {
         return min_of(to_int(pixel * per_px), to_int(count * per_px) - Int<F>(1));
     }
 
-    // Cell (x, y) was picked from (2x + odd(y + 1), 2y + odd(x + 1)) a level below, and that in the same way from below
-    // it: the bits that x gains from level to level are in turn those of y + 1 and x.
+    // Cell (x, y) was picked from (2x + odd(y + 1), 2y + odd(x + 1)) a level below, and that in the same way
+    // from below it: the bits that x gains from level to level are in turn those of y + 1 and x.
     static constexpr std::array<float, kPyramidLevels> kOtherBits = {0, 1, 2, 5, 10, 21},
                                                        kOwnBits = {0, 0, 1, 2, 5, 10};
 

@@ -13,11 +13,12 @@ namespace crevice {
 
 namespace {
 
-// A tap further away than 2^(this + 1) pixels is read from a coarser level: more, and several taps fall into one cell.
+// A tap further away than 2^(this + 1) pixels is read from a coarser level: more, and several taps fall into
+// one cell.
 constexpr int kLogFinest = 3;
 
-// The angle by which the spiral of a texel is turned; the published one is that of the texel's column and row, here of
-// the first 64.
+// The angle by which the spiral of a texel is turned; the published one is that of the texel's column and row,
+// here of the first 64.
 NoiseTile turn(const SaoSettings& settings, double SineCosine::*part) {
     constexpr int kSide = 64;
     return {kSide, kSide, [=](int x, int y) {

@@ -1,16 +1,18 @@
-// Scalable ambient obscurance: taps along a spiral on the screen, the outer ones in a coarser copy of the depths, so
-// that a large radius costs no more than a small one.
+// Scalable ambient obscurance: taps along a spiral on the screen, the outer ones in a coarser copy of the
+// depths, so that a large radius costs no more than a small one.
 // Source: McGuire, Mara, Luebke 2012, "Scalable ambient obscurance" (HPG), and its published shader:
 //         A = max(0, 1 - 5 intensity / (N r^6) sum of (r^2 - v.v)^3 max(0, (v.n - bias) / (epsilon + v.v)))
 // In:     view-space normals and view depth, background far away
 // Out:    accessibility in [0,1] to the power `exponent`; sao_denoiser() is the paper's blur
-// Reach:  1.25 radii around p on the screen, at p's depth, and a pixel: a tap's cell is at most an eighth of its
-//         distance wide, two where a picture of odd size ends; nothing beyond the radius in view space counts
-// Differs from the paper: bias, epsilon and intensity are lengths there; here all is counted in radii, so that the unit
-//         of length does not matter (and r^6 neither overflows nor vanishes). A depth is put where it was picked, not
-//         where the tap fell, which made planes seen at a slant close themselves (SaoPlace::tapped). The turn of a
-//         texel's spiral is a hash without any pattern. Normals are those of the G-buffer, not the planes of the
-//         depths' derivatives, and the mean of squares of four pixels by derivatives is the blur's (sao_blur.h).
+// Reach:  1.25 radii around p on the screen, at p's depth, and a pixel: a tap's cell is at most an eighth of
+//         its distance wide, two where a picture of odd size ends; nothing beyond the radius in view space
+//         counts
+// Differs from the paper: bias, epsilon and intensity are lengths there; here all is counted in radii, so that
+//         the unit of length does not matter (and r^6 neither overflows nor vanishes). A depth is put where it
+//         was picked, not where the tap fell, which made planes seen at a slant close themselves
+//         (SaoPlace::tapped). The turn of a texel's spiral is a hash without any pattern. Normals are those of
+//         the G-buffer, not the planes of the depths' derivatives, and the mean of squares of four pixels by
+//         derivatives is the blur's (sao_blur.h).
 // Cost:   about 60 operations and one depth read a tap; the pyramid is a third of the picture.
 #pragma once
 
@@ -38,9 +40,8 @@ struct SaoSettings {
     int levels = 5;         // [0, 5]; the coarsest level of depths: 0 reads every tap from the picture itself
     float exponent = 1;     // [0, 64]; contrast: accessibility is raised to it
     std::uint32_t seed = 1;  // of the spirals' turns
-    bool as_published =
-        false;  // the published shader's text: turns by 10 (3x xor y + x y), which shows as a pattern and
-                // no seed changes, and SaoPlace::tapped
+    // The published shader's text: SaoPlace::tapped, and turns by 10 (3x xor (y + xy)), which no seed changes.
+    bool as_published = false;
     float ao_scale = 0.5f;  // 0.5 or 1; AO map size over picture size
     SaoPlace place = SaoPlace::picked;
 };

@@ -1,7 +1,9 @@
 // Methods that sum up how squarely and how near what lies around is.
 #include "ssao/blur/bilateral_denoiser.h"
 #include "ssao/blur/sao_blur.h"
+#include "ssao/inputs/depth_inputs.h"
 #include "ssao/methods/alchemy.h"
+#include "ssao/methods/msvo.h"
 #include "ssao/methods/sao.h"
 #include "ssao/rows/rows.h"
 #include "ssao/screen_method.h"
@@ -68,6 +70,40 @@ Method sao_row() {
                  return AoQuestion{s.radius, 0, s.radius};
              }},
         sao_denoiser());
+}
+
+Method msvo_row() {
+    using S = MsvoSettings;
+    return row_of<S>(
+        {.name = "msvo",
+         .title = "how much of a ball lies in front, at four sizes; no normals",
+         .source = "MiniEngine; Unity Post-Processing v2",
+         .defaults = {},
+         .parameters = {whole("samples", kMsvoTaps, kMsvoScales * kMsvoTaps,
+                              "36, 72, 108 or 144: 36 a scale, the coarsest first", &S::samples),
+                        number("intensity", "[0, 4]", "-", "how much of what a scale found it takes",
+                               &S::intensity),
+                        number("thickness", "[1, 10]", "-",
+                               "how far in front things occlude: darker, with halos", &S::thickness),
+                        choice<S, MsvoCombine>(
+                            "combine", "what the scales leave open, multiplied, or the least", &S::combine,
+                            {{"product", MsvoCombine::product}, {"minimum", MsvoCombine::minimum}}),
+                        choice<S, MsvoPairs>(
+                            "pairs",
+                            "a pair opens up to what a plane leaves, or all; the latter's edges stay bright",
+                            &S::pairs, {{"plane", MsvoPairs::plane}, {"all", MsvoPairs::all}})},
+         .samples_to_try = {36, 72, 108, 144},
+         .inputs = [](const AoView& view, const S& s,
+                      const Run& run) { return depth_inputs(view.gbuffer, view.camera, s.ao_scale, run); },
+         .ao = msvo,
+         .reach_px = msvo_reach_px,
+         .explain = explain_msvo,
+         .question =
+             [](const S& s) {
+                 return AoQuestion{s.radius, 0, s.radius, false};
+             },
+         .reads_normals = false},
+        {});
 }
 
 }  // namespace crevice

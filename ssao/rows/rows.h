@@ -15,6 +15,7 @@ Method unity_row();
 // obscurance_rows.cpp
 Method alchemy_row();
 Method sao_row();
+Method msvo_row();
 // screen_ray_rows.cpp
 Method hbao_row();
 Method hbao_plus_row();

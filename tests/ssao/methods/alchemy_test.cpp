@@ -30,7 +30,7 @@ AlchemySettings full_size(AlchemyTaps taps = AlchemyTaps::disk) {
 
 constexpr AlchemyTaps kBoth[] = {AlchemyTaps::disk, AlchemyTaps::sphere};
 
-// Equation 10 over the surfaces that the taps of a texel found.
+// The paper's estimator over the surfaces that the taps of a texel found.
 double by_the_paper(const Explanation& found, const AlchemySettings& s) {
     const double radius = s.radius, sigma = static_cast<double>(s.intensity) * radius,
                  epsilon = static_cast<double>(s.epsilon) * radius * radius;
@@ -46,7 +46,7 @@ double by_the_paper(const Explanation& found, const AlchemySettings& s) {
 
 }  // namespace
 
-TEST_CASE("alchemy: each texel is equation 10 over what its taps see") {
+TEST_CASE("alchemy: each texel is the paper's estimator over what its taps see") {
     for (const AlchemyTaps taps : kBoth) {
         AlchemySettings settings = full_size(taps);
         settings.exponent = 1.5f;
@@ -112,9 +112,9 @@ TEST_CASE(
 }
 
 TEST_CASE("alchemy: on a plane the closed form of a step, and darker the higher a wall is") {
-    // A sheet at depth 40 whose left half lies `step` nearer, seen orthographically from far: over a texel right beside
-    // the step every tap to its left finds v.n = step, v.v = d^2 + step^2, of which the mean over the half disk is
-    // step log(1 + r^2 / (step^2 + epsilon)) / r^2.
+    // A sheet at depth 40 whose left half lies `step` nearer, seen orthographically from far: over a texel
+    // right beside the step every tap to its left finds v.n = step, v.v = d^2 + step^2, of which the mean over
+    // the half disk is step log(1 + r^2 / (step^2 + epsilon)) / r^2.
     AlchemySettings settings = full_size();
     settings.samples = 64;
     settings.radius = 30;

@@ -122,8 +122,8 @@ TEST_CASE(
 }
 
 TEST_CASE("sao: the closed form of a step") {
-    // A sheet at depth 40 whose left half lies h nearer, seen orthographically, beside the step: taps lie evenly in
-    // distance d, half of them on the nearer sheet, where v.v = d^2 + h^2 and v.n = h.
+    // A sheet at depth 40 whose left half lies h nearer, seen orthographically, beside the step: taps lie
+    // evenly in distance d, half of them on the nearer sheet, where v.v = d^2 + h^2 and v.n = h.
     SaoSettings settings = full_size();
     settings.samples = 64;
     settings.turns = 7;
