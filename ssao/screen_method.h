@@ -29,7 +29,7 @@ struct ScreenMethod {
 template <class S>
 std::vector<Parameter<S>> common_parameters() {
     return {
-        number("radius", "[0, inf)", kSceneUnit, "how far from the surface something may occlude",
+        number("radius", "[0, 1e15]", kSceneUnit, "how far from the surface something may occlude",
                &S::radius),
         number("exponent", "[0, 64]", "-", "contrast: accessibility is raised to it", &S::exponent),
         whole("seed", 0, 0xffffffffLL, "of all that is random", &S::seed),

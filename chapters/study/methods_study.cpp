@@ -9,7 +9,7 @@ namespace crevice {
 
 namespace {
 
-// The tutorials' radius, which is every method's default, for scenes whose length_unit is 1.
+// The tutorials' radius, for scenes whose length_unit is 1.
 constexpr float kAskedRadius = 0.5f;
 
 std::vector<int> samples_of(const Method& method, bool all) {

@@ -5,7 +5,7 @@
 
 namespace crevice {
 
-// acos(x) in radians, x clamped to [-1, 1]; NaN gives pi / 2 at most. Absolute error below 5e-7.
+// acos(x) in radians, x clamped to [-1, 1]; NaN gives 0. Absolute error below 5e-7.
 // Source: Abramowitz & Stegun 1964, 4.4.46: sqrt(1 - x) times a polynomial on [0, 1], 2e-8 without rounding.
 template <class F>
 CREVICE_INLINE F arc_cosine(F x) {

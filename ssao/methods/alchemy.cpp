@@ -147,7 +147,7 @@ struct AlchemyKernel {
     template <class F>
     CREVICE_INLINE static F value(const AlchemySettings& settings, F taken) {
         const F access = F(1) - taken / F(static_cast<float>(settings.samples));
-        return saturate(power(max_of(access, F(0)), F(settings.exponent)));
+        return with_contrast(access, settings.exponent);
     }
 };
 
@@ -155,7 +155,7 @@ struct AlchemyKernel {
 
 void validate(const AlchemySettings& s) {
     require_within("samples", s.samples, 1, 64);
-    require_length("radius", s.radius);
+    require_radius(s.radius);
     require_within("intensity", s.intensity, 0, 64);
     require_within("bias", s.bias, 0, 1);
     require_within("epsilon", s.epsilon, 1e-8, 1);

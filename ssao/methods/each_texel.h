@@ -12,6 +12,7 @@
 
 #include "rasterizer/base/parallel.h"
 #include "rasterizer/base/run.h"
+#include "rasterizer/lanes/approx_math.h"
 #include "ssao/methods/ao_map.h"
 #include "ssao/methods/explanation.h"
 
@@ -43,6 +44,18 @@ CREVICE_INLINE TexelPoint<F> texel_point(const AoInputs& inputs, int x, int y) {
             {load<F>(inputs.normal.x.row(y) + x), load<F>(inputs.normal.y.row(y) + x),
              load<F>(inputs.normal.z.row(y) + x)},
             surface};
+}
+
+// The square of the distance from its own point within which something is that point itself: a millionth of its depth.
+template <class F>
+CREVICE_INLINE F own_point_squared(const TexelPoint<F>& texel) {
+    return F(1e-12f) * dot(texel.p, texel.p);
+}
+
+// Accessibility with its contrast; with exponent 0 everything is open.
+template <class F>
+CREVICE_INLINE F with_contrast(F access, float exponent) {
+    return exponent == 0 ? F(1) : saturate(power(max_of(access, F(0)), F(exponent)));
 }
 
 // What one sample found out about its texels.

@@ -39,7 +39,7 @@ struct GtaoKernel {
         const FetchedPixel<F> pixel = fetch_pixel(inputs, at);
         const Vec3<F> delta = pixel.r - texel.p;
         const F squared = dot(delta, delta);
-        const auto apart = squared > F(reach) * F(reach) * F(1e-12f);
+        const auto apart = squared > own_point_squared(texel);
         const F distance = square_root(select(apart, squared, F(1)));
         const F above_surface = dot(texel.n, delta) / distance;
         const F deeper = delta.z * F(1 + settings.thickness);
@@ -94,7 +94,7 @@ struct GtaoKernel {
     template <class F>
     CREVICE_INLINE static F value(const GtaoSettings& settings, F taken) {
         const F access = F(1) - taken / F(static_cast<float>(slice_plan(settings.samples).slices));
-        return saturate(power(max_of(access, F(0)), F(settings.exponent)));
+        return with_contrast(access, settings.exponent);
     }
 };
 
@@ -102,7 +102,7 @@ struct GtaoKernel {
 
 void validate(const GtaoSettings& s) {
     validate_slice_samples(s.samples);
-    require_length("radius", s.radius);
+    require_radius(s.radius);
     require_within("thickness", s.thickness, 0, 0.7);
     require_within("exponent", s.exponent, 0, 64);
     ao_map_size({1, 1}, s.ao_scale);  // which refuses what is no scale

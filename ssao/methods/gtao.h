@@ -19,7 +19,7 @@
 namespace crevice {
 
 struct GtaoSettings {
-    int samples = 18;     // 4, 8, 12, 18, 24 ... 192: slices times steps to both sides
+    int samples = 18;     // 4, 8, 12, 16, 18, 24 ... 192: slices times steps to both sides
     float radius = 0.5f;  // [0, inf) scene units; what is further away does not occlude
     float thickness =
         0;  // [0, 0.7]; how much more a sample counts as far along the eye's ray: thin things occlude less

@@ -67,7 +67,7 @@ struct HbaoKernel {
         const F zero(0), one(1), reach_squared = F(settings.radius) * F(settings.radius);
         const Vec3<F> delta = pixel.r - texel.p;
         const F squared = dot(delta, delta);
-        const auto counts = (squared > reach_squared * F(1e-12f)) & (squared < reach_squared) &
+        const auto counts = (squared > own_point_squared(texel)) & (squared < reach_squared) &
                             (pixel.r.z > F(inputs.near_plane));
         const Vec3<F> d = (one / square_root(select(counts, squared, one))) * delta;
         const F height = cosine_beside(d, texel.n, ray.v, ray.cosine, ray.sine);
@@ -102,7 +102,7 @@ struct HbaoKernel {
     template <class F>
     CREVICE_INLINE static F value(const HbaoSettings& settings, F taken) {
         const F access = F(1) - taken / F(static_cast<float>(settings.samples / settings.steps));
-        return saturate(power(max_of(access, F(0)), F(settings.exponent)));
+        return with_contrast(access, settings.exponent);
     }
 };
 
@@ -110,7 +110,7 @@ struct HbaoKernel {
 
 void validate(const HbaoSettings& s) {
     validate_screen_rays(s.samples, s.steps);
-    require_length("radius", s.radius);
+    require_radius(s.radius);
     require_within("bias", s.bias, 0, 89.9);
     require_within("exponent", s.exponent, 0, 64);
     ao_map_size({1, 1}, s.ao_scale);  // which refuses what is no scale

@@ -90,8 +90,8 @@ struct HbaoPlusKernel {
         const F zero(0), one(1), reach_squared = F(settings.radius) * F(settings.radius);
         const Vec3<F> delta = pixel.r - texel.p;
         const F own = dot(delta, delta), squared = max_of(own, F(least_squared));
-        const auto counts = (own > reach_squared * F(1e-12f)) & (squared < reach_squared) &
-                            (pixel.r.z > F(inputs.near_plane));
+        const auto counts =
+            (own > own_point_squared(texel)) & (squared < reach_squared) & (pixel.r.z > F(inputs.near_plane));
         const F facing = select(counts, dot(n, delta) / square_root(select(counts, squared, one)), zero);
         const F weight = select(counts, saturate(one - squared * F(inverse_squared)), zero);
         return {pixel.r, pixel.at, pixel.r, facing, weight, saturate(facing - F(settings.bias)) * weight};
@@ -130,7 +130,7 @@ struct HbaoPlusKernel {
     CREVICE_INLINE static F value(const HbaoPlusSettings& settings, F taken) {
         const float multiplier = 2 / ((1 - settings.bias) * static_cast<float>(settings.samples));
         const F access = F(1) - taken * F(multiplier);
-        return saturate(power(max_of(access, F(0)), F(settings.exponent)));
+        return with_contrast(access, settings.exponent);
     }
 };
 
@@ -138,7 +138,7 @@ struct HbaoPlusKernel {
 
 void validate(const HbaoPlusSettings& s) {
     validate_screen_rays(s.samples, s.steps);
-    require_length("radius", s.radius);
+    require_radius(s.radius);
     require_within("bias", s.bias, 0, 0.9);
     require_within("exponent", s.exponent, 0, 64);
     ao_map_size({1, 1}, s.ao_scale);  // which refuses what is no scale

@@ -72,7 +72,7 @@ struct HemisphereKernel {
     template <class F>
     CREVICE_INLINE static F value(const HemisphereSettings& settings, F taken) {
         const F access = F(1) - taken / F(static_cast<float>(settings.samples));
-        return saturate(power(max_of(access, F(0)), F(settings.exponent)));
+        return with_contrast(access, settings.exponent);
     }
 };
 
@@ -80,7 +80,7 @@ struct HemisphereKernel {
 
 void validate(const HemisphereSettings& s) {
     require_within("samples", s.samples, 1, 256);
-    require_length("radius", s.radius);
+    require_radius(s.radius);
     require_length("bias", s.bias);
     require_within("exponent", s.exponent, 0, 64);
     ao_map_size({1, 1}, s.ao_scale);  // which refuses what is no scale

@@ -71,7 +71,7 @@ void validate(const MsvoSettings& s) {
     if (s.samples < kMsvoTaps || s.samples > kMsvoScales * kMsvoTaps || s.samples % kMsvoTaps != 0)
         throw UsageError("samples: must be 36, 72, 108 or 144 (" + std::to_string(s.samples) +
                          "); choose another number");
-    require_length("radius", s.radius);
+    require_radius(s.radius);
     require_within("intensity", s.intensity, 0, 4);
     require_within("thickness", s.thickness, 1, 10);
     require_within("exponent", s.exponent, 0, 64);

@@ -16,6 +16,8 @@ namespace {
 // A tap further away than 2^(this + 1) pixels is read from a coarser level: more, and several taps fall into
 // one cell.
 constexpr int kLogFinest = 3;
+// Of a smaller radius, scene units, the inverse may be infinite: it is taken for 0, where nothing occludes.
+constexpr float kSmallestRadius = 1e-30f;
 
 // The angle by which the spiral of a texel is turned; the published one is that of the texel's column and row,
 // here of the first 64.
@@ -58,7 +60,7 @@ struct SaoKernel {
           taps(spiral(sao.samples, sao.turns)),
           cosine(turn(sao, &SineCosine::cosine)),
           sine(turn(sao, &SineCosine::sine)),
-          inverse_radius(sao.radius > 0 ? 1 / sao.radius : 0) {}
+          inverse_radius(sao.radius > kSmallestRadius ? 1 / sao.radius : 0) {}
 
     // The level that a tap `distance_px` away is read from.
     template <class F>
@@ -69,13 +71,13 @@ struct SaoKernel {
 
     template <class F>
     CREVICE_INLINE FetchedPixel<F> fetched(Screen2<F> position, F distance_px) const {
+        const F width = F(static_cast<float>(inputs.picture.width)),
+                height = F(static_cast<float>(inputs.picture.height));
         const auto found = pyramid.fetch(position, level_of(distance_px));
         Screen2<F> at = found.at;
         if (place == SaoPlace::tapped)
-            at = {F(to_float(floor_to_int(position.x))) + F(0.5f),
-                  F(to_float(floor_to_int(position.y))) + F(0.5f)};
-        const F width = F(static_cast<float>(inputs.picture.width)),
-                height = F(static_cast<float>(inputs.picture.height));
+            at = {F(to_float(floor_to_int(min_of(max_of(position.x, F(-1)), width)))) + F(0.5f),
+                  F(to_float(floor_to_int(min_of(max_of(position.y, F(-1)), height)))) + F(0.5f)};
         // Beyond the picture nothing can occlude.
         const F z = select(found.inside, found.z, F(inputs.depth_map.pixels.front()));
         return {at, inputs.rays.p_view(at.x / width, at.y / height, z)};
@@ -94,7 +96,7 @@ struct SaoKernel {
         const F near = max_of(F(1) - squared, F(0));
         const F weight = select(usable, near * near * near, F(0));
         const F obscurance = max_of(above - F(settings.bias), F(0)) / (F(settings.epsilon) + squared);
-        const F contribution = F(5 * settings.intensity) * weight * obscurance;
+        const F contribution = select(weight > F(0), F(5 * settings.intensity) * weight * obscurance, F(0));
         const F distance = square_root(squared);
         const F facing = max_of(above / select(distance > F(0), distance, F(1)), F(0));
         witness(SampleFacts<F>{pixel.r, pixel.at, pixel.r, facing, weight, contribution});
@@ -118,7 +120,7 @@ struct SaoKernel {
     template <class F>
     CREVICE_INLINE static F value(const SaoSettings& settings, F taken) {
         const F access = F(1) - taken / F(static_cast<float>(settings.samples));
-        return saturate(power(max_of(access, F(0)), F(settings.exponent)));
+        return with_contrast(access, settings.exponent);
     }
 };
 
@@ -127,7 +129,7 @@ struct SaoKernel {
 void validate(const SaoSettings& s) {
     require_within("samples", s.samples, 1, 64);
     require_within("turns", s.turns, 1, 64);
-    require_length("radius", s.radius);
+    require_radius(s.radius);
     require_within("intensity", s.intensity, 0, 64);
     require_within("bias", s.bias, 0, 1);
     require_within("epsilon", s.epsilon, 1e-8, 1);

@@ -23,10 +23,15 @@ void require_length(const char* member, double value) {
     require(value >= 0 && std::isfinite(value), member, value, "[0, inf)");
 }
 
+void require_radius(double value) { require_within("radius", value, 0, kLargestRadius); }
+
 void require_within(const char* member, double value, double lowest, double highest) {
     std::ostringstream range;
     range << "[" << lowest << ", " << highest << "]";
-    require(value >= lowest && value <= highest, member, value, range.str());
+    // As members are: 89.9 as a float is a little more than 89.9.
+    const bool holds = static_cast<float>(value) >= static_cast<float>(lowest) &&
+                       static_cast<float>(value) <= static_cast<float>(highest);
+    require(holds, member, value, range.str());
 }
 
 }  // namespace crevice

@@ -5,6 +5,9 @@ namespace crevice {
 
 // A length in [0, inf), scene units.
 void require_length(const char* member, double value);
+// A radius, scene units: at most kLargestRadius, whose square still is a float.
+inline constexpr double kLargestRadius = 1e15;
+void require_radius(double value);
 void require_within(const char* member, double value, double lowest, double highest);
 
 }  // namespace crevice

@@ -1,6 +1,7 @@
 #include "ssao/methods/slices.h"
 
 #include <string>
+#include <utility>
 
 #include "rasterizer/base/error.h"
 
@@ -18,10 +19,9 @@ double r2(std::uint32_t index, double per_index) {
 }
 constexpr double kR2First = 0.75487766624669276005, kR2Second = 0.56984029099805326591;
 
-// XeGTAO's step along the sequence from one frame to the next.
-constexpr std::uint32_t kPerSeed = 288;
+// Each seed begins somewhere else in the sequence.
 std::uint32_t index_at(std::uint32_t seed, int x, int y) {
-    return static_cast<std::uint32_t>(hilbert_index(x, y)) + kPerSeed * (seed & 0xffffu);
+    return static_cast<std::uint32_t>(hilbert_index(x, y)) + (hash_of(seed, 0, 0) & 0xffffu);
 }
 
 NoiseTile turn(std::uint32_t seed, int slices, double SineCosine::*part) {
@@ -36,7 +36,7 @@ NoiseTile turn(std::uint32_t seed, int slices, double SineCosine::*part) {
 void validate_slice_samples(int samples) {
     const SlicePlan plan = slice_plan(samples);
     if (samples >= 4 && plan.slices <= kMostSlices && 2 * plan.slices * plan.steps == samples) return;
-    throw UsageError("samples: must be 4, 8 or 12, or a multiple of 6 from 18 to " +
+    throw UsageError("samples: must be 4, 8, 12 or 16, or a multiple of 6 from 18 to " +
                      std::to_string(6 * kMostSlices) + " (" + std::to_string(samples) +
                      "); choose another number");
 }

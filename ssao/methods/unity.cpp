@@ -85,7 +85,7 @@ struct UnityKernel {
         const F mean = taken / F(static_cast<float>(settings.samples));
         const bool as_open = settings.counted_points == CountedPoints::hidden_as_open;
         const F access = as_open ? mean : F(1) - mean;
-        return saturate(power(max_of(access, F(0)), F(settings.exponent)));
+        return with_contrast(access, settings.exponent);
     }
 };
 
@@ -93,7 +93,7 @@ struct UnityKernel {
 
 void validate(const UnitySettings& s) {
     require_within("samples", s.samples, 1, 64);
-    require_length("radius", s.radius);
+    require_radius(s.radius);
     require_length("range", s.range);
     require_within("bias", s.bias, 0, 1);
     require_within("exponent", s.exponent, 0, 64);

@@ -72,9 +72,9 @@ struct VbaoKernel {
         const F zero(0), one(1), reach_squared = F(settings.radius) * F(settings.radius);
         const Vec3<F> delta = pixel.r - texel.p, behind = delta - F(thickness) * slice.v;
         const F squared = dot(delta, delta), squared_behind = dot(behind, behind),
-                least = reach_squared * F(1e-12f);
+                least = own_point_squared(texel);
         const auto counts = (squared > least) & (squared <= reach_squared) & (squared_behind > least) &
-                            (pixel.r.z > F(inputs.near_plane));
+                            (pixel.r.z > F(inputs.near_plane)) & (F(thickness) > zero);
         const Vec3<F> front = (one / square_root(select(counts, squared, one))) * delta;
         const Int<F> none(0), all(kSectors);
         const Int<F> end = select(counts, end_of_covered(sectors_beyond(front, texel, slice, side)), none);
@@ -123,7 +123,7 @@ struct VbaoKernel {
     template <class F>
     CREVICE_INLINE static F value(const VbaoSettings& settings, F taken) {
         const F access = F(1) - taken / F(static_cast<float>(slice_plan(settings.samples).slices));
-        return saturate(power(max_of(access, F(0)), F(settings.exponent)));
+        return with_contrast(access, settings.exponent);
     }
 };
 
@@ -131,7 +131,7 @@ struct VbaoKernel {
 
 void validate(const VbaoSettings& s) {
     validate_slice_samples(s.samples);
-    require_length("radius", s.radius);
+    require_radius(s.radius);
     require_length("thickness", s.thickness);
     require_within("exponent", s.exponent, 0, 64);
     ao_map_size({1, 1}, s.ao_scale);  // which refuses what is no scale

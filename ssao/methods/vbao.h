@@ -34,7 +34,7 @@ enum class ClosedSectors {
 };
 
 struct VbaoSettings {
-    int samples = 18;     // 4, 8, 12, 18, 24 ... 192: slices times steps to both sides
+    int samples = 18;     // 4, 8, 12, 16, 18, 24 ... 192: slices times steps to both sides
     float radius = 0.5f;  // [0, inf) scene units; what is further away does not occlude
     // [0, inf) scene units; how far behind its front a thing ends, along the eye's ray. 0: nothing occludes; 1e30:
     // nothing ends, as with a horizon.

@@ -11,6 +11,7 @@
 #include "rasterizer/base/parallel.h"
 #include "rasterizer/lanes/arc_cosine.h"
 #include "ssao/inputs/linear_taps.h"
+#include "ssao/inputs/pixel_fetch.h"
 #include "ssao/methods/each_texel.h"
 #include "ssao/methods/settings_range.h"
 #include "ssao/rays/open_region.h"
@@ -21,6 +22,7 @@ namespace crevice {
 namespace {
 
 constexpr int kMostSamples = 256;
+constexpr float kHalfStep = 0x1p-10f;  // of 16-bit floats, relative
 
 // Where the rays of a texel start, relative space.
 struct RayStart {
@@ -95,6 +97,14 @@ struct RayMapCaster {
         return nearest;
     }
 
+    // What the position of a pixel may be off: roundings, those of a 16-bit format among them, and the snapping of corners.
+    float lift_at(const glm::vec3& p, float z) const {
+        const float rounded = kRayLift * std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+        const float stored = gbuffer.format == BufferFormat::float32 ? 0 : kHalfStep * z;
+        const float pixel = (inputs.rays.perspective ? z : 1) / pixels_per_unit(inputs);
+        return rounded + stored + pixel / kSubpixelSteps;
+    }
+
     RayStart start_at(int x, int y) const {
         if (!(inputs.view_depth.at(x, y) < std::numeric_limits<float>::infinity())) return {};
         const Pixel pixel = pixel_of(x, y);
@@ -108,7 +118,7 @@ struct RayMapCaster {
         const float length = glm::length(n);
         if (!(length > 0)) return {};
         const glm::vec3 normal = n / length;
-        const float lift = kRayLift * std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+        const float lift = lift_at(p, z);
         return {true, p + lift * normal, normal, lift};
     }
 
@@ -216,8 +226,7 @@ struct TileCaster {
 
 void validate(const RayMapSettings& s) {
     require_within("samples", s.samples, 1, kMostSamples);
-    if (!(s.radius > 0)) require_length("radius", -1);
-    require_length("radius", s.radius);
+    require_radius(s.radius);
     require_within("exponent", s.exponent, 0, 64);
     ao_map_size({1, 1}, s.ao_scale);  // which refuses what is no scale
 }

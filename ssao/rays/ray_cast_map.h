@@ -5,8 +5,9 @@
 // Out:    accessibility in [0,1]: the share of the rays that meet nothing within the radius, to the power `exponent`;
 //         background 1. Tiles: background, or open where no triangle can be met
 // Rules:  a texel has the rays of one pixel, at half size of the nearest to the eye of the four around its centre.
-//         Directions lie about its normal. Origins are lifted along that by kRayLift of their largest coordinate: what
-//         the position of a pixel may be off.
+//         Directions lie about its normal. Origins are lifted along that by what the position of a pixel
+//         may be off: kRayLift of its largest coordinate, 1/256 of the pixel's size, the step of a 16-bit format.
+// Reach:  radius, through the scene, whatever the screen shows
 // Cost:   20 to 100 ns of one core a ray; open tiles one walk down the tree.
 #pragma once
 
@@ -30,7 +31,7 @@ inline constexpr float kRayLift = 0x1p-18f;
 
 struct RayMapSettings {
     int samples = 8;      // [1, 256] rays a texel
-    float radius = 0.5f;  // (0, inf) scene units; how far an occluder may be
+    float radius = 0.5f;  // [0, 1e15] scene units; how far an occluder may be
     RayWeight weight = RayWeight::cosine;
     RayPattern pattern = RayPattern::independent;
     float exponent = 1;      // [0, 64]; contrast: accessibility is raised to it

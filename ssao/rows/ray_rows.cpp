@@ -32,7 +32,8 @@ Method ray_row(const RayMapSettings& defaults, Denoiser denoiser) {
     row.samples_to_try = {1, 2, 4, 8, 16};
     row.casts_rays = true;
     row.reach_px = [](const AoInputs& inputs, const AnySettings& s, double view_depth) {
-        return length_px(inputs, s.as<S>().radius, view_depth);
+        constexpr double kNearestOfFour = 2;
+        return length_px(inputs, s.as<S>().radius, view_depth) + kNearestOfFour;
     };
     row.ao = [inputs_of](const AoView& view, const AnySettings& s, const Run& run) {
         AoInputs inputs = inputs_of(view, s, run);

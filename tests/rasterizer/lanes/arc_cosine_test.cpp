@@ -24,4 +24,5 @@ TEST_CASE("arc cosine: what rounding takes beyond [-1, 1] is taken for its end")
     CHECK(arc_cosine(std::nextafter(1.0f, 2.0f)) == 0);
     CHECK(arc_cosine(7.0f) == 0);
     CHECK(arc_cosine(-7.0f) == arc_cosine(-1.0f));
+    CHECK(arc_cosine(std::numeric_limits<float>::quiet_NaN()) == 0);
 }

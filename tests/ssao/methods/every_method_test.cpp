@@ -76,6 +76,14 @@ GBuffer with_wall_at_left(GBuffer g, const Camera& camera, int columns, float de
     return g;
 }
 
+float least_of(const Image<float>& image) {
+    float least = 1;
+    for (int y = 0; y < image.size.height; ++y) {
+        for (int x = 0; x < image.size.width; ++x) least = std::min(least, image.at(x, y));
+    }
+    return least;
+}
+
 // Full size, where a G-buffer pixel is a texel.
 MethodSettings full_size(const Method& method) {
     return with_value(method, defaults_of(method), "ao_scale", 1);
@@ -246,6 +254,30 @@ TEST_CASE("every method: an open plane is open at any tilt, at half and at full 
                 CHECK(mean_inside(maps.raw.ao, maps.raw.inputs, 4) >= 0.99);
                 CHECK(mean_inside(maps.smooth.ao, maps.raw.inputs, 4) >= 0.99);
             }
+        }
+    }
+}
+
+TEST_CASE("every method: extreme radii and far planes leave values in [0,1]; refused radii are named") {
+    for (const Method* method : computing_methods()) {
+        for (const double radius : {1e-39, 1e-20, 1e6, 1e15}) {
+            for (const double far_plane : {100.0, 1e10, 3e38}) {
+                Scene scene = still_life();
+                scene.camera.far_plane = far_plane;
+                CAPTURE(std::string(method->name));
+                CAPTURE(radius);
+                CAPTURE(far_plane);
+                const MethodSettings settings = with_value(*method, defaults_of(*method), "radius", radius);
+                const Maps maps = maps_of(*method, scene, kSize, settings);
+                CHECK(outside_unit_interval(maps.raw.ao) == "");
+                CHECK(outside_unit_interval(maps.smooth.ao) == "");
+                if (radius < 1e-10) CHECK(least_of(maps.raw.ao) > 0.499f);
+            }
+        }
+        for (const double radius : {-1.0, std::nan(""), double{kInfinity}}) {
+            const MethodSettings settings = with_value(*method, defaults_of(*method), "radius", radius);
+            CHECK_THROWS_WITH_AS(validate(*method, settings), doctest::Contains("radius: must lie in "),
+                                 UsageError);
         }
     }
 }

@@ -83,7 +83,6 @@ TEST_CASE("ray map: at half size as well, no surface hides itself") {
 }
 
 TEST_CASE("ray map: a square of the interleaved pattern has the directions of one well-spread set") {
-    // A bowl of which each texel of a flat floor sees the same: a far box around it, open above.
     const View view(cornell_scene());
     const auto error = [&](RayPattern pattern) {
         const RayMapSettings settings{.samples = 2, .radius = 1, .pattern = pattern, .ao_scale = 1};
@@ -166,7 +165,7 @@ TEST_CASE("ray map: settings out of range are refused by name") {
     };
     refused({.samples = 0}, "samples: ");
     refused({.samples = 257}, "samples: ");
-    refused({.radius = 0}, "radius: ");
+    refused({.radius = -1}, "radius: ");
     refused({.radius = INFINITY}, "radius: ");
     refused({.exponent = 65}, "exponent: ");
 }
