@@ -70,12 +70,13 @@ struct SaoKernel {
     template <class F>
     CREVICE_INLINE FetchedPixel<F> fetched(Screen2<F> position, F distance_px) const {
         const auto found = pyramid.fetch(position, level_of(distance_px));
-        Screen2<F> at = found.at;
-        if (place == SaoPlace::tapped)
-            at = {F(to_float(floor_to_int(position.x))) + F(0.5f),
-                  F(to_float(floor_to_int(position.y))) + F(0.5f)};
         const F width = F(static_cast<float>(inputs.picture.width)),
                 height = F(static_cast<float>(inputs.picture.height));
+        Screen2<F> at = found.at;
+        if (place == SaoPlace::tapped) {
+            const F x = min_of(max_of(position.x, F(0)), width), y = min_of(max_of(position.y, F(0)), height);
+            at = {F(to_float(floor_to_int(x))) + F(0.5f), F(to_float(floor_to_int(y))) + F(0.5f)};
+        }
         // Beyond the picture nothing can occlude.
         const F z = select(found.inside, found.z, F(inputs.depth_map.pixels.front()));
         return {at, inputs.rays.p_view(at.x / width, at.y / height, z)};
