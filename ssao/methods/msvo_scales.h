@@ -8,6 +8,7 @@
 
 #include "rasterizer/lanes/wide.h"
 #include "ssao/methods/msvo.h"
+#include "ssao/methods/settings_range.h"
 
 namespace crevice {
 
@@ -97,7 +98,7 @@ struct MsvoBall {
         for (int i = 0; i <= kFurthest; ++i)
             steps[i] = floor_to_int(apart * F(static_cast<float>(i)) + F(0.5f));
         const F per_step = F(1) / max_of(apart * F(kBallRadius), F(1e-6f));  // in radii of the ball
-        const F per_depth = F(radius > 0 ? 0.5f / radius : 0.0f);
+        const F per_depth = F(radius > kSmallestRadius ? 0.5f / radius : 0.0f);
         Pairs<F> pairs;
         F total(0);
         for (std::size_t i = 0; i < pairs.size(); ++i) {

@@ -16,8 +16,6 @@ namespace {
 // A tap further away than 2^(this + 1) pixels is read from a coarser level: more, and several taps fall into
 // one cell.
 constexpr int kLogFinest = 3;
-// Of a smaller radius, scene units, the inverse may be infinite: it is taken for 0, where nothing occludes.
-constexpr float kSmallestRadius = 1e-30f;
 
 // The angle by which the spiral of a texel is turned; the published one is that of the texel's column and row,
 // here of the first 64.

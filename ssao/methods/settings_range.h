@@ -7,6 +7,8 @@ namespace crevice {
 void require_length(const char* member, double value);
 // A radius, scene units: at most kLargestRadius, whose square still is a float.
 inline constexpr double kLargestRadius = 1e15;
+// Of a smaller one the inverse may be infinite: a kernel takes it for 0, where nothing occludes.
+inline constexpr float kSmallestRadius = 1e-30f;
 void require_radius(double value);
 void require_within(const char* member, double value, double lowest, double highest);
 

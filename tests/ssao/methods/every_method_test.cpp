@@ -267,7 +267,7 @@ TEST_CASE("every method: extreme radii and far planes leave values in [0,1]; ref
                 CAPTURE(std::string(method->name));
                 CAPTURE(radius);
                 CAPTURE(far_plane);
-                const MethodSettings settings = with_value(*method, defaults_of(*method), "radius", radius);
+                const MethodSettings settings = with_value(*method, full_size(*method), "radius", radius);
                 const Maps maps = maps_of(*method, scene, kSize, settings);
                 CHECK(outside_unit_interval(maps.raw.ao) == "");
                 CHECK(outside_unit_interval(maps.smooth.ao) == "");
