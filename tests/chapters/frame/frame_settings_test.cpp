@@ -57,10 +57,11 @@ TEST_CASE(
             for (const Parameter<FrameSettings>& other : frame_parameters(method))
                 CHECK(other.get(again) == other.get(defaults));
         }
-        for (const char* common : {"samples", "radius", "exponent", "seed", "blur_iterations"}) {
+        for (const char* common : {"samples", "radius", "exponent", "seed"}) {
             CAPTURE(std::string(common));
             CHECK(names.contains(common) == method.computes_ao());
         }
+        CHECK(names.contains("blur_iterations") == (method.denoiser.denoised != nullptr));
         for (const char* buffers : {"depth_format", "buffer_format"}) CHECK(names.contains(buffers));
     }
 }

@@ -11,7 +11,7 @@ using namespace crevice;
 
 TEST_CASE("methods study: every method has its points, held to the same rays; rays come nearest") {
     MethodsPlan plan = quick_methods_plan();
-    plan.size = {96, 54};
+    plan.size = {240, 135};
     plan.reference_rays = 64;
     const Scene scene = cornell_scene();
     const MethodsStudy study = methods_study(scene, scene.camera, plan, std::nullopt, false, {});
