@@ -56,13 +56,14 @@ TEST_CASE("sao: each texel is the published shader's formula over what its taps 
         int darker = 0;
         CAPTURE(radius);
         CHECK(pixels_against(kSize, [&](int x, int y) {
+                  if ((x + 3 * y) % 7 != 0) return true;  // each explanation makes a pyramid of its own
                   const Explanation found = explain_sao(inputs, settings, x, y);
                   if (!found.surface) return ao.at(x, y) == 1;
                   darker += ao.at(x, y) < 0.9f ? 1 : 0;
                   return std::fabs(by_the_shader(found, settings, 0.5f) - static_cast<double>(ao.at(x, y))) <
                          2e-5;
               }) == "");
-        CHECK(darker > 150);
+        CHECK(darker > 20);
     }
 }
 
@@ -136,7 +137,8 @@ TEST_CASE("sao: the closed form of a step") {
             for (int x = 0; x < 64; ++x) sheet.depth_map.at(x + 1, y + 1) = 40 - step;
         }
         double sum = 0;
-        for (std::uint32_t seed = 1; seed <= 256; ++seed) {
+        constexpr std::uint32_t kSeeds = 96;
+        for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
             settings.seed = seed;
             sum += static_cast<double>(sao(sheet, settings).ao.at(64, 64));
         }
@@ -150,7 +152,7 @@ TEST_CASE("sao: the closed form of a step") {
             integral += share * f * f * f * std::fmax(0, h - 0.01) / (0.01 + vv) / kParts;
         }
         CAPTURE(step);
-        CHECK(sum / 256 == doctest::Approx(1 - 5 * 0.25 * integral).epsilon(0.01));
+        CHECK(sum / kSeeds == doctest::Approx(1 - 5 * 0.25 * integral).epsilon(0.01));
     }
 }
 
