@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "ssao/inputs/pixel_fetch.h"
 #include "ssao/judge/seed_limit.h"
 #include "ssao/methods/method.h"
 
@@ -16,7 +17,7 @@ struct ScreenMethod {
     std::vector<Parameter<S>> parameters;
     std::vector<int> samples_to_try;
     AoFetch (*fetch)(const S&) =
-        nullptr;  // how it reads the G-buffer; or, where that is no fetch of ao_inputs():
+        pixel_fetch;  // how it reads the G-buffer; or, where that is no fetch of ao_inputs():
     AoInputs (*inputs)(const AoView&, const S&, const Run&) = nullptr;
     AoMap (*ao)(const AoInputs&, const S&, const Run&);
     double (*reach_px)(const AoInputs&, const S&, double view_depth);

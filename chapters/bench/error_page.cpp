@@ -74,12 +74,9 @@ std::string section(const ErrorStudy& study) {
 
 // One line a method, along it its samples. Points at half size, which lie between them, are for the table.
 std::string methods_section(const MethodsStudy& all) {
-    std::vector<ErrorPoint> points;
-    for (const StudyPoint& p : all.points) {
-        if (!p.setting.ends_with("full size")) continue;
-        points.push_back(
-            {p.method, p.setting, p.time.wall_ms, p.truth.rmse, p.truth.lowest, p.truth.highest});
-    }
+    std::vector<StudyPoint> full_size = all.points;
+    std::erase_if(full_size, [](const StudyPoint& p) { return !p.setting.ends_with("full size"); });
+    const std::vector<ErrorPoint> points = points_against_truth(full_size);
     return "<h2>All methods, one question</h2>\n<p>Of the rays over a point, cosine-weighted, the share that "
            "meets "
            "nothing within " +

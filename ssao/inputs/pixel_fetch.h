@@ -26,6 +26,13 @@ CREVICE_INLINE FetchedPixel<F> fetch_pixel(const AoInputs& inputs, Screen2<F> po
     return {at, inputs.rays.p_view(at.x / width, at.y / height, F(gather(map.pixels.data(), index)))};
 }
 
+// How the methods that step across the screen read the G-buffer: each texel its own pixel's normal, depths in scene units.
+// `settings` have a member ao_scale.
+template <class S>
+AoFetch pixel_fetch(const S& settings) {
+    return {.depth = DepthSource::view_depth, .point_normals = true, .scale = settings.ao_scale};
+}
+
 // How many pixels of the picture a length of one scene unit across the view takes at view depth 1 (orthographic: at any
 // depth), down the picture; across it the same, for square pixels.
 inline float pixels_per_unit(const AoInputs& inputs) {

@@ -163,10 +163,6 @@ void validate(const AlchemySettings& s) {
     ao_map_size({1, 1}, s.ao_scale);  // which refuses what is no scale
 }
 
-AoFetch alchemy_fetch(const AlchemySettings& settings) {
-    return {.depth = DepthSource::view_depth, .point_normals = true, .scale = settings.ao_scale};
-}
-
 AoMap alchemy(const AoInputs& inputs, const AlchemySettings& settings, const Run& run) {
     validate(settings);
     return each_texel(AlchemyKernel(inputs, settings), settings, run);

@@ -46,7 +46,6 @@ struct AlchemySettings {
 // Throws UsageError naming the first member out of its range.
 void validate(const AlchemySettings& settings);
 
-AoFetch alchemy_fetch(const AlchemySettings& settings);
 AoMap alchemy(const AoInputs& inputs, const AlchemySettings& settings, const Run& run = {});
 double alchemy_reach_px(const AoInputs& inputs, const AlchemySettings& settings, double view_depth);
 Explanation explain_alchemy(const AoInputs& inputs, const AlchemySettings& settings, int x, int y);

@@ -14,6 +14,7 @@ struct GtaoKernel {
     const AoInputs& inputs;
     const GtaoSettings settings;
     const SlicePlan plan;
+    const std::vector<glm::vec2> directions;
     const SliceNoise noise;
     const float reach, inverse_fade;  // scene units; 1 / the length over which occluders fade
 
@@ -21,6 +22,7 @@ struct GtaoKernel {
         : inputs(ao_inputs),
           settings(gtao),
           plan(slice_plan(gtao.samples)),
+          directions(slice_directions(plan.slices)),
           noise(gtao.seed, plan.slices),
           reach(kGtaoReach * gtao.radius),
           inverse_fade(reach > 0 ? 1 / (kGtaoFade * reach) : 0) {}
@@ -82,8 +84,8 @@ struct GtaoKernel {
         const F cosine = noise.cosine.at<F>(texel.x, texel.y), sine = noise.sine.at<F>(texel.x, texel.y);
         F sum(0);
         for (int i = 0; i < plan.slices; ++i) {
-            const SineCosine base = sine_cosine(kPi * i / plan.slices);
-            const F x = F(static_cast<float>(base.cosine)), y = F(static_cast<float>(base.sine));
+            const glm::vec2& direction = directions[static_cast<std::size_t>(i)];
+            const F x = F(direction.x), y = F(direction.y);
             const Slice<F> slice = slice_of(texel, inputs, x * cosine - y * sine, x * sine + y * cosine);
             sum = sum + lost(texel, slice, i, 1, radius_px, shift, witness);
             sum = sum + lost(texel, slice, i, -1, radius_px, shift, witness);
@@ -106,10 +108,6 @@ void validate(const GtaoSettings& s) {
     require_within("thickness", s.thickness, 0, 0.7);
     require_within("exponent", s.exponent, 0, 64);
     ao_map_size({1, 1}, s.ao_scale);  // which refuses what is no scale
-}
-
-AoFetch gtao_fetch(const GtaoSettings& settings) {
-    return {.depth = DepthSource::view_depth, .point_normals = true, .scale = settings.ao_scale};
 }
 
 AoMap gtao(const AoInputs& inputs, const GtaoSettings& settings, const Run& run) {

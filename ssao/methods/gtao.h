@@ -34,7 +34,6 @@ inline constexpr float kGtaoReach = 1.457f, kGtaoFade = 0.615f;
 // Throws UsageError naming the first member out of its range.
 void validate(const GtaoSettings& settings);
 
-AoFetch gtao_fetch(const GtaoSettings& settings);
 AoMap gtao(const AoInputs& inputs, const GtaoSettings& settings, const Run& run = {});
 double gtao_reach_px(const AoInputs& inputs, const GtaoSettings& settings, double view_depth);
 // The sample that is highest on its side of its slice takes all that the side loses.

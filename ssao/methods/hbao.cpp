@@ -116,10 +116,6 @@ void validate(const HbaoSettings& s) {
     ao_map_size({1, 1}, s.ao_scale);  // which refuses what is no scale
 }
 
-AoFetch hbao_fetch(const HbaoSettings& settings) {
-    return {.depth = DepthSource::view_depth, .point_normals = true, .scale = settings.ao_scale};
-}
-
 AoMap hbao(const AoInputs& inputs, const HbaoSettings& settings, const Run& run) {
     validate(settings);
     return each_texel(HbaoKernel(inputs, settings), settings, run);

@@ -41,7 +41,6 @@ struct HbaoSettings {
 // Throws UsageError naming the first member out of its range.
 void validate(const HbaoSettings& settings);
 
-AoFetch hbao_fetch(const HbaoSettings& settings);
 AoMap hbao(const AoInputs& inputs, const HbaoSettings& settings, const Run& run = {});
 double hbao_reach_px(const AoInputs& inputs, const HbaoSettings& settings, double view_depth);
 // A sample takes what it raises the horizon of its direction by.

@@ -154,10 +154,6 @@ HbaoPlusSettings spelt_out(HbaoPlusSettings settings) {
     return settings;
 }
 
-AoFetch hbao_plus_fetch(const HbaoPlusSettings& settings) {
-    return {.depth = DepthSource::view_depth, .point_normals = true, .scale = settings.ao_scale};
-}
-
 AoMap hbao_plus(const AoInputs& inputs, const HbaoPlusSettings& settings, const Run& run) {
     validate(settings);
     return each_texel(HbaoPlusKernel(inputs, settings), settings, run);

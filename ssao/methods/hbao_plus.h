@@ -72,7 +72,6 @@ void validate(const HbaoPlusSettings& settings);
 // The settings with the errors of `as_published` named one by one: listed, unorm8, width, clamped.
 HbaoPlusSettings spelt_out(HbaoPlusSettings settings);
 
-AoFetch hbao_plus_fetch(const HbaoPlusSettings& settings);
 AoMap hbao_plus(const AoInputs& inputs, const HbaoPlusSettings& settings, const Run& run = {});
 double hbao_plus_reach_px(const AoInputs& inputs, const HbaoPlusSettings& settings, double view_depth);
 Explanation explain_hbao_plus(const AoInputs& inputs, const HbaoPlusSettings& settings, int x, int y);

@@ -136,10 +136,6 @@ void validate(const SaoSettings& s) {
     ao_map_size({1, 1}, s.ao_scale);  // which refuses what is no scale
 }
 
-AoFetch sao_fetch(const SaoSettings& settings) {
-    return {.depth = DepthSource::view_depth, .point_normals = true, .scale = settings.ao_scale};
-}
-
 AoMap sao(const AoInputs& inputs, const SaoSettings& settings, const Run& run) {
     validate(settings);
     return each_texel(SaoKernel(inputs, settings, run), settings, run);

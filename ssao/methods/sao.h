@@ -49,7 +49,6 @@ struct SaoSettings {
 // Throws UsageError naming the first member out of its range.
 void validate(const SaoSettings& settings);
 
-AoFetch sao_fetch(const SaoSettings& settings);
 AoMap sao(const AoInputs& inputs, const SaoSettings& settings, const Run& run = {});
 double sao_reach_px(const AoInputs& inputs, const SaoSettings& settings, double view_depth);
 Explanation explain_sao(const AoInputs& inputs, const SaoSettings& settings, int x, int y);

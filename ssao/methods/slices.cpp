@@ -41,6 +41,15 @@ void validate_slice_samples(int samples) {
                      "); choose another number");
 }
 
+std::vector<glm::vec2> slice_directions(int slices) {
+    std::vector<glm::vec2> directions;
+    for (int i = 0; i < slices; ++i) {
+        const SineCosine at = sine_cosine(kPi * i / slices);
+        directions.push_back({static_cast<float>(at.cosine), static_cast<float>(at.sine)});
+    }
+    return directions;
+}
+
 int hilbert_index(int x, int y) {
     int index = 0;
     for (int side = kCurveSide / 2; side > 0; side /= 2) {

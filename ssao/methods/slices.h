@@ -5,6 +5,9 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
+
+#include <glm/vec2.hpp>
 
 #include "rasterizer/lanes/approx_math.h"
 #include "rasterizer/lanes/arc_cosine.h"
@@ -24,6 +27,9 @@ inline SlicePlan slice_plan(int samples) {
 }
 // Throws UsageError unless `samples` is a whole number of slices, up to 32 of them.
 void validate_slice_samples(int samples);
+
+// The directions of a texel's slices on the screen, unit, before its turn.
+std::vector<glm::vec2> slice_directions(int slices);
 
 // The number of cell (x, y) along a Hilbert curve through 64 x 64 cells.
 int hilbert_index(int x, int y);

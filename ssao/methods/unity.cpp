@@ -110,10 +110,6 @@ UnitySettings spelt_out(UnitySettings s) {
     return s;
 }
 
-AoFetch unity_fetch(const UnitySettings& settings) {
-    return {.depth = DepthSource::view_depth, .point_normals = true, .scale = settings.ao_scale};
-}
-
 AoMap unity_ao(const AoInputs& inputs, const UnitySettings& settings, const Run& run) {
     validate(settings);
     const UnityKernel kernel(inputs, settings);

@@ -18,6 +18,7 @@ struct VbaoKernel {
     const AoInputs& inputs;
     const VbaoSettings settings;
     const SlicePlan plan;
+    const std::vector<glm::vec2> directions;
     const SliceNoise noise;
     const float thickness;
 
@@ -25,6 +26,7 @@ struct VbaoKernel {
         : inputs(ao_inputs),
           settings(vbao),
           plan(slice_plan(vbao.samples)),
+          directions(slice_directions(plan.slices)),
           noise(vbao.seed, plan.slices),
           thickness(std::min(vbao.thickness, kThickest * vbao.radius)) {}
 
@@ -101,8 +103,8 @@ struct VbaoKernel {
         const F cosine = noise.cosine.at<F>(texel.x, texel.y), sine = noise.sine.at<F>(texel.x, texel.y);
         F sum(0);
         for (int i = 0; i < plan.slices; ++i) {
-            const SineCosine base = sine_cosine(kPi * i / plan.slices);
-            const F x = F(static_cast<float>(base.cosine)), y = F(static_cast<float>(base.sine));
+            const glm::vec2& direction = directions[static_cast<std::size_t>(i)];
+            const F x = F(direction.x), y = F(direction.y);
             const Slice<F> slice = slice_of(texel, inputs, x * cosine - y * sine, x * sine + y * cosine);
             Int<F> mask(0);
             for (const float sign : {1.0f, -1.0f}) {
@@ -135,10 +137,6 @@ void validate(const VbaoSettings& s) {
     require_length("thickness", s.thickness);
     require_within("exponent", s.exponent, 0, 64);
     ao_map_size({1, 1}, s.ao_scale);  // which refuses what is no scale
-}
-
-AoFetch vbao_fetch(const VbaoSettings& settings) {
-    return {.depth = DepthSource::view_depth, .point_normals = true, .scale = settings.ao_scale};
 }
 
 AoMap vbao(const AoInputs& inputs, const VbaoSettings& settings, const Run& run) {

@@ -49,7 +49,6 @@ struct VbaoSettings {
 // Throws UsageError naming the first member out of its range.
 void validate(const VbaoSettings& settings);
 
-AoFetch vbao_fetch(const VbaoSettings& settings);
 AoMap vbao(const AoInputs& inputs, const VbaoSettings& settings, const Run& run = {});
 double vbao_reach_px(const AoInputs& inputs, const VbaoSettings& settings, double view_depth);
 // A sample takes the sectors that none before it has closed.

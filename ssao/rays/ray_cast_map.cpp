@@ -231,10 +231,6 @@ void validate(const RayMapSettings& s) {
     ao_map_size({1, 1}, s.ao_scale);  // which refuses what is no scale
 }
 
-AoFetch ray_map_fetch(const RayMapSettings& settings) {
-    return {.depth = DepthSource::view_depth, .point_normals = true, .scale = settings.ao_scale};
-}
-
 AoMap ray_cast_map(const RayScene& scene, const Camera& camera, const GBuffer& gbuffer,
                    const AoInputs& inputs, const RayMapSettings& settings, const Run& run) {
     validate(settings);

@@ -42,7 +42,6 @@ struct RayMapSettings {
 // Throws UsageError naming the first member out of its range.
 void validate(const RayMapSettings& settings);
 
-AoFetch ray_map_fetch(const RayMapSettings& settings);
 // `inputs` were made of `gbuffer`.
 AoMap ray_cast_map(const RayScene& scene, const Camera& camera, const GBuffer& gbuffer,
                    const AoInputs& inputs, const RayMapSettings& settings, const Run& run = {});

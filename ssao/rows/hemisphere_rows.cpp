@@ -96,7 +96,6 @@ Method unity_row() {
               yes_no("divided_by_z", "true: z instead of w, points are looked up nearer to the middle",
                      &S::divided_by_z)},
          .samples_to_try = {8, 16, 32, 64},
-         .fetch = unity_fetch,
          .ao = unity_ao,
          .reach_px = unity_reach_px,
          .explain = explain_unity,

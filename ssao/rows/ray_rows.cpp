@@ -10,11 +10,15 @@ namespace crevice {
 
 namespace {
 
+// One pass along planes: a second smears more of the edges than it removes noise.
+constexpr BlurSettings kRayBlur{
+    .weights = kLunaBlurWeights, .iterations = 1, .depth_threshold = 0.02f, .edges = BlurEdges::slope};
+
 // What ray_cast and crevice have in common: they differ in their defaults and their denoiser.
 Method ray_row(const RayMapSettings& defaults, Denoiser denoiser) {
     using S = RayMapSettings;
     const auto inputs_of = [](const AoView& view, const AnySettings& s, const Run& run) {
-        return ao_inputs(view.gbuffer, view.camera, ray_map_fetch(s.as<S>()), run);
+        return ao_inputs(view.gbuffer, view.camera, pixel_fetch(s.as<S>()), run);
     };
     Method row;
     row.defaults = AnySettings::of(defaults);
@@ -65,10 +69,7 @@ Method ray_row(const RayMapSettings& defaults, Denoiser denoiser) {
 }  // namespace
 
 Method ray_cast_row() {
-    Method row = ray_row({}, bilateral_denoiser({.weights = kLunaBlurWeights,
-                                                 .iterations = 1,
-                                                 .depth_threshold = 0.02f,
-                                                 .edges = BlurEdges::slope}));
+    Method row = ray_row({}, bilateral_denoiser(kRayBlur));
     row.name = "ray_cast";
     row.title = "a few rays a texel through the scene";
     row.source = "X_Jun and Luna on ray casting";
@@ -77,10 +78,7 @@ Method ray_cast_row() {
 
 Method crevice_row() {
     Method row = ray_row({.samples = 2, .pattern = RayPattern::interleaved, .ao_scale = 1},
-                         bilateral_denoiser({.weights = kLunaBlurWeights,
-                                             .iterations = 1,
-                                             .depth_threshold = 0.02f,
-                                             .edges = BlurEdges::slope}));
+                         bilateral_denoiser(kRayBlur));
     row.name = "crevice";
     row.title = "two rays a pixel, interleaved over 8x8, denoised along planes";
     row.source = "this lab, after Keller & Heidrich 2001";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rasterizer/draw/normal_depth.h"
+#include "ssao/inputs/pixel_fetch.h"
 #include "ssao/methods/hemisphere.h"
 #include "ssao/methods/unity.h"
 #include "tests/tools/special_floats.h"
@@ -25,7 +26,7 @@ inline HemispherePicture picture_of(const Scene& scene, const HemisphereSettings
 inline HemispherePicture picture_of(const Scene& scene, const UnitySettings& settings,
                                     Size size = kHemispherePicture) {
     HemispherePicture picture{normal_depth(scene, scene.camera, size), {}, {}};
-    picture.inputs = ao_inputs(picture.g, scene.camera, unity_fetch(settings));
+    picture.inputs = ao_inputs(picture.g, scene.camera, pixel_fetch(settings));
     picture.ao = unity_ao(picture.inputs, settings).ao;
     return picture;
 }

@@ -9,6 +9,7 @@
 #include "rasterizer/base/error.h"
 #include "scenes/builtin_scenes.h"
 #include "ssao/ao_methods.h"
+#include "ssao/inputs/pixel_fetch.h"
 #include "ssao/judge/reference_image.h"
 #include "ssao/methods/slices.h"
 #include "tests/tools/random_sequence.h"
@@ -59,7 +60,7 @@ Scene wall_on_floor(float height) {
 
 AoMap map_of(const Scene& scene, Size size, const GtaoSettings& settings) {
     const GBuffer g = normal_depth(scene, scene.camera, size);
-    return gtao(ao_inputs(g, scene.camera, gtao_fetch(settings)), settings);
+    return gtao(ao_inputs(g, scene.camera, pixel_fetch(settings)), settings);
 }
 
 double mean_of(const Image<float>& image) {

@@ -86,7 +86,7 @@ TEST_CASE("hbao_plus: a texel's formula, evaluated in double, with each error an
         CAPTURE(std::string(change.name));
         HbaoPlusSettings settings{.samples = 15, .steps = 3, .ao_scale = 1};
         change.change(settings);
-        const AoInputs inputs = ao_inputs(still.g, still.scene.camera, hbao_plus_fetch(settings));
+        const AoInputs inputs = ao_inputs(still.g, still.scene.camera, pixel_fetch(settings));
         const Image<float> ao = hbao_plus(inputs, settings).ao;
         const Listing listing(inputs, settings);
         int texels = 0, exact = 0, dark = 0;

@@ -9,6 +9,7 @@
 
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/image_summary.h"
+#include "ssao/inputs/pixel_fetch.h"
 #include "tests/tools/image_checks.h"
 #include "tests/tools/listed_errors.h"
 #include "tests/tools/plane_inputs.h"
@@ -29,7 +30,7 @@ double centre_mean(const AoInputs& inputs, const HbaoPlusSettings& settings) {
 }
 
 std::string ao_hash(const PreparedStillLife& still, const HbaoPlusSettings& settings) {
-    const AoInputs inputs = ao_inputs(still.g, still.scene.camera, hbao_plus_fetch(settings));
+    const AoInputs inputs = ao_inputs(still.g, still.scene.camera, pixel_fetch(settings));
     return content_hash(hbao_plus(inputs, settings).ao);
 }
 
@@ -50,7 +51,7 @@ TEST_CASE("hbao_plus: a plane at any tilt is open, with normals from either sour
         const GBuffer g = normal_depth(scene, scene.camera, size);
         for (const float ao_scale : {0.5f, 1.0f}) {
             const HbaoPlusSettings settings{.ao_scale = ao_scale, .normals = normals};
-            const AoInputs inputs = ao_inputs(g, scene.camera, hbao_plus_fetch(settings));
+            const AoInputs inputs = ao_inputs(g, scene.camera, pixel_fetch(settings));
             CHECK(buffer_statistics(hbao_plus(inputs, settings).ao).mean > 0.99);
         }
     }
@@ -140,7 +141,7 @@ TEST_CASE(
 TEST_CASE("hbao_plus: normals from depth need no G-buffer, and are its normals on flat things") {
     const PreparedStillLife still(kTutorialMethods[0]);
     HbaoPlusSettings settings{.normals = NormalSource::depth};
-    AoInputs inputs = ao_inputs(still.g, still.scene.camera, hbao_plus_fetch(settings));
+    AoInputs inputs = ao_inputs(still.g, still.scene.camera, pixel_fetch(settings));
     const Image<float> from_depth = hbao_plus(inputs, settings).ao;
     settings.normals = NormalSource::gbuffer;
     const Image<float> from_buffer = hbao_plus(inputs, settings).ao;

@@ -120,7 +120,7 @@ TEST_CASE("hbao: a plane at any tilt is open, with the default bias to the last 
     const GBuffer g = normal_depth(scene, scene.camera, size);
     for (const float ao_scale : {0.5f, 1.0f}) {
         const HbaoSettings settings{.ao_scale = ao_scale};
-        const AoInputs inputs = ao_inputs(g, scene.camera, hbao_fetch(settings));
+        const AoInputs inputs = ao_inputs(g, scene.camera, pixel_fetch(settings));
         CHECK(other_than(hbao(inputs, settings).ao, 1) == "");
         CHECK(mean_of(hbao(inputs, {.bias = 0, .ao_scale = ao_scale}).ao) > 0.99);
     }
@@ -156,7 +156,7 @@ TEST_CASE("hbao: a texel's formula, evaluated in double, for both zeniths") {
     for (const Zenith zenith : {Zenith::ray, Zenith::axis}) {
         CAPTURE(static_cast<int>(zenith));
         const HbaoSettings settings{.radius = 1, .bias = 10, .ao_scale = 1, .zenith = zenith};
-        const AoInputs inputs = ao_inputs(still.g, still.scene.camera, hbao_fetch(settings));
+        const AoInputs inputs = ao_inputs(still.g, still.scene.camera, pixel_fetch(settings));
         const Image<float> ao = hbao(inputs, settings).ao;
         const NaiveHorizons naive(inputs, settings);
         int texels = 0, exact = 0, dark = 0;
@@ -185,7 +185,7 @@ TEST_CASE(
     const Scene scene = scene_of({plane});
     const GBuffer g = normal_depth(scene, scene.camera, {160, 100});
     HbaoSettings settings{.ao_scale = 1};
-    const AoInputs inputs = ao_inputs(g, scene.camera, hbao_fetch(settings));
+    const AoInputs inputs = ao_inputs(g, scene.camera, pixel_fetch(settings));
     CHECK(other_than(hbao(inputs, settings).ao, 1) == "");
     settings.zenith = Zenith::axis;
     const Image<float> ao = hbao(inputs, settings).ao;

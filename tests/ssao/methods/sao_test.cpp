@@ -7,6 +7,7 @@
 
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/image_summary.h"
+#include "ssao/inputs/pixel_fetch.h"
 #include "tests/tools/ao_cases.h"
 #include "tests/tools/flat_scenes.h"
 #include "tests/tools/image_checks.h"
@@ -18,7 +19,7 @@ namespace {
 constexpr Size kSize = {96, 64};
 
 AoInputs inputs_of(const Scene& scene, const SaoSettings& settings, Size size = kSize) {
-    return ao_inputs(normal_depth(scene, scene.camera, size), scene.camera, sao_fetch(settings));
+    return ao_inputs(normal_depth(scene, scene.camera, size), scene.camera, pixel_fetch(settings));
 }
 
 SaoSettings full_size() {

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "scenes/shapes.h"
+#include "ssao/inputs/pixel_fetch.h"
 #include "ssao/judge/metrics.h"
 #include "ssao/methods/gtao.h"
 #include "ssao/methods/vbao.h"
@@ -27,7 +28,7 @@ TEST_CASE("vbao: behind a fence it is nearer to ray casting than a horizon is, f
     const GBuffer g = normal_depth(scene, scene.camera, size);
     // As thick as the default is beside the default radius.
     const VbaoSettings usual{.radius = radius, .thickness = radius / 4, .ao_scale = 1};
-    const AoInputs inputs = ao_inputs(g, scene.camera, vbao_fetch(usual));
+    const AoInputs inputs = ao_inputs(g, scene.camera, pixel_fetch(usual));
     const auto rmse = [&](VbaoSettings settings, int samples) {
         settings.samples = samples;
         return compare_images(vbao(inputs, settings).ao, expected).rmse;

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "rasterizer/base/error.h"
+#include "ssao/inputs/pixel_fetch.h"
 #include "ssao/methods/sector_bits.h"
 #include "ssao/methods/slices.h"
 #include "tests/tools/image_checks.h"
@@ -166,9 +167,9 @@ TEST_CASE("vbao: a plane at any tilt is open to the last bit, unless sectors cou
         const Scene scene = scene_of({floor});
         const GBuffer g = normal_depth(scene, scene.camera, size);
         VbaoSettings settings{.ao_scale = sectors == Sectors::cosine ? 0.5f : 1, .sectors = sectors};
-        CHECK(other_than(vbao(ao_inputs(g, scene.camera, vbao_fetch(settings)), settings).ao, 1) == "");
+        CHECK(other_than(vbao(ao_inputs(g, scene.camera, pixel_fetch(settings)), settings).ao, 1) == "");
         settings.closed = ClosedSectors::touched;
-        CHECK(other_than(vbao(ao_inputs(g, scene.camera, vbao_fetch(settings)), settings).ao, 1) != "");
+        CHECK(other_than(vbao(ao_inputs(g, scene.camera, pixel_fetch(settings)), settings).ao, 1) != "");
     }
 }
 
@@ -208,7 +209,7 @@ TEST_CASE("vbao: a texel's formula, evaluated in double, for every choice of sec
             CAPTURE(static_cast<int>(closed));
             const VbaoSettings settings{
                 .thickness = 0.2f, .ao_scale = 1, .sectors = sectors, .closed = closed};
-            const AoInputs inputs = ao_inputs(still.g, still.scene.camera, vbao_fetch(settings));
+            const AoInputs inputs = ao_inputs(still.g, still.scene.camera, pixel_fetch(settings));
             const Image<float> ao = vbao(inputs, settings).ao;
             const NaiveBitmask naive(inputs, settings);
             int texels = 0, within = 0, tight = 0, dark = 0;

@@ -8,6 +8,7 @@
 
 #include "rasterizer/base/error.h"
 #include "scenes/builtin_scenes.h"
+#include "ssao/inputs/pixel_fetch.h"
 #include "ssao/judge/metrics.h"
 #include "ssao/rays/open_region.h"
 #include "ssao/rays/ray_cast_ao.h"
@@ -32,7 +33,7 @@ struct View {
 
     AoMap map(const RayMapSettings& settings, const Run& run = {}) const {
         return ray_cast_map(rays, scene.camera, gbuffer,
-                            ao_inputs(gbuffer, scene.camera, ray_map_fetch(settings)), settings, run);
+                            ao_inputs(gbuffer, scene.camera, pixel_fetch(settings)), settings, run);
     }
     Image<float> truth(float radius) const {
         const SurfacePoints points = surface_points(scene, scene.camera, gbuffer);
