@@ -11,12 +11,14 @@ Scene plain(SceneDetail, const Run&) {
     return make();
 }
 
-constexpr std::array<BuiltinScene, 12> kScenes = {{
+constexpr std::array<BuiltinScene, 13> kScenes = {{
     {"columns", "the scene of X_Jun: columns, spheres and a house with niches and eaves", "the tutorial's",
      columns_scene},
     {"columns_2022", "the same, lit as the code of 2022 does", "the tutorial's", columns_2022_scene},
     {"columns_luna", "the scene of Luna: tapered columns, a carved head of 60,492 triangles on a pedestal",
      "the tutorial's", columns_luna_scene},
+    {"room", "the scene of LearnOpenGL: a bare room, a carved head on its floor, one point light",
+     "the tutorial's", room_scene},
     {"sphere_on_plane", "closed form: the shade under a resting sphere", "the sphere's radius",
      plain<sphere_on_plane_scene>},
     {"wall_corner", "closed form: the shade along a wall", "none, 1", plain<wall_corner_scene>},

@@ -54,6 +54,9 @@ Scene wall_corner_scene();
 inline constexpr double kTrenchWidth = 2, kTrenchDepth = 2;
 Scene trench_scene();
 
+// LearnOpenGL's: the inside of a cube, a carved head lying on its floor, one blue point light.
+Scene room_scene(SceneDetail detail = SceneDetail::shapes, const Run& run = {});
+
 // The Cornell box as measured: room open to the front, short and tall block.
 Scene cornell_scene();
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "ssao/light/ao_lookup.h"
+#include "ssao/light/deferred_point_light.h"
 #include "ssao/light/scene_shadow.h"
 #include "ssao/light/shade.h"
 #include "ssao/light/sky.h"
@@ -32,22 +33,22 @@ bool shares_geometry(const FrameSettings& settings) {
 }
 
 LitImage lit_image(const Scene& scene, const ScreenGeometry& geometry, const Frame& frame,
-                   const Image<float>& map, const ShadowMap* shadow, const FrameRequest& request) {
+                   const Image<float>& ao, const ShadowMap* shadow, const FrameRequest& request) {
     const FrameSettings& settings = request.settings;
-    const Image<float> slipped = settings.ao_lookup == AoLookup::exact
-                                     ? Image<float>()
-                                     : looked_up(map, request.size, settings.ao_lookup);
-    const Image<float>& ao = slipped.empty() ? map : slipped;
+    if (scene.point_light)
+        return {
+            deferred_point_light(scene, frame.camera, frame.gbuffer, ao, settings.light_space, request.run),
+            TileMap(geometry.size, geometry.tile_size)};
     if (shares_geometry(settings))
         return shade(scene, frame.camera, geometry, frame.gbuffer, ao, request.run, shadow);
     return {shade(scene, frame.camera, frame.gbuffer.depth, ao, lit_settings(settings), request.run, shadow),
             TileMap(geometry.size, geometry.tile_size)};
 }
 
-AoWork ao_work(const Method& method, const MethodSettings& settings) {
-    AoWork work{method.computes_ao(), method.reads_normals};
+AoWork ao_work(const Method& method, const FrameSettings& settings) {
+    AoWork work{method.computes_ao(), method.reads_normals || settings.ao_lookup == AoLookup::joint};
     if (!method.denoiser.denoised) work.why_no_blur = "the method has no denoiser";
-    if (value_of(method, settings, "blur_iterations") == 0) work.why_no_blur = "blur_iterations is 0";
+    if (value_of(method, settings.method, "blur_iterations") == 0) work.why_no_blur = "blur_iterations is 0";
     return work;
 }
 
@@ -66,7 +67,7 @@ void fill_open_maps(Frame& frame, const FrameRequest& request) {
 Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest& request) {
     const FrameSettings& settings = request.settings;
     const Method& method = *request.method;
-    const Needs needs = needs_of(scene, request.wanted, ao_work(method, settings.method),
+    const Needs needs = needs_of(scene, request.wanted, ao_work(method, settings),
                                  !request.run.leaves_out(Skip::passes), settings.buffers.mapped_normals);
     Frame frame;
     frame.camera = camera;
@@ -75,6 +76,7 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
 
     ScreenGeometry geometry;
     RawAo raw;
+    Image<float> at_pixels;  // the map as the lit pass reads it
     ShadowMap shadow;
     Stopwatch stopwatch;
     std::optional<RayScene> rays;  // of the scene at rest: built once for all repeats
@@ -103,12 +105,18 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
                     frame.tiles.blur = std::move(blurred.tiles);
                 });
             }
+            const Image<float>& map = needs.blur ? frame.ao_blurred : raw.ao;
+            const bool looks_up = needs.ao && needs.lit && settings.ao_lookup != AoLookup::exact;
+            if (looks_up) {
+                stopwatch.time("ao_lookup", [&] {
+                    at_pixels = looked_up(map, raw.inputs, frame.gbuffer, settings.ao_lookup, request.run);
+                });
+            }
             if (needs.shadow) stopwatch.time("shadow", [&] { shadow = scene_shadow(scene, request.run); });
             if (needs.lit) {
                 stopwatch.time("lit", [&] {
-                    const Image<float>& ao = needs.blur ? frame.ao_blurred : raw.ao;
-                    LitImage lit =
-                        lit_image(scene, geometry, frame, ao, needs.shadow ? &shadow : nullptr, request);
+                    LitImage lit = lit_image(scene, geometry, frame, looks_up ? at_pixels : map,
+                                             needs.shadow ? &shadow : nullptr, request);
                     frame.lit = std::move(lit.image);
                     frame.tiles.lit = std::move(lit.tiles);
                 });

@@ -8,6 +8,7 @@
 #include "rasterizer/draw/normal_depth.h"
 #include "ssao/ao_methods.h"
 #include "ssao/light/ao_lookup.h"
+#include "ssao/light/deferred_point_light.h"
 #include "ssao/light/shade.h"
 
 namespace crevice {
@@ -17,6 +18,7 @@ struct FrameSettings {
     NormalDepthSettings buffers = {};  // of the first pass
     ShadeSettings lit = {};            // of the second drawing
     AoLookup ao_lookup = AoLookup::exact;
+    LightSpace light_space = LightSpace::view;  // of a scene's point light
     bool reversed_z = false;
 };
 

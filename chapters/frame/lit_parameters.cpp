@@ -36,11 +36,17 @@ std::vector<Parameter<FrameSettings>> lit_parameters() {
     std::vector<Parameter<FrameSettings>> all = within<FrameSettings>(
         drawing_parameters(), [](auto& settings) -> auto& { return settings.lit; });
     all.push_back(choice<FrameSettings, AoLookup>(
-        "ao_lookup", "slip: v too small by 1; hidden by WRAP, with CLAMP the top row everywhere",
+        "ao_lookup",
+        "joint: half size brought to full size along surfaces; slip: v too small by 1, which WRAP hides",
         &FrameSettings::ao_lookup,
         {{"exact", AoLookup::exact},
+         {"joint", AoLookup::joint},
          {"slip_wrap", AoLookup::slip_wrap},
          {"slip_clamp", AoLookup::slip_clamp}}));
+    all.push_back(choice<FrameSettings, LightSpace>(
+        "light_space",
+        "world: a point light's place and the eye's are taken for view space, as notes leave it",
+        &FrameSettings::light_space, {{"view", LightSpace::view}, {"world", LightSpace::world}}));
     return all;
 }
 

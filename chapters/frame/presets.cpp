@@ -9,6 +9,7 @@ namespace {
 const Preset kPresets[] = {
     {"xjun2020", "X_Jun as its text has it", "columns", "xjun"},
     {"xjun2022", "X_Jun as its repository had it two years later", "columns_2022", "xjun"},
+    {"learnopengl", "LearnOpenGL, its errata cured", "room", "hemisphere"},
     {"luna", "Luna", "columns_luna", "luna"},
 };
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "ssao/light/ao_lookup.h"
 #include "ssao/light/widened_ao.h"
 #include "ssao/rays/ray_cast.h"
 
@@ -27,9 +28,13 @@ AoView ao_view_of(const MethodView& view, const FrameSettings& settings) {
 
 Image<float> ao_map_of(const MethodView& view, const FrameSettings& settings, const Run& run) {
     const Method& method = *view.method;
-    RawAo raw = method.ao(ao_view_of(view, settings), settings.method.ao, run);
-    if (value_of(method, settings.method, "blur_iterations") == 0) return std::move(raw.ao);
-    return denoised(method, raw, settings.method, run).ao;
+    const AoView ao_view = ao_view_of(view, settings);
+    RawAo raw = method.ao(ao_view, settings.method.ao, run);
+    Image<float> map = value_of(method, settings.method, "blur_iterations") == 0
+                           ? std::move(raw.ao)
+                           : denoised(method, raw, settings.method, run).ao;
+    if (settings.ao_lookup == AoLookup::exact) return map;
+    return looked_up(map, raw.inputs, ao_view.gbuffer, settings.ao_lookup, run);
 }
 
 Image<float> ao_picture_of(const MethodView& view, const FrameSettings& settings, const Run& run) {

@@ -25,7 +25,8 @@ MethodView method_view(const Scene& scene, const Camera& camera, Size size, cons
 // What the method is given to look at: the buffers that the settings ask for.
 AoView ao_view_of(const MethodView& view, const FrameSettings& settings);
 
-// The AO map as it is before the picture is lit: estimated and denoised. This is what is timed, inputs included.
+// The AO map as it is before the picture is lit: estimated, denoised and, where the settings ask for it, brought to the
+// picture's size. This is what is timed, inputs included.
 Image<float> ao_map_of(const MethodView& view, const FrameSettings& settings, const Run& run);
 
 // The same at picture size, as the lit pass reads it.

@@ -186,11 +186,15 @@ RayAoSettings rays_asking(const AoQuestion& question) {
     return rays;
 }
 
-References make_references(const Scene& scene, const Camera& camera, const ReferenceRequest& request) {
-    validate(request.run);
-    validate(request.rays);
-    validate(*request.method, request.settings);
+References make_references(const Scene& scene, const Camera& camera, const ReferenceRequest& asked) {
+    validate(asked.run);
+    validate(asked.rays);
+    validate(*asked.method, asked.settings);
     References references;
+    // What is cast and counted is a multiple of the replicates.
+    ReferenceRequest request = asked;
+    request.rays.rays = round_up(asked.rays.rays, kReplicates);
+    request.limit_seeds = round_up(asked.limit_seeds, kReplicates);
     const Clocks start = clocks();
     references.gbuffer = normal_depth(scene, camera, request.size, request.run);
     references.points = surface_points(scene, camera, references.gbuffer, request.run);

@@ -19,9 +19,10 @@ struct ReferenceRequest {
     Size size{1280, 720};            // of the picture, and of every reference
     const Method* method = nullptr;  // one that computes AO
     MethodSettings settings;         // scene units; what the question follows from, and `limit`
-    RayAoSettings rays;              // of all rays; the fade of `soft` and `screen` is the question's
-    double wanted_error = 0;         // > 0: rays are doubled until the mean standard error is at most this
-    int limit_seeds = 256;           // 0: no `limit`
+    RayAoSettings
+        rays;  // of all rays, rounded up to kReplicates; the fade of `soft` and `screen` is the question's
+    double wanted_error = 0;  // > 0: rays are doubled until the mean standard error is at most this
+    int limit_seeds = 256;    // rounded up to kReplicates; 0: no `limit`
     std::optional<std::filesystem::path> cache;  // the directory; none: nothing is kept or looked up
     Run run;
 };
@@ -37,7 +38,7 @@ struct Reference {
     double mean = 1;        // over the pixels that show a surface; 1 when there is none
     double mean_error = 0;  // mean standard error of a pixel, over the same; not the error of `mean`
     double max_error = 0;
-    long long rays = 0;  // a pixel; of `limit`: seeds
+    long long rays = 0;  // a pixel, those that were cast; of `limit`: seeds
     double wall_ms = 0;  // to make it, 0 when it was found
     bool from_cache = false;
 };

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,14 @@ struct DirectionalLight {
     glm::vec3 specular = glm::vec3(0);          // phong only
 };
 
+// A light at a place, weaker with distance d: 1 / (1 + linear d + quadratic d^2).
+struct PointLight {
+    glm::vec3 position = glm::vec3(0);  // world space
+    glm::vec3 colour = glm::vec3(1);    // linear light, diffuse and specular
+    float linear = 0.09f;               // 1 / scene units
+    float quadratic = 0.032f;           // 1 / scene units^2
+};
+
 enum class LightingModel {
     phong,          // X_Jun: ambient and diffuse and Phong specular of every light
     blinn_schlick,  // Luna: one ambient term, Blinn-Phong with the Schlick Fresnel approximation
@@ -82,6 +91,8 @@ struct Scene {
     double light_spin_rad_per_s = 0;         // the lights turn about the y axis, from +z towards +x
     glm::vec3 ambient_light = glm::vec3(0);  // blinn_schlick only
     LightingModel lighting = LightingModel::blinn_schlick;
+    // LearnOpenGL's deferred lighting, in the place of `lights` and `lighting`; none: these light the scene.
+    std::optional<PointLight> point_light;
     glm::vec3 sky = glm::vec3(0.69f, 0.77f, 0.87f);  // linear light, behind everything
     // Drawn over `sky`; blinn_schlick surfaces mirror it. World space, linear light; null: none.
     std::shared_ptr<const CubeMap> sky_cube = nullptr;

@@ -1,6 +1,7 @@
 #include "ssao/light/ao_lookup.h"
 
 #include "rasterizer/textures/sample_texture.h"
+#include "ssao/blur/joint_upsampling.h"
 
 namespace crevice {
 
@@ -23,10 +24,12 @@ Image<float> map_at_pixels(const Image<float>& ao, Size picture, AddressMode mod
     return result;
 }
 
-Image<float> looked_up(const Image<float>& ao, Size picture, AoLookup lookup) {
+Image<float> looked_up(const Image<float>& ao, const AoInputs& inputs, const GBuffer& gbuffer,
+                       AoLookup lookup, const Run& run) {
     if (lookup == AoLookup::exact) return ao;
-    return map_at_pixels(ao, picture, lookup == AoLookup::slip_wrap ? AddressMode::wrap : AddressMode::clamp,
-                         -1);
+    if (lookup == AoLookup::joint) return joint_upsampling(ao, inputs, gbuffer, run);
+    const AddressMode mode = lookup == AoLookup::slip_wrap ? AddressMode::wrap : AddressMode::clamp;
+    return map_at_pixels(ao, gbuffer.depth.size(), mode, -1);
 }
 
 }  // namespace crevice

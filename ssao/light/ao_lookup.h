@@ -7,6 +7,7 @@
 
 #include "rasterizer/base/image.h"
 #include "rasterizer/textures/sampler.h"
+#include "ssao/inputs/ao_inputs.h"
 
 namespace crevice {
 
@@ -18,10 +19,12 @@ enum class AoLookup {
     exact,       // as shade() reads it, clamped
     slip_wrap,   // v - 1, WRAP
     slip_clamp,  // v - 1, CLAMP
+    joint,       // brought to the picture's size first (joint_upsampling.h)
 };
 
-// The map that shade() must be given so that it shows a picture of this size what such a lookup would; the
-// map itself when exact.
-Image<float> looked_up(const Image<float>& ao, Size picture, AoLookup lookup);
+// The map that shade() must be given so that it shows the picture of `gbuffer` what such a lookup would; the map itself
+// when exact. `inputs` are those that the map was made of.
+Image<float> looked_up(const Image<float>& ao, const AoInputs& inputs, const GBuffer& gbuffer,
+                       AoLookup lookup, const Run& run = {});
 
 }  // namespace crevice

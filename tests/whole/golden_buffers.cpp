@@ -15,12 +15,18 @@ namespace {
 
 constexpr Size kGoldenSize = {160, 90};
 
-// The scenes of the presets are drawn as these are.
-std::string words_of(const BuiltinScene& scene, const std::string& method) {
+// The scenes of the presets are drawn as these are, the others with X_Jun's method.
+std::string method_of(const BuiltinScene& scene) {
+    for (const Preset& preset : presets()) {
+        if (preset.scene == std::string(scene.name)) return preset.method;
+    }
+    return "xjun";
+}
+std::string words_of(const BuiltinScene& scene) {
     for (const Preset& preset : presets()) {
         if (preset.scene == std::string(scene.name)) return std::string("--preset ") + preset.name;
     }
-    return std::string(scene.name) + " --ao " + method;
+    return std::string(scene.name) + " --ao " + method_of(scene);
 }
 
 Frame frame_of(const Scene& scene, Size size, const std::string& method,
@@ -45,11 +51,10 @@ std::vector<GoldenBuffer> rendered_scenes() {
     std::vector<GoldenBuffer> buffers;
     for (const BuiltinScene& builtin : builtin_scenes()) {
         const Scene scene = builtin.make(SceneDetail::surfaces);
-        const std::string method = builtin.name == std::string("columns_luna") ? "luna" : "xjun";
-        const Frame frame = frame_of(scene, kGoldenSize, method, {});
+        const Frame frame = frame_of(scene, kGoldenSize, method_of(builtin), {});
         for (const char* buffer : kBufferNames) {
             buffers.push_back({builtin.name, buffer,
-                               "render " + words_of(builtin, method) + " --size 160x90 --only " + buffer,
+                               "render " + words_of(builtin) + " --size 160x90 --only " + buffer,
                                planes_named(frame, buffer)});
         }
     }
@@ -90,7 +95,7 @@ std::vector<Artifact> artifacts() {
           "blur_depth=10", "ao_format=float16", "ao_format=float16_nearest"})
         all.push_back({columns, xjun, {word}, "ao_blurred"});
     for (const char* word : {"lit_position=premultiplied", "lit_depth_bias=65536", "ao_lookup=slip_wrap",
-                             "ao_lookup=slip_clamp"})
+                             "ao_lookup=slip_clamp", "ao_lookup=joint"})
         all.push_back({columns, xjun, {word}, "lit"});
     all.push_back({columns, xjun, {"fade_start=1e6", "fade_end=1e6"}, "ao_raw"});  // no range check
     all.push_back({columns,
@@ -107,6 +112,7 @@ std::vector<Artifact> artifacts() {
         all.push_back({"noise_wall", xjun, {word}, "ao_raw"});
     all.push_back({"cornell", xjun, {"random_vectors=none", "sign_of_zero=zero"}, "ao_raw"});
     all.push_back({"cornell", xjun, {"texel_centre=off"}, "ao_raw"});
+    all.push_back({"room", "hemisphere", {"light_space=world"}, "lit"});
     all.push_back({"field", xjun, {"normal_matrix=world"}, "normal"});
     all.push_back({"leaves", xjun, {"depth_cutouts=false"}, "lit"});
     all.push_back({"leaves", xjun, {"lit_cutouts=false", "lit_depth_test=less_equal"}, "lit"});

@@ -66,7 +66,7 @@ TEST_CASE("frames are written as A-B") {
 }
 
 TEST_CASE("presets name scenes and methods that exist") {
-    CHECK(presets().size() == 3);
+    CHECK(presets().size() == 4);
     for (const Preset& preset : presets()) {
         CAPTURE(preset.name);
         CHECK(find_builtin_scene(preset.scene) != nullptr);

@@ -134,6 +134,21 @@ TEST_CASE("references: rays are doubled until the error that was asked for") {
     CHECK(std::max(half.hard.mean_error, half.soft.mean_error) > few.hard.mean_error / 3);
 }
 
+TEST_CASE("references: what is said to be cast is what was cast, a multiple of the replicates") {
+    const Scene scene = still_life();
+    ReferenceRequest request = request_of();
+    request.rays.rays = kReplicates;
+    request.limit_seeds = kReplicates;
+    const References whole = make_references(scene, scene.camera, request);
+    request.rays.rays = 1;
+    request.limit_seeds = kReplicates - 1;
+    const References rounded = make_references(scene, scene.camera, request);
+    CHECK(rounded.hard.rays == kReplicates);
+    CHECK(rounded.limit.rays == kReplicates);
+    CHECK(same(rounded.hard.image, whole.hard.image));
+    CHECK(same(rounded.limit.image, whole.limit.image));
+}
+
 TEST_CASE("references: what they say of the mean is the mean of their pixels that show a surface") {
     const Scene scene = still_life();
     const References r = make_references(scene, scene.camera, request_of("luna"));

@@ -6,6 +6,7 @@
 
 #include "rasterizer/base/image_summary.h"
 #include "ssao/light/widened_ao.h"
+#include "tests/tools/ao_cases.h"
 #include "tests/tools/image_checks.h"
 #include "tests/tools/noise.h"
 
@@ -14,6 +15,12 @@ using namespace crevice;
 namespace {
 
 constexpr Size kSize{64, 32};
+
+// As the lit pass of a picture of kSize would read it; the sampler's lookups ask the G-buffer for its size alone.
+Image<float> read_by(const Image<float>& ao, AoLookup lookup) {
+    const GBuffer g = made_up_gbuffer(kSize, 0.2f);
+    return looked_up(ao, ao_inputs(g, made_up_camera(), {}), g, lookup);
+}
 
 }  // namespace
 
@@ -32,12 +39,14 @@ TEST_CASE("an AO map at the pixels: clamped it is what the lit pass reads; wrapp
 
 TEST_CASE("an AO map at v - 1: the same bits with wrap where v - 1 is a float, the top row with clamp") {
     const Image<float> ao = noise_image({33, 17}, 4);
-    CHECK(content_hash(looked_up(ao, kSize, AoLookup::slip_wrap)) ==
+    CHECK(content_hash(read_by(ao, AoLookup::slip_wrap)) ==
           content_hash(map_at_pixels(ao, kSize, AddressMode::wrap, 0)));
-    const Image<float> top = looked_up(ao, kSize, AoLookup::slip_clamp),
+    const Image<float> top = read_by(ao, AoLookup::slip_clamp),
                        right = map_at_pixels(ao, kSize, AddressMode::clamp, 0);
     for (int y = 0; y < kSize.height; ++y)
         CHECK(std::equal(top.row(y), top.row(y) + kSize.width, right.row(0)));
-    CHECK(content_hash(looked_up(ao, kSize, AoLookup::exact)) == content_hash(ao));
-    CHECK(buffer_statistics(looked_up({}, kSize, AoLookup::slip_clamp)).min == 1);
+    CHECK(content_hash(read_by(ao, AoLookup::exact)) == content_hash(ao));
+    CHECK(buffer_statistics(read_by({}, AoLookup::slip_clamp)).min == 1);
+    const Image<float> half = noise_image({32, 16}, 5);
+    CHECK(read_by(half, AoLookup::joint).size == kSize);
 }
