@@ -6,10 +6,10 @@
 namespace crevice {
 
 std::span<const Method> ao_methods() {
-    static const Method rows[] = {xjun_row(),      luna_row(), hemisphere_row(), unity_row(),
-                                  alchemy_row(),   sao_row(),  msvo_row(),       hbao_row(),
-                                  hbao_plus_row(), gtao_row(), vbao_row(),       ray_cast_row(),
-                                  crevice_row(),   none_row()};
+    static const Method rows[] = {xjun_row(),        luna_row(),    hemisphere_row(), unity_row(),
+                                  alchemy_row(),     sao_row(),     msvo_row(),       hbao_row(),
+                                  hbao_plus_row(),   gtao_row(),    vbao_row(),       ray_cast_row(),
+                                  vertex_bake_row(), crevice_row(), none_row()};
     return rows;
 }
 

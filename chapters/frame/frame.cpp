@@ -82,6 +82,9 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
     std::optional<RayScene> rays;  // of the scene at rest: built once for all repeats
     if (needs.ao && method.casts_rays)
         stopwatch.time("ray_scene", [&] { rays = ray_scene(scene, frame.camera.eye, request.run); });
+    std::shared_ptr<const VertexAo> baked;
+    if (needs.ao && method.bake)
+        stopwatch.time("bake", [&] { baked = method.bake(scene, *rays, settings.method.ao, request.run); });
     for (int repeat = 0; repeat < request.repeats; ++repeat) {
         stopwatch.time("frame", [&] {
             stopwatch.time("normal_depth", [&] {
@@ -94,8 +97,9 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
             });
             if (needs.ao) {
                 stopwatch.time("ao", [&] {
-                    raw = method.ao({scene, frame.camera, frame.gbuffer, rays ? &*rays : nullptr},
-                                    settings.method.ao, request.run);
+                    raw =
+                        method.ao({scene, frame.camera, frame.gbuffer, rays ? &*rays : nullptr, baked.get()},
+                                  settings.method.ao, request.run);
                 });
             }
             if (needs.blur) {

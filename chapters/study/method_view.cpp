@@ -10,7 +10,7 @@ namespace crevice {
 
 MethodView method_view(const Scene& scene, const Camera& camera, Size size, const Method& method,
                        const Run& run) {
-    MethodView view{&method, &scene, scene.length_unit, camera, size, {}, {}};
+    MethodView view{&method, &scene, scene.length_unit, camera, size, {}, {}, {}};
     const BufferFormat formats[] = {BufferFormat::float32, BufferFormat::float16_toward_zero};
     for (std::size_t i = 0; i < view.gbuffer.size(); ++i) {
         NormalDepthSettings settings;
@@ -21,9 +21,14 @@ MethodView method_view(const Scene& scene, const Camera& camera, Size size, cons
     return view;
 }
 
+MethodView with_bake(MethodView view, const FrameSettings& settings, const Run& run) {
+    if (view.method->bake) view.baked = view.method->bake(*view.scene, *view.rays, settings.method.ao, run);
+    return view;
+}
+
 AoView ao_view_of(const MethodView& view, const FrameSettings& settings) {
     const bool half_floats = settings.buffers.buffer_format != BufferFormat::float32;
-    return {*view.scene, view.camera, view.gbuffer[half_floats ? 1 : 0], view.rays.get()};
+    return {*view.scene, view.camera, view.gbuffer[half_floats ? 1 : 0], view.rays.get(), view.baked.get()};
 }
 
 Image<float> ao_map_of(const MethodView& view, const FrameSettings& settings, const Run& run) {

@@ -15,12 +15,16 @@ struct MethodView {
     float length_unit = 1;
     Camera camera;
     Size size;
-    std::array<GBuffer, 2> gbuffer;        // float32, float16
-    std::shared_ptr<const RayScene> rays;  // where the method casts them
+    std::array<GBuffer, 2> gbuffer;                   // float32, float16
+    std::shared_ptr<const RayScene> rays;             // where the method casts them
+    std::shared_ptr<const VertexAo> baked = nullptr;  // with_bake(): for one setting
 };
 
 MethodView method_view(const Scene& scene, const Camera& camera, Size size, const Method& method,
                        const Run& run);
+
+// The view with what the method bakes with these settings, as it is where it bakes nothing.
+MethodView with_bake(MethodView view, const FrameSettings& settings, const Run& run);
 
 // What the method is given to look at: the buffers that the settings ask for.
 AoView ao_view_of(const MethodView& view, const FrameSettings& settings);

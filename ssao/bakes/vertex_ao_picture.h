@@ -4,6 +4,9 @@
 // Cost:   one ray a pixel; see ray_cast.h
 #pragma once
 
+#include <algorithm>
+#include <array>
+
 #include "rasterizer/base/image.h"
 #include "rasterizer/scene/camera.h"
 #include "ssao/bakes/vertex_ao.h"
@@ -15,5 +18,19 @@ namespace crevice {
 // origin.
 Image<float> vertex_ao_picture(const Scene& scene, const Camera& camera, Size size, const RayScene& rays,
                                const VertexAo& ao, const Run& run = {});
+
+// What one pixel of that picture is made of. Its value is most_open() less what the corners take of it, in their order:
+// between equal values exactly that value.
+struct VertexAoShown {
+    bool hit = false;                       // false: nothing is seen, and the rest is unset
+    std::array<float, 3> open{}, weight{};  // of the triangle's corners
+    std::array<glm::vec3, 3> corner{};      // relative space
+    glm::vec3 position{0};                  // of the point that is seen, relative space
+
+    float most_open() const { return std::max({open[0], open[1], open[2]}); }
+    float taken(std::size_t i) const { return weight[i] * (most_open() - open[i]); }
+};
+VertexAoShown vertex_ao_shown(const Scene& scene, const Camera& camera, Size size, const RayScene& rays,
+                              const VertexAo& ao, int x, int y);
 
 }  // namespace crevice

@@ -7,6 +7,7 @@
 
 #include <any>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ namespace crevice {
 
 struct RayScene;        // ssao/rays/ray_cast.h
 struct ReferenceImage;  // ssao/judge/reference_image.h
+struct VertexAo;        // ssao/bakes/vertex_ao.h
 
 // What a method is given to look at. The screen-space methods see the G-buffer and the camera alone.
 struct AoView {
@@ -28,6 +30,8 @@ struct AoView {
     const Camera& camera;
     const GBuffer& gbuffer;          // drawn of both
     const RayScene* rays = nullptr;  // for methods that cast rays: the scene, its origin the eye
+    const VertexAo* baked =
+        nullptr;  // for methods that bake: what bake() made of it; null: they make it themselves
 };
 
 // The settings of one method or one denoiser, by value. Which struct that is only its own functions know;
@@ -96,6 +100,11 @@ struct Method {
     std::function<double(const AoInputs&, const AnySettings&, double view_depth)> reach_px;
 
     bool casts_rays = false;  // it needs AoView::rays: what lies beyond the screen counts as well
+
+    // What is made once of a scene at rest, before any picture of it. Empty: nothing.
+    std::function<std::shared_ptr<const VertexAo>(const Scene&, const RayScene&, const AnySettings&,
+                                                  const Run&)>
+        bake;
 
     // The raw map. Empty: the method computes none, and everything counts as open.
     std::function<RawAo(const AoView&, const AnySettings&, const Run&)> ao;

@@ -24,6 +24,7 @@ Method gtao_row();
 Method vbao_row();
 // ray_rows.cpp
 Method ray_cast_row();
+Method vertex_bake_row();
 Method crevice_row();
 
 }  // namespace crevice
