@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "rasterizer/base/run.h"
-#include "ssao/inputs/ao_inputs.h"
+#include "ssao/inputs/pixel_fetch.h"
 
 namespace crevice {
 
@@ -77,5 +77,20 @@ class DepthPyramid {
     std::array<std::int32_t, kPyramidLevels> first_{}, stride_{};
     std::vector<float, CacheLineAllocator<float>> depths_;
 };
+
+// As fetch_pixel() does it for the picture itself, of a level in [0, top()]: the pixel that the level picked near a
+// screen position, and the surface there. Level 0 and what lies beyond the picture have the same bits as there.
+template <class F>
+CREVICE_INLINE FetchedPixel<F> fetch_pixel(const AoInputs& inputs, const DepthPyramid& pyramid,
+                                           Screen2<F> position, Int<F> level) {
+    const FetchedPixel<F> fine = fetch_pixel(inputs, position);
+    if (!any(level > Int<F>(0))) return fine;
+    const auto picked = pyramid.fetch(position, level);
+    const Screen2<F> at = {select(picked.inside, picked.at.x, fine.at.x),
+                           select(picked.inside, picked.at.y, fine.at.y)};
+    const F width = F(static_cast<float>(inputs.picture.width)),
+            height = F(static_cast<float>(inputs.picture.height));
+    return {at, inputs.rays.p_view(at.x / width, at.y / height, select(picked.inside, picked.z, fine.r.z))};
+}
 
 }  // namespace crevice

@@ -17,7 +17,8 @@
 
 namespace crevice {
 
-// Samples a texel as slices and steps: 4, 8, 18 and 54 are XeGTAO's presets of 1x2, 2x2, 3x3 and 9x3.
+// Samples a texel as slices and steps: 4, 8, 18 and 54 are XeGTAO's presets low (1x2), medium (2x2), high (3x3) and ultra
+// (9x3).
 struct SlicePlan {
     int slices, steps;  // steps to each side
 };
@@ -115,15 +116,20 @@ CREVICE_INLINE F closed_beyond(F c, F cosine, F sine, F gamma) {
     return select(c > F(0) - sine, max_of(loss, F(0)), F(0));
 }
 
-// How far along its slice a step lies, as a share of the radius: denser near the texel (XeGTAO: to the power 2), and
-// always on another pixel.
+// The power of XeGTAO (its sample distribution power) with which steps lie denser near the texel.
+inline constexpr float kStepPower = 2;
+
+// How far along its slice a step lies, pixels: evenly shifted parts of the radius to some power, and always on another
+// pixel.
 template <class F>
-CREVICE_INLINE F step_distance_px(int slice, int step, SlicePlan plan, F noise, F radius_px) {
+CREVICE_INLINE F step_distance_px(int slice, int step, SlicePlan plan, F noise, F radius_px,
+                                  float step_power = kStepPower) {
     constexpr float kGolden = 0.6180339887498948482f, kNextPixel = 1.3f;
     const F shifted = noise + F(static_cast<float>(slice + step * plan.steps) * kGolden);
     const F part = (F(static_cast<float>(step)) + shifted - F(to_float(floor_to_int(shifted)))) /
                    F(static_cast<float>(plan.steps));
-    return part * part * radius_px + F(kNextPixel);
+    const F along = step_power == 2 ? part * part : power(part, F(step_power));
+    return along * radius_px + F(kNextPixel);
 }
 
 }  // namespace crevice

@@ -116,6 +116,10 @@ std::vector<Artifact> artifacts() {
     all.push_back({"field", xjun, {"normal_matrix=world"}, "normal"});
     all.push_back({"leaves", xjun, {"depth_cutouts=false"}, "lit"});
     all.push_back({"leaves", xjun, {"lit_cutouts=false", "lit_depth_test=less_equal"}, "lit"});
+    for (const char* word : {"form=paper", "form=xegtao"})
+        all.push_back({columns, "gtao", {word}, "ao_raw"});
+    all.push_back({columns, "gtao", {"radius=3", "level_offset=2"}, "ao_raw"});
+    all.push_back({columns, "gtao", {"blur_kind=bilateral"}, "ao_blurred"});
     return all;
 }
 
@@ -128,11 +132,12 @@ std::vector<GoldenBuffer> rendered_artifacts() {
     Scene scene;
     Frame without;
     for (const Artifact& artifact : artifacts()) {
-        if (made != artifact.scene) {
+        const std::string needed = std::string(artifact.scene) + " " + artifact.method;
+        if (made != needed) {
             scene = find_builtin_scene(artifact.scene)->make(SceneDetail::surfaces);
             without = frame_of(scene, kArtifactSize, artifact.method, {});
         }
-        made = artifact.scene;
+        made = needed;
         const Frame frame = frame_of(scene, kArtifactSize, artifact.method, artifact.params);
         Planes shown = planes_named(frame, artifact.buffer);
         if (first_differing_pixels(shown, planes_named(without, artifact.buffer), 1).empty())
