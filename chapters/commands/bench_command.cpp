@@ -7,6 +7,7 @@
 #include "chapters/bench/frames.h"
 #include "chapters/bench/instructions.h"
 #include "chapters/bench/left_out_savings.h"
+#include "chapters/bench/methods_side_by_side.h"
 #include "chapters/bench/peers.h"
 #include "chapters/bench/ray_peers.h"
 #include "chapters/bench/scale.h"
@@ -98,6 +99,16 @@ int error_against_time(const BenchWords& words) {
     return bench_error(options, std::cout);
 }
 
+int methods(const BenchWords& words) {
+    BenchMethodsOptions options;
+    options.scenes = words.scenes;
+    if (words.size) options.size = parse_size("--size", *words.size);
+    options.run = run_of(words);
+    options.cache = default_cache();
+    options.out = directory_of(words);
+    return bench_methods(options, std::cout);
+}
+
 int point(const BenchWords& words) {
     std::cout << figures_json(measure(point_from_word(*words.point))) << "\n";
     return static_cast<int>(ExitCode::done);
@@ -114,6 +125,8 @@ constexpr Benchmark kBenchmarks[] = {
     {"", "", "SCENE --size --threads CAMERA", frames},
     {"--error", "error against run time: settings, ray casting, vertex bakes",
      "SCENE --size --threads --quick CAMERA", error_against_time},
+    {"--methods", "every method on scenes: raw, denoised, signed error to truth and time, as a page",
+     "SCENE --size --threads", methods},
     {"--peers", "our passes against the same on Mesa's llvmpipe, our rays against Embree's, in turns",
      "--scene --size --threads --pairs CAMERA", peers},
     {"--left-out", "what leaving out saves, kind by kind", "SCENE --size --threads CAMERA", left_out},
@@ -176,7 +189,8 @@ Command add_bench_command(CommandLine& program) {
         if (*benchmark.about != 0) bench.flag(benchmark.flag, benchmark.about);
     }
     bench.option("--scene", words->scene, "with --peers: one scene; default: columns and columns_luna");
-    bench.option("--size", words->size, "size of the picture in pixels, WxH; default: 1280x720");
+    bench.option("--size", words->size,
+                 "size of the picture in pixels, WxH; default: 1280x720, with --methods 640x360");
     bench.option("--pairs", words->pairs, "with --peers: how many pairs of frames, 15..999; default: 21");
     add_camera_flags(bench, words->camera);
     bench.option("--threads", words->threads, "0: all; 1: a plain loop");

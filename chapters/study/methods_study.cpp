@@ -30,10 +30,8 @@ void add_candidates(const std::shared_ptr<const MethodView>& view, const Methods
     for (const float scale : plan.scales) {
         for (const int samples : samples_of(method, plan.all_samples)) {
             const auto settings = [=, &method](std::uint32_t seed) {
-                FrameSettings frame;
-                frame.method = defaults_of(method, view->length_unit);
-                for (const auto& [name, value] : {std::pair<const char*, double>{"radius", radius},
-                                                  {"samples", samples},
+                FrameSettings frame = settings_for_study(method, view->length_unit, radius);
+                for (const auto& [name, value] : {std::pair<const char*, double>{"samples", samples},
                                                   {"ao_scale", scale},
                                                   {"seed", seed}})
                     frame.method = with_value(method, frame.method, name, value);
@@ -68,22 +66,33 @@ MethodsPlan quick_methods_plan() {
     return plan;
 }
 
-MethodsStudy methods_study(const Scene& scene, const Camera& camera, const MethodsPlan& plan,
-                           const std::optional<std::filesystem::path>& cache, bool timed, const Run& run,
-                           const StudyProgress& progress) {
-    MethodsStudy study{plan, kAskedRadius * scene.length_unit, {}, {}};
+MethodsTruth methods_truth(const Scene& scene, const Camera& camera, Size size, int rays,
+                           const std::optional<std::filesystem::path>& cache, const Run& run) {
+    const float radius = kAskedRadius * scene.length_unit;
     ReferenceRequest request;
-    request.size = plan.size;
+    request.size = size;
     request.method = &find_method("gtao");
-    request.settings = with_value(*request.method, defaults_of(*request.method), "radius", study.radius);
+    request.settings = with_value(*request.method, defaults_of(*request.method), "radius", radius);
     request.rays = rays_asking(request.method->question(request.settings.ao));
-    request.rays.rays = plan.reference_rays;
+    request.rays.rays = rays;
     request.limit_seeds = 0;
     request.cache = cache;
     request.run = run;
     References references = make_references(scene, camera, request);
-    const Image<SurfaceKind> kinds = surface_kinds(references.gbuffer, camera);
+    return {radius, std::move(references.hard), surface_kinds(references.gbuffer, camera)};
+}
 
+FrameSettings settings_for_study(const Method& method, float length_unit, float radius) {
+    FrameSettings settings;
+    settings.method = with_value(method, defaults_of(method, length_unit), "radius", radius);
+    return settings;
+}
+
+MethodsStudy methods_study(const Scene& scene, const Camera& camera, const MethodsPlan& plan,
+                           const std::optional<std::filesystem::path>& cache, bool timed, const Run& run,
+                           const StudyProgress& progress) {
+    MethodsTruth truth = methods_truth(scene, camera, plan.size, plan.reference_rays, cache, run);
+    MethodsStudy study{plan, truth.radius, {}, {}};
     std::vector<Candidate> candidates;
     for (const Method& method : ao_methods()) {
         if (!method.computes_ao()) continue;
@@ -95,7 +104,7 @@ MethodsStudy methods_study(const Scene& scene, const Camera& camera, const Metho
         for (int k = 0; k < plan.seeds; ++k) {
             const Image<float> picture =
                 candidates[i].picture(kFirstStudySeed + static_cast<std::uint32_t>(k));
-            errors.push_back(mean_error(picture, references.hard.image, kinds, Region::surface));
+            errors.push_back(mean_error(picture, truth.reference.image, truth.kinds, Region::surface));
         }
         candidates[i].point.truth = spread_of(errors);
         if (progress)
@@ -103,7 +112,7 @@ MethodsStudy methods_study(const Scene& scene, const Camera& camera, const Metho
     }
     if (timed) time_in_turns(candidates, plan.rounds, plan.slow_rounds, progress);
     for (Candidate& candidate : candidates) study.points.push_back(std::move(candidate.point));
-    study.truth = std::move(references.hard);
+    study.truth = std::move(truth.reference);
     return study;
 }
 

@@ -27,6 +27,18 @@ struct MethodsStudy {
     std::vector<StudyPoint> points;  // of all methods, in the order of the table
 };
 
+// The truth that all methods are held to, and of which kind each of its pixels is.
+struct MethodsTruth {
+    float radius = 0;  // scene units
+    Reference reference;
+    Image<SurfaceKind> kinds;
+};
+MethodsTruth methods_truth(const Scene& scene, const Camera& camera, Size size, int rays,
+                           const std::optional<std::filesystem::path>& cache, const Run& run);
+
+// The method's defaults, but that radius.
+FrameSettings settings_for_study(const Method& method, float length_unit, float radius);
+
 MethodsStudy methods_study(const Scene& scene, const Camera& camera, const MethodsPlan& plan,
                            const std::optional<std::filesystem::path>& cache, bool timed, const Run& run,
                            const StudyProgress& progress = {});
