@@ -86,6 +86,7 @@ ScreenGeometry screen_geometry(const Scene& scene, const Camera& camera, Size si
     geometry.rays = {matrices.ray_scale, size, camera.projection == Projection::perspective};
     geometry.depth_a = matrices.depth_a;
     geometry.depth_b = matrices.depth_b;
+    geometry.depth_range = depth_range(camera);
     if (settings.with_normals) geometry.tangent_turns = tangent_turns(scene, matrices);
     geometry.vertices = transform_vertices(
         scene, camera, size, {settings.position_order, settings.with_normals, settings.normal_matrix}, run);

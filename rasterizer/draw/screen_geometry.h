@@ -49,6 +49,7 @@ struct ScreenGeometry {
     Size tiles;          // how many, across and down
     ViewRays rays{glm::vec2(1), {}, true};
     float depth_a = 0, depth_b = 0;  // CameraMatrices
+    DepthRange depth_range;
     TransformedVertices vertices;
     std::vector<TangentTurn> tangent_turns;  // one an instance; empty without normals or normal maps
     std::vector<TriangleBlock> blocks;

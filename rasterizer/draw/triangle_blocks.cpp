@@ -122,7 +122,7 @@ class BlockBuilder {
             p_clip[i] = geometry_.vertices.p_clip[index[i]];
             corners[i] = &geometry_.vertices.projected[index[i]];
         }
-        const ClippedPolygon polygon = clip_triangle(p_clip, geometry_.size);
+        const ClippedPolygon polygon = clip_triangle(p_clip, geometry_.size, geometry_.depth_range);
         std::array<ProjectedVertex, kMaxClippedVertices> projected;
         for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.count); ++i) {
             // A vertex inside all planes keeps the position its unclipped neighbours use. (One on the guard

@@ -10,6 +10,7 @@
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/parallel.h"
 #include "rasterizer/base/run.h"
+#include "rasterizer/scene/relative_position.h"
 #include "rasterizer/spaces.h"
 
 namespace crevice {
@@ -22,26 +23,25 @@ constexpr int kBlockVertices = 4096;
 constexpr std::size_t kMostVertices =
     std::numeric_limits<std::int32_t>::max() / (sizeof(ProjectedVertex) / 4);
 
-// The matrices of one instance under one PositionOrder: p_clip = after * (linear * p + offset, 1).
+// The matrices of one instance under one PositionOrder.
 struct PositionTransform {
-    glm::mat4 before;  // affine
+    PositionOrder order;
+    RelativeFromObject relative;  // PositionOrder::relative
+    glm::mat4 before;             // the other two; affine
     glm::mat4 after;
 };
 
 PositionTransform position_transform(const glm::mat4& world_from_object, const Camera& camera,
                                      const CameraMatrices& m, PositionOrder order) {
+    const RelativeFromObject relative(world_from_object, camera.eye);
     switch (order) {
-        case PositionOrder::relative: {
-            glm::mat4 relative_from_object = world_from_object;
-            // In double, so that only this one subtraction decides what a far-away scene keeps.
-            relative_from_object[3] = glm::vec4(glm::vec3(glm::dvec3(world_from_object[3]) - camera.eye), 1);
-            return {relative_from_object, m.clip_from_relative};
-        }
+        case PositionOrder::relative: return {order, relative, glm::mat4(1), m.clip_from_relative};
         case PositionOrder::premultiplied:
-            return {m.clip_from_view * m.view_from_world * world_from_object, glm::mat4(1)};
-        case PositionOrder::view_first: return {m.view_from_world * world_from_object, m.clip_from_view};
+            return {order, relative, m.clip_from_view * m.view_from_world * world_from_object, glm::mat4(1)};
+        case PositionOrder::view_first:
+            return {order, relative, m.view_from_world * world_from_object, m.clip_from_view};
     }
-    return {};
+    return {order, relative, glm::mat4(1), glm::mat4(1)};
 }
 
 template <class F>
@@ -66,7 +66,15 @@ struct ProjectedLanes {
 };
 
 template <class F>
-CREVICE_INLINE ProjectedLanes<F> project(Vec4<F> clip, Size size) {
+CREVICE_INLINE Vec4<F> before_projection(const PositionTransform& transform, Vec3<F> p_object) {
+    if (transform.order != PositionOrder::relative)
+        return product<F>(transform.before, {p_object.x, p_object.y, p_object.z, F(1)});
+    const Vec3<F> p = transform.relative.position(p_object);
+    return {p.x, p.y, p.z, F(1)};
+}
+
+template <class F>
+CREVICE_INLINE ProjectedLanes<F> project(Vec4<F> clip, Size size, const DepthRange& range) {
     using I = Int<F>;
     const F width = F(static_cast<float>(size.width)), height = F(static_cast<float>(size.height));
     const auto in_front = clip.w > F(0);
@@ -74,8 +82,9 @@ CREVICE_INLINE ProjectedLanes<F> project(Vec4<F> clip, Size size) {
     const F x = screen_x_from_ndc(clip.x / w, width), y = screen_y_from_ndc(clip.y / w, height);
     const F band = F(kGuardBand_px);
 
-    I outside = select(clip.z < F(0), I(kOutsideNear), I(0));
-    outside = outside | select(clip.z > clip.w, I(kOutsideFar), I(0));
+    const auto too_near = range.by_w ? clip.w < F(range.nearest) : clip.z < F(0);
+    const auto too_far = range.by_w ? clip.w > F(range.farthest) : clip.z > clip.w;
+    I outside = select(too_near, I(kOutsideNear), I(0)) | select(too_far, I(kOutsideFar), I(0));
     outside = outside | select(in_front, I(0), I(kOutsideEye));
     // Written so that NaN is outside, and so that a point behind the eye is on no side.
     const auto in_band = (absolute(x) <= band) & (absolute(y) <= band);
@@ -122,16 +131,16 @@ struct VertexBlock {
     std::size_t output;  // index of `first` in TransformedVertices
 };
 
-void transform_block(const VertexBlock& block, Size size, TransformedVertices& out, const Run& run) {
+void transform_block(const VertexBlock& block, Size size, const DepthRange& range, TransformedVertices& out,
+                     const Run& run) {
     run_kernel(run, [&]<class F>(Lanes<F>) {
         for (int i = 0; i < block.count; i += kLanes<F>) {
             const int filled = block.count - i < kLanes<F> ? block.count - i : kLanes<F>;
             const std::size_t mesh_index = static_cast<std::size_t>(block.first + i);
             const std::size_t index = block.output + static_cast<std::size_t>(i);
             const Vec3<F> p = load_vec3<F>(block.mesh->positions.data() + mesh_index, filled);
-            const Vec4<F> before = product<F>(block.positions.before, {p.x, p.y, p.z, F(1)});
-            const Vec4<F> clip = product(block.positions.after, before);
-            const ProjectedLanes<F> projected = project(clip, size);
+            const Vec4<F> clip = product(block.positions.after, before_projection(block.positions, p));
+            const ProjectedLanes<F> projected = project(clip, size, range);
             for (int lane = 0; lane < filled; ++lane) {
                 const std::size_t at = index + static_cast<std::size_t>(lane);
                 out.p_clip[at] = {element(clip.x, lane), element(clip.y, lane), element(clip.z, lane),
@@ -179,14 +188,23 @@ glm::mat3 scaled_to_one(const glm::dmat3& normals) {
 
 }  // namespace
 
-ProjectedVertex project_vertex(glm::vec4 p_clip, Size size) {
-    const ProjectedLanes<float> p = project<float>({p_clip.x, p_clip.y, p_clip.z, p_clip.w}, size);
+DepthRange depth_range(const Camera& camera) {
+    const double n = camera.near_plane, f = camera.far_plane;
+    if (camera.projection == Projection::orthographic) return {};
+    const double a = camera.reversed_z ? -n / (f - n) : f / (f - n),
+                 b = (camera.reversed_z ? n * f : -n * f) / (f - n);
+    return {true, static_cast<float>(n), static_cast<float>(f), a, b};
+}
+
+ProjectedVertex project_vertex(glm::vec4 p_clip, Size size, const DepthRange& range) {
+    const ProjectedLanes<float> p = project<float>({p_clip.x, p_clip.y, p_clip.z, p_clip.w}, size, range);
     return {p.x, p.y, p.x_rest, p.y_rest, p.z_ndc, p.inverse_w, p.outside};
 }
 
 TransformedVertices transform_vertices(const Scene& scene, const Camera& camera, Size size,
                                        const VertexSettings& settings, const Run& run) {
     const CameraMatrices matrices = camera_matrices(camera, size);
+    const DepthRange range = depth_range(camera);
     TransformedVertices result;
     std::vector<VertexBlock> blocks;
     std::size_t total = 0;
@@ -214,7 +232,7 @@ TransformedVertices transform_vertices(const Scene& scene, const Camera& camera,
     result.with_normals = settings.with_normals;
     if (settings.with_normals) result.n_view.resize(total);
     parallel_for(static_cast<int>(blocks.size()), run, [&](int block) {
-        transform_block(blocks[static_cast<std::size_t>(block)], size, result, run);
+        transform_block(blocks[static_cast<std::size_t>(block)], size, range, result, run);
     });
     return result;
 }

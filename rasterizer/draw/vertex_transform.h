@@ -20,15 +20,15 @@ namespace crevice {
 
 // The order in which a position is multiplied. Equal in real numbers, different in the last bits of floats.
 enum class PositionOrder {
-    relative,       // clip_from_relative * (world_from_object * p - eye): what every pass uses
+    relative,  // clip_from_relative * (world_from_object * p - eye), the bracket in double: what every pass uses
     premultiplied,  // (clip_from_world * world_from_object) * p: X_Jun's BasicEffect, x(WVP)
     view_first,     // clip_from_view * ((view_from_world * world_from_object) * p): its normal pass, (x(WV))P
 };
 
 // What is wrong with a vertex for the clipper; see clip.h. Bits of ProjectedVertex::outside.
 enum OutsideBits : std::int32_t {
-    kOutsideNear = 1 << 0,       // z_clip < 0
-    kOutsideFar = 1 << 1,        // z_clip > w
+    kOutsideNear = 1 << 0,       // nearer than the range of depths (DepthRange)
+    kOutsideFar = 1 << 1,        // farther
     kOutsideEye = 1 << 2,        // w <= 0
     kOutsideGuardBand = 1 << 3,  // further than kGuardBand_px from the origin of the screen
     kOutsideLeft = 1 << 4,       // of the viewport, by more than a pixel; likewise the next three
@@ -44,6 +44,20 @@ inline constexpr std::int32_t kOutsideOneSide =
 // Screen coordinates reach this far without clipping: to the last edge of the largest picture, one pixel
 // further than D3D11.3 functional spec 15.6.1.
 inline constexpr float kGuardBand_px = 32768;
+
+// Between which planes a vertex must lie, and how its z_clip follows from w.
+//
+// In perspective z_clip = a * w + b. In float the near plane's part b drops out of that sum where w exceeds it by 2^24, and
+// z_clip no longer tells which side of the near plane, or of the eye, a vertex is on; w does.
+struct DepthRange {
+    bool by_w = false;                // false: 0 <= z_clip <= w, and the rest is unused
+    float nearest = 0, farthest = 0;  // of w
+    double a = 0, b = 0;
+
+    double z_clip(double w) const { return a * w + b; }
+};
+// Perspective cameras by w; orthographic ones, and positions that are no camera's, by z_clip.
+DepthRange depth_range(const Camera& camera);
 
 // A vertex ready for triangle setup. The screen position is meaningful when no bit of kNeedsClipping is set.
 struct ProjectedVertex {
@@ -69,7 +83,7 @@ struct TransformedVertices {
     std::vector<std::uint32_t> first_vertex;  // of each instance
 };
 
-ProjectedVertex project_vertex(glm::vec4 p_clip, Size size);
+ProjectedVertex project_vertex(glm::vec4 p_clip, Size size, const DepthRange& range = {});
 
 // Throws InputError when there are more vertices than 32-bit offsets reach, 306,783,378.
 TransformedVertices transform_vertices(const Scene& scene, const Camera& camera, Size size,

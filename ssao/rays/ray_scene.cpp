@@ -7,6 +7,7 @@
 
 #include "rasterizer/base/error.h"
 #include "rasterizer/draw/cutouts.h"
+#include "rasterizer/scene/relative_position.h"
 #include "ssao/rays/ray_cast.h"
 
 namespace crevice {
@@ -32,12 +33,14 @@ std::optional<std::array<glm::vec2, 3>> texcoords_of(const Mesh& mesh,
 void add_instance(RayScene& rays, const Scene& scene, std::size_t index, bool with_holes) {
     const Instance& instance = scene.instances[index];
     const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
-    const glm::dmat4 world_from_object(instance.world_from_object);
+    const RelativeFromObject relative(instance.world_from_object, rays.origin);
     std::vector<glm::vec3> positions;
     positions.reserve(mesh.positions.size());
-    for (const glm::vec3& p : mesh.positions)
-        positions.emplace_back(glm::dvec3(world_from_object * glm::dvec4(p, 1)) - rays.origin);
-    rays.mirrored.push_back(glm::determinant(glm::dmat3(world_from_object)) < 0);
+    for (const glm::vec3& p : mesh.positions) {
+        const Vec3<float> at = relative.position<float>({p.x, p.y, p.z});
+        positions.emplace_back(at.x, at.y, at.z);
+    }
+    rays.mirrored.push_back(glm::determinant(relative.linear) < 0);
     for (const MeshPart& part : mesh.parts) {
         for (std::uint32_t i = part.first_triangle; i < part.first_triangle + part.triangle_count; ++i) {
             const auto& vertices = mesh.triangles[i];
