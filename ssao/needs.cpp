@@ -56,7 +56,7 @@ Needs needs_of(const Scene& scene, const WantedBuffers& wanted, const AoWork& ao
         needs.left_out.push_back({what, why});
     };
     if (!asked("lit")) leave_out(needs.lit, "lit", "the lit image was not asked for");
-    const bool ao_is_used = needs.lit || asked("ao_raw") || asked("ao_blurred");
+    const bool ao_is_used = needs.lit || asked("ao_raw") || asked("ao_blurred") || asked(kBentNormal);
     if (!ao.computed) {
         // Nothing could be computed, so keep_all does not bring it back.
         needs.ao = needs.blur = false;
@@ -78,6 +78,8 @@ Needs needs_of(const Scene& scene, const WantedBuffers& wanted, const AoWork& ao
                   "neither the normals nor anything computed from them was asked for");
     }
     leave_out_surfaces(scene, needs, keep_all, mapped_normals);
+    needs.bent_normals =
+        needs.ao && (asked(kBentNormal) || (needs.lit && needs.sky && ao.lit_reads_bent_normals));
     return needs;
 }
 

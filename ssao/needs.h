@@ -13,6 +13,8 @@ namespace crevice {
 // The buffers a frame can produce, by the names of their files.
 inline constexpr const char* kBufferNames[] = {"normal", "view_depth", "ndc_depth",
                                                "ao_raw", "ao_blurred", "lit"};
+// One more that some methods know (Method::bent_normals); made only when it is asked for by this name.
+inline constexpr const char* kBentNormal = "bent_normal";
 using WantedBuffers = std::set<std::string>;
 WantedBuffers all_buffers();
 
@@ -25,6 +27,7 @@ struct Needs {
     bool normals = true;       // written by the first pass
     bool ao = true;
     bool blur = true;
+    bool bent_normals = false;  // on when they are asked for, or the light reads them
     bool lit = true;
     bool materials = true;  // the first pass keeps which material a pixel shows
     bool shadow = true;
@@ -34,8 +37,9 @@ struct Needs {
 
 // What the AO method and its settings ask for.
 struct AoWork {
-    bool computed = true;               // false: the method is `none`
-    bool reads_normals = true;          // of the first pass
+    bool computed = true;       // false: the method is `none`
+    bool reads_normals = true;  // of the first pass
+    bool lit_reads_bent_normals = false;
     const char* why_no_blur = nullptr;  // null: its map is denoised
 };
 

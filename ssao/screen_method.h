@@ -24,6 +24,7 @@ struct ScreenMethod {
     Explanation (*explain)(const AoInputs&, const S&, int x, int y);
     AoQuestion (*question)(const S&);
     bool reads_normals = true;
+    Image3 (*bent_normals)(const AoInputs&, const S&, const Run&) = nullptr;
 };
 
 // The parameters that every screen-space method has beside its own.
@@ -68,6 +69,11 @@ Method row_of(const ScreenMethod<S>& m, Denoiser denoiser) {
         return RawAo{std::move(map.ao), std::move(map.tiles), std::move(inputs)};
     };
     row.denoiser = std::move(denoiser);
+    if (m.bent_normals != nullptr) {
+        row.bent_normals = [m](const AoInputs& inputs, const AnySettings& s, const Run& run) {
+            return m.bent_normals(inputs, s.as<S>(), run);
+        };
+    }
     row.limit = [m](const AoView& view, const AnySettings& s, int seeds, const Run& run,
                     const std::function<void(long long)>& on_progress) {
         const AoInputs inputs = inputs_of(m, view, s.as<S>(), run);

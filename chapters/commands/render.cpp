@@ -33,6 +33,7 @@ Json described_buffers(const Frame& frame, const RenderOptions& options) {
     }
     if (wanted("ao_raw")) writer.write("ao_raw", frame.ao_raw, ao_picture(frame.ao_raw));
     if (wanted("ao_blurred")) writer.write("ao_blurred", frame.ao_blurred, ao_picture(frame.ao_blurred));
+    if (wanted(kBentNormal)) writer.write(kBentNormal, frame.bent_normal, normal_picture(frame.bent_normal));
     if (wanted("lit")) writer.write("lit", frame.lit, demo_view(frame, options.inset));
     return writer.described();
 }

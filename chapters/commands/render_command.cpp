@@ -25,18 +25,33 @@ struct RenderWords {
     bool inset = false;
 };
 
-WantedBuffers buffers_of(const std::string& list) {
+// Throws UsageError for a name that is no buffer, or none of the method's.
+void require_buffer(const std::string& name, const Method& method) {
+    std::string known;
+    for (const char* buffer : kBufferNames) {
+        if (name == buffer) return;
+        known += std::string(buffer) + ", ";
+    }
+    if (name != kBentNormal)
+        throw UsageError("--only: there is no such buffer (" + name + "); give some of " + known +
+                         kBentNormal);
+    if (method.bent_normals) return;
+    std::string knowing;
+    for (const Method& other : ao_methods()) {
+        if (other.bent_normals) knowing += std::string(knowing.empty() ? "" : ", ") + other.name;
+    }
+    throw UsageError(std::string("--only: ") + method.name + " knows no bent normals (" + name +
+                     "); give --ao one of " + knowing);
+}
+
+WantedBuffers buffers_of(const std::string& list, const Method& method) {
     if (list.empty()) return all_buffers();
     WantedBuffers wanted;
     std::size_t start = 0;
     while (start <= list.size()) {
         const std::size_t comma = std::min(list.find(',', start), list.size());
         const std::string name = list.substr(start, comma - start);
-        if (!all_buffers().contains(name)) {
-            std::string known;
-            for (const char* buffer : kBufferNames) known += std::string(known.empty() ? "" : ", ") + buffer;
-            throw UsageError("--only: there is no such buffer (" + name + "); give some of " + known);
-        }
+        require_buffer(name, method);
         wanted.insert(name);
         start = comma + 1;
     }
@@ -68,7 +83,7 @@ RenderOptions options_of(const RenderWords& words) {
         named_as({{"ao_scale", "--ao-scale"}}, [&] { ao_map_size(request.size, scale); });
         options.params.push_back("ao_scale=" + words.ao_scale);
     }
-    request.wanted = buffers_of(words.only);
+    request.wanted = buffers_of(words.only, *request.method);
     request.repeats = static_cast<int>(parse_whole("--repeat", words.repeat, 1, 100000));
     return options;
 }

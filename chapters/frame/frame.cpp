@@ -33,26 +33,35 @@ bool shares_geometry(const FrameSettings& settings) {
 }
 
 LitImage lit_image(const Scene& scene, const ScreenGeometry& geometry, const Frame& frame,
-                   const Image<float>& ao, const ShadowMap* shadow, const FrameRequest& request) {
+                   const Image<float>& ao, const Image3& texel_normals, const ShadowMap* shadow,
+                   const FrameRequest& request) {
     const FrameSettings& settings = request.settings;
     if (scene.point_light)
         return {
             deferred_point_light(scene, frame.camera, frame.gbuffer, ao, settings.light_space, request.run),
             TileMap(geometry.size, geometry.tile_size)};
+    AmbientUse ambient{settings.ambient};
+    if (!frame.bent_normal.empty()) {
+        ambient.bent_normals = &frame.bent_normal;
+        ambient.texel_normals = &texel_normals;
+    }
     if (shares_geometry(settings))
-        return shade(scene, frame.camera, geometry, frame.gbuffer, ao, request.run, shadow);
-    return {shade(scene, frame.camera, frame.gbuffer.depth, ao, lit_settings(settings), request.run, shadow),
+        return shade(scene, frame.camera, geometry, frame.gbuffer, ao, request.run, shadow, ambient);
+    return {shade(scene, frame.camera, frame.gbuffer.depth, ao, lit_settings(settings), request.run, shadow,
+                  ambient),
             TileMap(geometry.size, geometry.tile_size)};
 }
 
 AoWork ao_work(const Method& method, const FrameSettings& settings) {
     AoWork work{method.computes_ao(), method.reads_normals || settings.ao_lookup == AoLookup::joint};
+    work.lit_reads_bent_normals =
+        method.bent_normals && settings.ambient.specular_occlusion == SpecularOcclusion::cones;
     if (!method.denoiser.denoised) work.why_no_blur = "the method has no denoiser";
     if (value_of(method, settings.method, "blur_iterations") == 0) work.why_no_blur = "blur_iterations is 0";
     return work;
 }
 
-// Maps that were asked for but had nothing to compute: everything is open.
+// Maps that were asked for but had nothing to compute: everything is open, and background.
 void fill_open_maps(Frame& frame, const FrameRequest& request) {
     const std::optional<double> scale = value_of(*request.method, request.settings.method, "ao_scale");
     const Size size = ao_map_size(request.size, static_cast<float>(scale.value_or(1)));
@@ -60,6 +69,8 @@ void fill_open_maps(Frame& frame, const FrameRequest& request) {
     if (frame.ao_blurred.empty() && request.wanted.contains("ao_blurred")) {
         frame.ao_blurred = frame.ao_raw.empty() ? Image<float>(size, 1.0f) : frame.ao_raw;
     }
+    if (frame.bent_normal.empty() && request.wanted.contains(kBentNormal))
+        frame.bent_normal = Image3(size, glm::vec3(0));
 }
 
 }  // namespace
@@ -109,6 +120,11 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
                     frame.tiles.blur = std::move(blurred.tiles);
                 });
             }
+            if (needs.bent_normals) {
+                stopwatch.time(kBentNormal, [&] {
+                    frame.bent_normal = bent_normals(method, raw.inputs, settings.method, request.run);
+                });
+            }
             const Image<float>& map = needs.blur ? frame.ao_blurred : raw.ao;
             const bool looks_up = needs.ao && needs.lit && settings.ao_lookup != AoLookup::exact;
             if (looks_up) {
@@ -120,7 +136,7 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
             if (needs.lit) {
                 stopwatch.time("lit", [&] {
                     LitImage lit = lit_image(scene, geometry, frame, looks_up ? at_pixels : map,
-                                             needs.shadow ? &shadow : nullptr, request);
+                                             raw.inputs.normal, needs.shadow ? &shadow : nullptr, request);
                     frame.lit = std::move(lit.image);
                     frame.tiles.lit = std::move(lit.tiles);
                 });

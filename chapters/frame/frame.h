@@ -24,6 +24,7 @@ struct Frame {
     Camera camera;  // as drawn: with the depth direction that the settings asked for
     GBuffer gbuffer;
     Image<float> ao_raw, ao_blurred;  // empty when left out
+    Image3 bent_normal;               // AO map size; empty when neither asked for nor read by the light
     Image3 lit;                       // empty when left out
     std::vector<PassTime> passes;     // those that ran, and last the frame
     std::vector<LeftOut> left_out;    // passes and data, with reasons

@@ -17,6 +17,7 @@ struct FrameSettings {
     MethodSettings method;             // AO and its denoiser
     NormalDepthSettings buffers = {};  // of the first pass
     ShadeSettings lit = {};            // of the second drawing
+    AmbientSettings ambient = {};      // what it makes of the AO map
     AoLookup ao_lookup = AoLookup::exact;
     LightSpace light_space = LightSpace::view;  // of a scene's point light
     bool reversed_z = false;

@@ -1,6 +1,7 @@
-// The parameters of the second drawing, the depth mismatch among them; the first word of each choice is the
-// cure.
+// The parameters of the second drawing: the depth mismatch, where the first word of each choice is the cure, and what
+// is made of the AO map.
 #include <climits>
+#include <utility>
 
 #include "chapters/frame/frame_settings.h"
 #include "chapters/frame/position_order.h"
@@ -30,11 +31,31 @@ std::vector<Parameter<ShadeSettings>> drawing_parameters() {
     return all;
 }
 
+std::vector<Parameter<AmbientSettings>> ambient_parameters() {
+    using S = AmbientSettings;
+    return {
+        choice<S, MultiBounce>(
+            "multi_bounce",
+            "light that occluders reflect brightens bright colours; rounded: as the Unity notes, too dark",
+            &S::multi_bounce,
+            {{"none", MultiBounce::none}, {"paper", MultiBounce::paper}, {"rounded", MultiBounce::rounded}}),
+        choice<S, SpecularOcclusion>(
+            "specular_occlusion",
+            "hides what is mirrored of the sky: by cones about bent normals, or Lagarde's approximation",
+            &S::specular_occlusion,
+            {{"none", SpecularOcclusion::none},
+             {"cones", SpecularOcclusion::cones},
+             {"lagarde", SpecularOcclusion::lagarde}})};
+}
+
 }  // namespace
 
 std::vector<Parameter<FrameSettings>> lit_parameters() {
     std::vector<Parameter<FrameSettings>> all = within<FrameSettings>(
         drawing_parameters(), [](auto& settings) -> auto& { return settings.lit; });
+    for (Parameter<FrameSettings>& parameter : within<FrameSettings>(
+             ambient_parameters(), [](auto& settings) -> auto& { return settings.ambient; }))
+        all.push_back(std::move(parameter));
     all.push_back(choice<FrameSettings, AoLookup>(
         "ao_lookup",
         "joint: half size brought to full size along surfaces; slip: v too small by 1, which WRAP hides",

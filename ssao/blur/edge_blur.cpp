@@ -115,9 +115,9 @@ struct EdgeWeights {
     }
 };
 
-// One iteration; values are at least `lowest` and at most 1.
+// One iteration. No value is more than `largest`; rounding may take a mean there.
 Image<float> blurred(const Image<float>& map, const PackedEdges& edges, float own_weight, float background,
-                     float lowest, const Run& run) {
+                     float largest, const Run& run) {
     Image<float> result(map.size, background);
     const Image<float> values = with_apron(map, background);
     parallel_rows(map.size.height, run, [&](int first_row, int end_row) {
@@ -129,7 +129,7 @@ Image<float> blurred(const Image<float>& map, const PackedEdges& edges, float ow
                     const EdgeWeights<F> w(edges.bits.row(y), edges.bits.row(y + 1), edges.bits.row(y + 2),
                                            x + 1);
                     F sum = F(own_weight) * load<F>(row + x + 1), total(own_weight);
-                    const auto add = [&](F weight, const float* at) {
+                    const auto add = [&](F weight, const float* at) __attribute__((always_inline)) {
                         sum = sum + weight * load<F>(at);
                         total = total + weight;
                     };
@@ -137,8 +137,8 @@ Image<float> blurred(const Image<float>& map, const PackedEdges& edges, float ow
                     add(w.top, above + x + 1), add(w.bottom, below + x + 1);
                     add(w.top_left, above + x), add(w.top_right, above + x + 2);
                     add(w.bottom_left, below + x), add(w.bottom_right, below + x + 2);
-                    const F mean = min_of(max_of(sum / total, F(lowest)), F(1));
-                    store(result.row(y) + x, select(w.surface, mean, F(background)));
+                    store(result.row(y) + x,
+                          select(w.surface, min_of(sum / total, F(largest)), F(background)));
                 }
             }
         });
@@ -198,6 +198,37 @@ PackedEdges packed_edges(const AoInputs& inputs, const Run& run) {
     return edges;
 }
 
+namespace {
+
+// How much a texel counts itself in iteration i of n, from 1 on.
+float own_weight(int i, int n) { return i == n ? kOwnWeight : kOwnWeightBefore; }
+
+template <class F>
+CREVICE_INLINE Vec3<F> load3(const Image3& image, int x, int y) {
+    return {load<F>(image.x.row(y) + x), load<F>(image.y.row(y) + x), load<F>(image.z.row(y) + x)};
+}
+
+// of(a, b) for the vectors of two maps.
+template <class Of>
+Image3 map_vectors(const Image3& a, const Image3& b, const Run& run, const Of& of) {
+    Image3 result(a.size());
+    parallel_rows(a.size().height, run, [&](int first_row, int end_row) {
+        run_kernel(run, [&]<class F>(Lanes<F>) {
+            for (int y = first_row; y < end_row; ++y) {
+                for (int x = 0; x < a.size().width; x += kLanes<F>) {
+                    const Vec3<F> v = of.template operator()<F>(load3<F>(a, x, y), load3<F>(b, x, y));
+                    store(result.x.row(y) + x, v.x);
+                    store(result.y.row(y) + x, v.y);
+                    store(result.z.row(y) + x, v.z);
+                }
+            }
+        });
+    });
+    return result;
+}
+
+}  // namespace
+
 AoMap edge_blur(const Image<float>& ao, const AoInputs& inputs, const EdgeBlurSettings& settings,
                 const Run& run) {
     validate(settings);
@@ -210,11 +241,27 @@ AoMap edge_blur(const Image<float>& ao, const AoInputs& inputs, const EdgeBlurSe
     AoMap map{ao, TileMap(ao.size, kBlurTile)};
     if (settings.iterations == 0) return map;
     const PackedEdges edges = packed_edges(inputs, run);
-    for (int i = 1; i <= settings.iterations; ++i) {
-        const float own_weight = i == settings.iterations ? kOwnWeight : kOwnWeightBefore;
-        map.ao = blurred(map.ao, edges, own_weight, 1, 0, run);
-    }
+    for (int i = 1; i <= settings.iterations; ++i)
+        map.ao = blurred(map.ao, edges, own_weight(i, settings.iterations), 1, 1, run);
     return map;
+}
+
+Image3 edge_blur(const Image3& bent_normals, const AoInputs& inputs, const EdgeBlurSettings& settings,
+                 const Run& run) {
+    validate(settings);
+    if (settings.iterations == 0) return bent_normals;
+    const PackedEdges edges = packed_edges(inputs, run);
+    Image3 deviation = map_vectors(
+        bent_normals, inputs.normal, run,
+        []<class F>(Vec3<F> bent, Vec3<F> n) __attribute__((always_inline)) { return bent - n; });
+    for (int i = 1; i <= settings.iterations; ++i) {
+        for (Image<float>* plane : {&deviation.x, &deviation.y, &deviation.z})
+            *plane = blurred(*plane, edges, own_weight(i, settings.iterations), 0, 2, run);
+    }
+    return map_vectors(
+        deviation, inputs.normal, run, []<class F>(Vec3<F> by, Vec3<F> n) __attribute__((always_inline)) {
+            return normalize_or<F>(n + by, n);
+        });
 }
 
 Denoiser edge_denoiser() {
@@ -225,6 +272,10 @@ Denoiser edge_denoiser() {
     denoiser.validate = [](const AnySettings& settings) { validate(settings.as<EdgeBlurSettings>()); };
     denoiser.denoised = [](const RawAo& raw, const AnySettings& settings, const Run& run) {
         return edge_blur(raw.ao, raw.inputs, settings.as<EdgeBlurSettings>(), run);
+    };
+    denoiser.directions = [](const Image3& directions, const AoInputs& inputs, const AnySettings& settings,
+                             const Run& run) {
+        return edge_blur(directions, inputs, settings.as<EdgeBlurSettings>(), run);
     };
     return denoiser;
 }

@@ -46,6 +46,11 @@ PackedEdges packed_edges(const AoInputs& inputs, const Run& run = {});
 AoMap edge_blur(const Image<float>& ao, const AoInputs& inputs, const EdgeBlurSettings& settings = {},
                 const Run& run = {});
 
+// Bent normals, by edges whatever the kind: by how much they deviate from the normals is blurred, so that those of an
+// open curved surface stay what they are. Unit; background 0.
+Image3 edge_blur(const Image3& bent_normals, const AoInputs& inputs, const EdgeBlurSettings& settings = {},
+                 const Run& run = {});
+
 // Of a method.
 Denoiser edge_denoiser();
 

@@ -4,9 +4,12 @@
 
 #include "rasterizer/draw/view_ray.h"
 #include "rasterizer/draw/visibility.h"
+#include "ssao/light/ambient_use.h"
 #include "ssao/light/cube_reflection.h"
 #include "ssao/light/lighting.h"
+#include "ssao/light/multi_bounce.h"
 #include "ssao/light/shadow_factor.h"
+#include "ssao/light/specular_occlusion.h"
 #include "ssao/light/widened_ao.h"
 
 namespace crevice {
@@ -47,12 +50,14 @@ struct TileLighting {
     const AoTaps& ao;
     const ShadowLookup* shadow;  // of the light that casts one; null: every light arrives
     const Surroundings* around;  // mirrored by blinn_schlick surfaces; null: none
+    const AmbientSettings& ambient;
+    const Image3& bend;  // of each pixel, bent normal minus normal; empty: none
     Image3& lit;
 
     // row_of(y) gives the ShownRow of the tile's pixels in row y.
     template <class F, class RowOf>
     CREVICE_INLINE void light_tile(PixelRect tile, const RowOf& row_of) const {
-        if (shadow == nullptr && around == nullptr) {
+        if (shadow == nullptr && around == nullptr && ambient.multi_bounce == MultiBounce::none) {
             light_tile_with<F, Effects::none>(tile, row_of);
         } else {
             light_tile_with<F, Effects::any>(tile, row_of);
@@ -66,7 +71,7 @@ struct TileLighting {
     }
 
  private:
-    // Shadow and reflections; without them the kernel is smaller, and faster.
+    // Shadow, reflections and light of occluders; without them the kernel is smaller, and faster.
     enum class Effects { none, any };
 
     template <class F, Effects kEffects, class RowOf>
@@ -93,29 +98,65 @@ struct TileLighting {
         if (!any(left)) return colour;
         const Vec3<F> ray = view_ray_at<F>(geometry, x, y);
         const Vec3<F> to_eye = normalize_or<F>({F(0) - ray.x, F(0) - ray.y, F(0) - ray.z}, ray);
-        const LitPoint<F> point{surface.n_view, to_eye,        surface.texture,
-                                surface.gloss,  accessibility, shadow_on<F, kEffects>(surface, left, x, y)};
+        const LitPoint<F> point{surface.n_view,
+                                to_eye,
+                                surface.texture,
+                                surface.gloss,
+                                {accessibility, accessibility, accessibility},
+                                shadow_on<F, kEffects>(surface, left, x, y)};
+        const Vec3<F> open = open_direction<F, kEffects>(surface.n_view, x, y);
         do {
             const std::int32_t index = scene.materials.size() == 1
                                            ? 0
                                            : largest_of(select(left, surface.material, Int<F>(kNoTriangle)));
             const auto lanes = surface.material == Int<F>(index);
-            colour = select<F>(lanes, lit_by<F, kEffects>(point, static_cast<std::size_t>(index)), colour);
+            colour =
+                select<F>(lanes, lit_by<F, kEffects>(point, open, static_cast<std::size_t>(index)), colour);
             left = left & !lanes;
         } while (any(left));
         return colour;
     }
 
     template <class F, Effects kEffects>
-    CREVICE_INLINE Vec3<F> lit_by(const LitPoint<F>& point, std::size_t index) const {
+    CREVICE_INLINE Vec3<F> lit_by(LitPoint<F> point, Vec3<F> open, std::size_t index) const {
         const Material& material = scene.materials[index];
+        const F accessibility = point.ambient.x;
+        if (kEffects == Effects::any && ambient.multi_bounce != MultiBounce::none)
+            point.ambient = bounced(accessibility, point.texture_colour * spread<F>(material.diffuse));
         if (scene.lighting == LightingModel::phong) return phong(point, material, lights);
         const Vec3<F> colour =
             blinn_schlick(point, material, lights, scene.ambient_light, no_highlight_below[index]);
         if (kEffects == Effects::none || around == nullptr) return colour;
         const F smoothness = point.gloss * F(material.shininess / kFullShininess);
-        return colour + reflected_colour(*around, point.n, point.to_eye, spread<F>(material.specular),
-                                         smoothness, F(0));
+        const Vec3<F> reflected =
+            reflected_colour(*around, point.n, point.to_eye, spread<F>(material.specular), smoothness, F(0));
+        if (ambient.specular_occlusion == SpecularOcclusion::none) return colour + reflected;
+        return colour + unhidden(accessibility, point, open, smoothness) * reflected;
+    }
+
+    template <class F>
+    CREVICE_INLINE Vec3<F> bounced(F accessibility, Vec3<F> albedo) const {
+        const MultiBounceFit& fit = ambient.multi_bounce == MultiBounce::paper ? kPaperFit : kRoundedFit;
+        return {multi_bounce(accessibility, albedo.x, fit), multi_bounce(accessibility, albedo.y, fit),
+                multi_bounce(accessibility, albedo.z, fit)};
+    }
+
+    // How much of what the point mirrors arrives.
+    template <class F>
+    CREVICE_INLINE F unhidden(F accessibility, const LitPoint<F>& point, Vec3<F> open, F smoothness) const {
+        const F roughness = saturate(F(1) - smoothness);
+        if (ambient.specular_occlusion == SpecularOcclusion::lagarde)
+            return specular_occlusion_by_lagarde(accessibility, dot(point.n, point.to_eye), roughness);
+        return specular_occlusion_by_cones(accessibility, open, point.n, mirrored(point.n, point.to_eye),
+                                           roughness);
+    }
+
+    // About which direction the open ones lie, of the pixels from (x, y) on.
+    template <class F, Effects kEffects>
+    CREVICE_INLINE Vec3<F> open_direction(Vec3<F> n, int x, int y) const {
+        if (kEffects == Effects::none || bend.empty()) return n;
+        const Vec3<F> by{load<F>(bend.x.row(y) + x), load<F>(bend.y.row(y) + x), load<F>(bend.z.row(y) + x)};
+        return normalize_or<F>(n + by, n);
     }
 
     // How much arrives of the light that casts a shadow; not looked up where it could light nothing.

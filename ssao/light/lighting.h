@@ -18,7 +18,7 @@ struct LitPoint {
     Vec3<F> n, to_eye;       // unit
     Vec3<F> texture_colour;  // multiplies diffuse and ambient reflectance
     F gloss;                 // [0,1], of a normal map; multiplies the shininess of blinn_schlick
-    F accessibility;         // multiplies every ambient term
+    Vec3<F> ambient;         // accessibility of each colour channel: multiplies every ambient term
     F shadow;                // [0,1], of the light that casts one: 0 nothing of it arrives, 1 all
 };
 
@@ -47,7 +47,7 @@ CREVICE_INLINE Vec3<F> phong(const LitPoint<F>& s, const Material& material, con
         specular = specular + (arriving * select(facing > zero, highlight, zero)) *
                                   spread<F>(light.specular * material.specular);
     }
-    return s.texture_colour * (s.accessibility * ambient + diffuse) + specular;
+    return s.texture_colour * (s.ambient * ambient + diffuse) + specular;
 }
 
 // Up to this cosine between normal and half vector a highlight of blinn_schlick cannot be seen: added to the
@@ -76,7 +76,7 @@ CREVICE_INLINE Vec3<F> blinn_schlick(const LitPoint<F>& s, const Material& mater
     const F zero = F(0), one = F(1);
     const Vec3<F> albedo = s.texture_colour * spread<F>(material.diffuse);
     const Vec3<F> r0 = spread<F>(material.specular);
-    Vec3<F> colour = s.accessibility * (spread<F>(ambient_light) * albedo);
+    Vec3<F> colour = s.ambient * (spread<F>(ambient_light) * albedo);
     for (const ViewLight& light : lights) {
         const Vec3<F> to_light = spread<F>(-light.direction);
         F facing = max_of(dot(s.n, to_light), zero);

@@ -39,6 +39,22 @@ std::vector<float> highlight_limits(const Scene& scene, const Run& run) {
     return limits;
 }
 
+// By how much bent normals differ from the normals of their texels, at the pixels of a picture.
+Image3 bend_at_pixels(const Image3& bent, const Image3& normals, Size picture, const Run& run) {
+    const auto at_pixels = [&](const Image<float>& bent_plane, const Image<float>& plane) {
+        Image<float> bend(bent_plane.size, 0.0f);
+        for (int y = 0; y < bend.size.height; ++y) {
+            for (int x = 0; x < bend.size.width; ++x) bend.at(x, y) = bent_plane.at(x, y) - plane.at(x, y);
+        }
+        return ao_at_picture_size(bend, picture, run);
+    };
+    Image3 result;
+    result.x = at_pixels(bent.x, normals.x);
+    result.y = at_pixels(bent.y, normals.y);
+    result.z = at_pixels(bent.z, normals.z);
+    return result;
+}
+
 // What all tiles of a view are lit with.
 struct ViewLighting {
     const Scene& scene;
@@ -48,18 +64,23 @@ struct ViewLighting {
     std::vector<float> no_highlight_below;
     std::optional<ShadowLookup> shadow;
     std::optional<Surroundings> around;
+    AmbientSettings ambient;
+    Image3 bend;
 
     ViewLighting(const Scene& of_scene, const Camera& camera, Size size, const Image<float>& ao_map,
-                 const ShadowMap* shadow_map, const Run& run)
+                 const ShadowMap* shadow_map, const AmbientUse& use, const Run& run)
         : scene(of_scene),
           matrices(camera_matrices(camera, size)),
           lights(lights_in_view(scene, matrices, shadow_map != nullptr)),
           ao(ao_map, size),
-          no_highlight_below(highlight_limits(scene, run)) {
+          no_highlight_below(highlight_limits(scene, run)),
+          ambient(use.settings) {
         if (shadow_map != nullptr && !lights.empty() && lights.front().casts_shadow)
             shadow.emplace(shadow_lookup(*shadow_map, camera));
         if (scene.sky_cube != nullptr)
             around.emplace(Surroundings{*scene.sky_cube, glm::mat3(matrices.relative_from_view)});
+        if (use.bent_normals != nullptr && ambient.specular_occlusion == SpecularOcclusion::cones)
+            bend = bend_at_pixels(*use.bent_normals, *use.texel_normals, size, run);
     }
 
     TileLighting of_tiles(const ScreenGeometry& geometry, Image3& lit) const {
@@ -70,6 +91,8 @@ struct ViewLighting {
                 ao,
                 shadow ? &*shadow : nullptr,
                 around ? &*around : nullptr,
+                ambient,
+                bend,
                 lit};
     }
 };
@@ -161,13 +184,14 @@ Image3 light_triangles(const ViewLighting& view, const ScreenGeometry& geometry,
 }  // namespace
 
 LitImage shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geometry,
-               const GBuffer& gbuffer, const Image<float>& ao, const Run& run, const ShadowMap* shadow) {
+               const GBuffer& gbuffer, const Image<float>& ao, const Run& run, const ShadowMap* shadow,
+               const AmbientUse& ambient) {
     const SecondDrawing second = second_drawing(geometry, gbuffer, alpha_holes(scene, geometry, run), run);
     const bool knows_surfaces = gbuffer.format == BufferFormat::float32 && !gbuffer.normal.empty() &&
                                 (scene.materials.size() == 1 || !gbuffer.material.empty());
     const auto drawn_again = [&](int tile) { return !second.drawn[static_cast<std::size_t>(tile)].empty(); };
     LitImage lit{
-        light_triangles(ViewLighting(scene, camera, geometry.size, ao, shadow, run), geometry,
+        light_triangles(ViewLighting(scene, camera, geometry.size, ao, shadow, ambient, run), geometry,
                         second.triangle.empty() ? gbuffer.triangle : second.triangle, run,
                         [&](int tile) { return knows_surfaces && !drawn_again(tile) ? &gbuffer : nullptr; }),
         TileMap(geometry.size, geometry.tile_size)};
@@ -181,21 +205,22 @@ LitImage shade(const Scene& scene, const Camera& camera, const ScreenGeometry& g
 
 Image3 shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geometry,
              const DepthBuffer& depth, const Image<float>& ao, const ShadeSettings& settings, const Run& run,
-             const ShadowMap* shadow) {
+             const ShadowMap* shadow, const AmbientUse& ambient) {
     const Holes holes = settings.cutouts ? alpha_holes(scene, geometry, run) : Holes{};
     const Image<std::int32_t> triangle = drawn_again(geometry, depth, settings.depth_function, holes, run);
-    return light_triangles(ViewLighting(scene, camera, depth.size(), ao, shadow, run), geometry, triangle,
-                           run, [](int) { return nullptr; });
+    return light_triangles(ViewLighting(scene, camera, depth.size(), ao, shadow, ambient, run), geometry,
+                           triangle, run, [](int) { return nullptr; });
 }
 
 Image3 shade(const Scene& scene, const Camera& camera, const DepthBuffer& depth, const Image<float>& ao,
-             const ShadeSettings& settings, const Run& run, const ShadowMap* shadow) {
+             const ShadeSettings& settings, const Run& run, const ShadowMap* shadow,
+             const AmbientUse& ambient) {
     const GeometrySettings geometry{.position_order = settings.position_order,
                                     .depth_format = depth.format,
                                     .depth_bias = settings.depth_bias,
                                     .normal_matrix = settings.normal_matrix};
     return shade(scene, camera, screen_geometry(scene, camera, depth.size(), geometry, run), depth, ao,
-                 settings, run, shadow);
+                 settings, run, shadow, ambient);
 }
 
 Image3 shade(const Scene& scene, const Camera& camera, const DepthBuffer& depth, const Image<float>& ao,

@@ -5,7 +5,7 @@
 // In:     a scene, its camera; the depth buffer of the first pass; an AO map of any size (empty: all open);
 //         the shadow map of the scene's first light (null: all of it arrives)
 // Out:    RGB in linear light, >= 0, may exceed 1; sky colour where no fragment passed
-// Reads:  the AO map linear, clamped, at the pixel's centre
+// Reads:  the AO map (and bent normals) linear, clamped, at the pixel's centre
 // Differs from the tutorials: accessibility multiplies every ambient term (in X_Jun's text only those of
 //         directional lights); given the G-buffer, tiles where no depths tie are not drawn again but lit from the
 //         first pass's triangles, with the same bits.
@@ -14,6 +14,7 @@
 #include "rasterizer/base/tile_map.h"
 #include "rasterizer/draw/depth_buffer.h"
 #include "rasterizer/draw/normal_depth.h"
+#include "ssao/light/ambient_use.h"
 #include "ssao/light/shadow_map.h"
 
 namespace crevice {
@@ -30,12 +31,13 @@ struct ShadeSettings {
 Image3 shade(const Scene& scene, const Camera& camera, const DepthBuffer& depth, const Image<float>& ao,
              const Run& run = {});
 Image3 shade(const Scene& scene, const Camera& camera, const DepthBuffer& depth, const Image<float>& ao,
-             const ShadeSettings& settings, const Run& run = {}, const ShadowMap* shadow = nullptr);
+             const ShadeSettings& settings, const Run& run = {}, const ShadowMap* shadow = nullptr,
+             const AmbientUse& ambient = {});
 
 // The same from geometry that another pass of this view shares.
 Image3 shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geometry,
              const DepthBuffer& depth, const Image<float>& ao, const ShadeSettings& settings = {},
-             const Run& run = {}, const ShadowMap* shadow = nullptr);
+             const Run& run = {}, const ShadowMap* shadow = nullptr, const AmbientUse& ambient = {});
 
 struct LitImage {
     Image3 image;
@@ -47,6 +49,6 @@ struct LitImage {
 // The same with EQUAL, from the geometry and what the first pass, cut-outs open, made of it; see second_drawing.h.
 LitImage shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geometry,
                const GBuffer& gbuffer, const Image<float>& ao, const Run& run = {},
-               const ShadowMap* shadow = nullptr);
+               const ShadowMap* shadow = nullptr, const AmbientUse& ambient = {});
 
 }  // namespace crevice

@@ -43,6 +43,13 @@ MethodSettings with_value(const Method& method, MethodSettings settings, const s
     return settings;
 }
 
+Image3 bent_normals(const Method& method, const AoInputs& inputs, const MethodSettings& settings,
+                    const Run& run) {
+    Image3 directions = method.bent_normals(inputs, settings.ao, run);
+    if (!method.denoiser.directions) return directions;
+    return method.denoiser.directions(directions, inputs, settings.denoiser, run);
+}
+
 AoMap denoised(const Method& method, const RawAo& raw, const MethodSettings& settings, const Run& run) {
     if (method.denoiser.denoised) return method.denoiser.denoised(raw, settings.denoiser, run);
     return {raw.ao, raw.tiles};

@@ -72,6 +72,8 @@ struct Denoiser {
     std::function<void(const AnySettings&)>
         validate;  // throws UsageError naming the first member out of range
     std::function<AoMap(const RawAo&, const AnySettings&, const Run&)> denoised;  // empty: there is none
+    // The same of unit vectors, such as bent normals. Empty: they stay as they are.
+    std::function<Image3(const Image3&, const AoInputs&, const AnySettings&, const Run&)> directions;
 };
 
 // What a method sets out to compute, in terms of rays: of those into the hemisphere over a point, the share that
@@ -109,6 +111,9 @@ struct Method {
     // The raw map. Empty: the method computes none, and everything counts as open.
     std::function<RawAo(const AoView&, const AnySettings&, const Run&)> ao;
     Denoiser denoiser;
+    // The mean direction that is open over each texel that ao() saw: view space, unit, 0 in the background; AO map
+    // size. Empty: the method knows none.
+    std::function<Image3(const AoInputs&, const AnySettings&, const Run&)> bent_normals;
 
     // The same kernel in double: the map without its rounding errors. Empty: not known.
     std::function<Image<float>(const AoView&, const AnySettings&, const Run&)> ao_in_double;
@@ -140,6 +145,10 @@ std::optional<double> value_of(const Method& method, const MethodSettings& setti
 // result is not yet validated.
 MethodSettings with_value(const Method& method, MethodSettings settings, const std::string& name,
                           double value);
+
+// The bent normals of what ao() saw, denoised where the method's denoiser can; the method must know them.
+Image3 bent_normals(const Method& method, const AoInputs& inputs, const MethodSettings& settings,
+                    const Run& run = {});
 
 // The denoised map, or the raw one as it is where the method has no denoiser.
 AoMap denoised(const Method& method, const RawAo& raw, const MethodSettings& settings, const Run& run = {});

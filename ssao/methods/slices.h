@@ -116,6 +116,25 @@ CREVICE_INLINE F closed_beyond(F c, F cosine, F sine, F gamma) {
     return select(c > F(0) - sine, max_of(loss, F(0)), F(0));
 }
 
+// A direction in a slice's plane, on one side of v.
+template <class F>
+struct SliceVector {
+    F along_v, along_t;  // on the negative side along -t
+};
+
+// The directions that closed_beyond() sums up, each as a vector with the same weight: where the closed part lies. Their
+// integrals are those of cos(a - gamma) sin(a) cos(a) and cos(a - gamma) sin^2(a).
+template <class F>
+CREVICE_INLINE SliceVector<F> closed_directions(F c, F cosine, F sine) {
+    const F s = square_root(max_of(F(1) - c * c, F(0)));
+    const F c3 = c * c * c, s3 = s * s * s, cosine3 = cosine * cosine * cosine, sine3 = sine * sine * sine;
+    const F third(1.0f / 3), closed_from_v = cosine3 - s3;
+    const F along_v = third * (cosine * (c3 + sine3) + sine * closed_from_v),
+            along_t = third * (cosine * closed_from_v + sine * (F(3) * (c + sine) - c3 - sine3));
+    const auto closes = c > F(0) - sine;
+    return {select(closes, along_v, F(0)), select(closes, along_t, F(0))};
+}
+
 // The power of XeGTAO (its sample distribution power) with which steps lie denser near the texel.
 inline constexpr float kStepPower = 2;
 

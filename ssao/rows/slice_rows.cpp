@@ -3,7 +3,7 @@
 
 #include "ssao/blur/bilateral_denoiser.h"
 #include "ssao/blur/edge_blur.h"
-#include "ssao/methods/gtao.h"
+#include "ssao/methods/gtao_bent_normals.h"
 #include "ssao/methods/vbao.h"
 #include "ssao/screen_method.h"
 
@@ -48,7 +48,8 @@ Method gtao_row() {
          .question =
              [](const S& s) {
                  return AoQuestion{s.radius, s.radius, s.radius};
-             }},
+             },
+         .bent_normals = gtao_bent_normals},
         edge_denoiser());
 }
 

@@ -1,6 +1,7 @@
 #include "ssao/needs.h"
 
 #include <algorithm>
+#include <memory>
 
 #include <doctest/doctest.h>
 
@@ -37,6 +38,29 @@ TEST_CASE("needs: everything, when everything is asked for") {
     CHECK(needs.lit);
     CHECK(reason(needs, "ao") == "");
     CHECK(all_buffers().size() == 6);
+}
+
+TEST_CASE("needs: bent normals when they are asked for, or when the light of a scene with a sky reads them") {
+    const AoWork read{.lit_reads_bent_normals = true};
+    Scene under_sky = still_life();
+    under_sky.sky_cube = std::make_shared<CubeMap>();
+    for (const bool keep_all : {false, true}) {
+        const auto needed = [&](const Scene& scene, const WantedBuffers& wanted, const AoWork& ao) {
+            return needs_of(scene, wanted, ao, keep_all).bent_normals;
+        };
+        CAPTURE(keep_all);
+        CHECK(!needed(under_sky, all_buffers(), {}));
+        CHECK(needed(under_sky, {"bent_normal"}, {}));
+        CHECK(needed(under_sky, {"lit"}, read));
+        CHECK(!needed(still_life(), {"lit"}, read));
+        CHECK(needed(under_sky, {"ao_raw"}, read) == keep_all);  // which draws the lit image, too
+        CHECK(!needed(under_sky, {"bent_normal"}, {.computed = false}));
+    }
+    const Needs alone = needs_of(still_life(), {"bent_normal"}, {}, false);
+    CHECK(alone.ao);
+    CHECK(alone.normals);
+    CHECK(!alone.blur);
+    CHECK(!alone.lit);
 }
 
 TEST_CASE("needs: only what the asked buffers depend on") {

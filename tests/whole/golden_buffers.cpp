@@ -35,6 +35,7 @@ Frame frame_of(const Scene& scene, Size size, const std::string& method,
     request.size = size;
     request.method = &find_method(method);
     request.settings = settings_of(*request.method, params, scene.length_unit);
+    if (request.method->bent_normals) request.wanted.insert(kBentNormal);
     return render_frame(scene, scene.camera, request);
 }
 
@@ -44,6 +45,7 @@ Planes planes_named(const Frame& frame, const std::string& buffer) {
     if (buffer == "ndc_depth") return planes_of(ndc_depth(frame.gbuffer.depth));
     if (buffer == "ao_raw") return planes_of(frame.ao_raw);
     if (buffer == "ao_blurred") return planes_of(frame.ao_blurred);
+    if (buffer == kBentNormal) return planes_of(frame.bent_normal);
     return planes_of(frame.lit);
 }
 
@@ -116,9 +118,12 @@ std::vector<Artifact> artifacts() {
     all.push_back({"field", xjun, {"normal_matrix=world"}, "normal"});
     all.push_back({"leaves", xjun, {"depth_cutouts=false"}, "lit"});
     all.push_back({"leaves", xjun, {"lit_cutouts=false", "lit_depth_test=less_equal"}, "lit"});
-    for (const char* word : {"form=paper", "form=xegtao"})
-        all.push_back({columns, "gtao", {word}, "ao_raw"});
+    for (const char* word : {"form=paper", "form=xegtao"}) all.push_back({columns, "gtao", {word}, "ao_raw"});
     all.push_back({columns, "gtao", {"radius=3", "level_offset=2"}, "ao_raw"});
+    for (const char* word : {"multi_bounce=paper", "multi_bounce=rounded"})
+        all.push_back({columns, "gtao", {word}, "lit"});
+    for (const char* word : {"specular_occlusion=cones", "specular_occlusion=lagarde"})
+        all.push_back({luna, "gtao", {word}, "lit"});
     all.push_back({columns, "gtao", {"blur_kind=bilateral"}, "ao_blurred"});
     return all;
 }
@@ -148,14 +153,16 @@ std::vector<GoldenBuffer> rendered_artifacts() {
     return buffers;
 }
 
-// Both maps of every method, of one scene.
+// Both maps of every method, and the bent normals of those that know them, of one scene.
 std::vector<GoldenBuffer> rendered_methods() {
     std::vector<GoldenBuffer> buffers;
     const Scene scene = find_builtin_scene("columns")->make(SceneDetail::surfaces);
     for (const Method& method : ao_methods()) {
         if (!method.computes_ao()) continue;
         const Frame frame = frame_of(scene, kGoldenSize, method.name, {});
-        for (const char* buffer : {"ao_raw", "ao_blurred"}) {
+        std::vector<const char*> maps = {"ao_raw", "ao_blurred"};
+        if (method.bent_normals) maps.push_back(kBentNormal);
+        for (const char* buffer : maps) {
             buffers.push_back(
                 {"methods_of_columns", std::string(method.name) + "." + buffer,
                  std::string("render columns --ao ") + method.name + " --size 160x90 --only " + buffer,

@@ -53,6 +53,8 @@ TEST_CASE("a wrong word is refused with exit code 2 and a line that names it") {
         {"render columns --ao-scale .3", "--ao-scale"},
         {"render columns --only normals", "normals"},
         {"render columns --only normal,", "--only"},
+        {"render columns --only bent_normal",
+         "--only: xjun knows no bent normals (bent_normal); give --ao one of gtao"},
         {"render columns --threads -1", "--threads"},
         {"render columns --lanes 3", "--lanes"},
         {"render columns --isa mmx", "mmx"},

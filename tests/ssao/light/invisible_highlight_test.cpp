@@ -46,8 +46,8 @@ Lit lit_at(RandomSequence& random, const Material& material, double cosine) {
     const glm::dvec3 to_light = std::cos(from_half) * half + std::sin(from_half) * beside,
                      to_eye = std::cos(from_half) * half - std::sin(from_half) * beside;
     Lit lit{material, {}, {}, random_vec3(random, 0, 1), cosine};
-    lit.point = {
-        kernel_vector(n), kernel_vector(to_eye), {1, 1, 1}, 1, static_cast<float>(random.between(0, 1)), 1};
+    const auto access = static_cast<float>(random.between(0, 1));
+    lit.point = {kernel_vector(n), kernel_vector(to_eye), {1, 1, 1}, 1, {access, access, access}, 1};
     lit.light.direction = glm::vec3(-to_light);
     lit.light.diffuse = random_vec3(random, 0, 3);
     return lit;
