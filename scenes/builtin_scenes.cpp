@@ -11,7 +11,7 @@ Scene plain(SceneDetail, const Run&) {
     return make();
 }
 
-constexpr std::array<BuiltinScene, 13> kScenes = {{
+constexpr std::array<BuiltinScene, 14> kScenes = {{
     {"columns", "the scene of X_Jun: columns, spheres and a house with niches and eaves", "the tutorial's",
      columns_scene},
     {"columns_2022", "the same, lit as the code of 2022 does", "the tutorial's", columns_2022_scene},
@@ -29,6 +29,9 @@ constexpr std::array<BuiltinScene, 13> kScenes = {{
     {"leaves", "cut-outs, two-sided: a small tree of leaves", "the tutorial's", leaves_scene},
     {"field", "instances: 10,000 stones that are one mesh, each turned and stretched in its own way",
      "the tutorial's", field_scene},
+    {"atrium",
+     "the complex scene: two floors of arches round a court, cloth, chains and plants under the sky",
+     "about 1 m", atrium_scene},
     {"noise_wall", "a textured wall of noise: nothing that is seen of it can be left out", "none, 1",
      plain<noise_wall_scene>},
     {"empty", "no triangles: every buffer is its background", "none, 1", plain<empty_scene>},

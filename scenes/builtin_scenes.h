@@ -75,6 +75,9 @@ inline constexpr int kFieldStones = 10000;
 inline constexpr double kFieldSpacing = 0.25;
 Scene field_scene(SceneDetail detail = SceneDetail::shapes, const Run& run = {});
 
+// A court open to the sky between two floors of arches: near and far, thin and solid, sun and shade.
+Scene atrium_scene(SceneDetail detail = SceneDetail::shapes, const Run& run = {});
+
 // A textured wall of noise, larger than the view: no tile and no triangle that is seen can be left out.
 Scene noise_wall_scene();
 

@@ -10,8 +10,8 @@
 #include <glm/geometric.hpp>
 
 #include "rasterizer/base/parallel.h"
-#include "rasterizer/scene/vertex_normals.h"
 #include "scenes/cube_sphere.h"
+#include "scenes/lattice_mesh.h"
 
 namespace crevice {
 namespace {
@@ -166,21 +166,11 @@ void fit(std::vector<glm::dvec3>& points, glm::dvec3 low, glm::dvec3 high) {
     for (glm::dvec3& p : points) p = low + (p - least) / (most - least) * (high - low);
 }
 
-// One normal a position: the mesh is smooth everywhere.
-std::vector<glm::vec3> smooth_normals(const Mesh& mesh) {
-    const CornerNormals at = angle_weighted_normals(mesh.positions, mesh.triangles, kSmoothEverywhere_rad);
-    std::vector<glm::vec3> normals(mesh.positions.size(), glm::vec3(0));
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        for (std::size_t k = 0; k < 3; ++k) normals[mesh.triangles[t][k]] = at.normals[at.of_triangle[t][k]];
-    }
-    return normals;
-}
-
 }  // namespace
 
-Mesh carved_head_mesh(const Run& run) {
-    constexpr int kCells = 71, kPasses = 6;
-    CubeSphere sphere = cube_sphere(kCells);
+Mesh carved_head_mesh(const Run& run, int cells) {
+    constexpr int kPasses = 6;
+    CubeSphere sphere = cube_sphere(cells);
     std::vector<glm::dvec3> points = std::move(sphere.directions);
     move_each(points, run, [](glm::dvec3 even) {
         const glm::dvec3 direction = toward_face(even);

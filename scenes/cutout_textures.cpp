@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -117,9 +118,40 @@ glm::dvec3 fence_colour(glm::dvec2 uv) {
                         : wire_colour(weave.falling, to_rising, !weave.rising_on_top, grain);
 }
 
+// The chain: links are stadiums of round wire; those seen from their sides are bars that reach into the others.
+constexpr double kLinkHalfLength = 0.31, kLinkHalfWidth = 0.20, kChainWire = 0.062;  // widths of the texture
+
+struct ChainPoint {
+    double off_wire;  // from the axis of the nearest wire, in its radii: inside below 1
+    bool in_front;    // a link seen from the front: there its wire is widest
+};
+
+// `middle` of a link at y = 1/2 or, a quarter turn on, at 0 and 1: distances down repeat with period 1.
+ChainPoint chain_point(glm::dvec2 uv) {
+    const double across = uv.x - 0.5, down = uv.y - 0.5, to_edge = std::min(uv.y, 1 - uv.y);
+    const double straight = kLinkHalfLength - kLinkHalfWidth;
+    const glm::dvec2 from_end(across, std::max(std::abs(down) - straight, 0.0));
+    const double ring = std::abs(std::sqrt(glm::dot(from_end, from_end)) - kLinkHalfWidth) / kChainWire;
+    const glm::dvec2 from_bar(across, std::max(to_edge - (kLinkHalfLength - kChainWire), 0.0));
+    const double bar = std::sqrt(glm::dot(from_bar, from_bar)) / kChainWire;
+    return ring < bar ? ChainPoint{ring, true} : ChainPoint{bar, false};
+}
+
+bool in_chain(glm::dvec2 uv) { return chain_point(uv).off_wire < 1; }
+
+// Old bronze, its light painted on.
+glm::dvec3 chain_colour(glm::dvec2 uv) {
+    const ChainPoint point = chain_point(uv);
+    const double x = std::min(point.off_wire, 1.0);
+    const double grain = fractal_noise(uv.x * 16, uv.y * 16, 16, 3, 65);
+    return (0.35 + 0.65 * std::sqrt(1 - 0.9 * x * x)) * (point.in_front ? 1.0 : 0.8) * (1 + 0.3 * grain) *
+           glm::dvec3(0.40, 0.30, 0.16);
+}
+
 }  // namespace
 
 Texture leaf_texture(int side) { return cutout_texture(side, leaf_colour, in_leaf); }
 Texture fence_texture(int side) { return cutout_texture(side, fence_colour, in_wire); }
+Texture chain_texture(int side) { return cutout_texture(side, chain_colour, in_chain); }
 
 }  // namespace crevice

@@ -3,13 +3,12 @@
 #include <utility>
 #include <vector>
 
-#include "rasterizer/textures/cutout_mips.h"
 #include "scenes/builtin_scenes.h"
 #include "scenes/composing.h"
-#include "scenes/flat_mesh.h"
+#include "scenes/foliage.h"
 #include "scenes/periodic_noise.h"
-#include "scenes/shapes.h"
 #include "scenes/scene_surfaces.h"
+#include "scenes/shapes.h"
 #include "ssao/light/scene_shadow.h"
 
 namespace crevice {
@@ -21,7 +20,6 @@ constexpr int kTintCount = static_cast<int>(std::size(kTints));
 
 constexpr int kBranches = 7, kTwigs = 6, kLeaves = 36;  // of the trunk; of a branch; of a twig
 constexpr int kFallen = 30;
-constexpr double kGoldenAngle_rad = 2.39996322972865;  // from one to the next around what they grow on
 
 enum HashSeed : std::uint32_t { kTilt = 71, kTurn, kLeanX, kLeanZ, kSize, kTint, kPlaceX, kPlaceZ };
 
@@ -36,20 +34,6 @@ struct Limb {
     glm::dvec3 at(double part) const { return from + part * (to - from); }
     glm::dvec3 direction() const { return glm::normalize(to - from); }
 };
-
-// Right-angled unit axes of which y points along a unit direction, and z away from `facing` as nearly as can
-// be.
-glm::dmat3 axes_along(glm::dvec3 direction, glm::dvec3 facing) {
-    const glm::dvec3 x = glm::normalize(glm::cross(facing, direction));
-    return {x, direction, glm::cross(x, direction)};
-}
-
-// A direction `tilt` away from another, `turn` around it.
-glm::dvec3 branching_off(glm::dvec3 direction, double tilt_rad, double turn_rad) {
-    const glm::dmat3 axes = axes_along(direction, {0.31, -0.12, 0.94});
-    const SineCosine tilt = sine_cosine(tilt_rad), turn = sine_cosine(turn_rad);
-    return axes * glm::dvec3(tilt.sine * turn.cosine, tilt.cosine, tilt.sine * turn.sine);
-}
 
 struct Wood {
     std::vector<Limb> stout, twigs;  // the trunk and its branches; what grows on these
@@ -80,16 +64,6 @@ Instance limb_instance(int mesh, const Limb& limb) {
     axes[1] *= glm::length(limb.to - limb.from);
     axes[2] *= limb.radius;
     return placed(mesh, limb.at(0.5), axes);
-}
-
-// The square of the leaf's texture, facing -z, its stalk's end at the origin.
-Mesh leaf_mesh(int material) {
-    constexpr double kBelow = 0.05;  // the free rim under the stalk
-    const FlatPolygon square{
-        {{-0.5, -kBelow, 0}, {-0.5, 1 - kBelow, 0}, {0.5, 1 - kBelow, 0}, {0.5, -kBelow, 0}}, material};
-    Mesh mesh = flat_mesh({&square, 1});
-    mesh.texcoords = {{0, 1}, {0, 0}, {1, 0}, {1, 1}};
-    return mesh;
 }
 
 // Leaves look up to the light, each in its own way.
@@ -146,16 +120,7 @@ std::vector<Material> materials(const Dress& worn) {
                 kLunaSampler),
         book_material("bark", {0.26f, 0.18f, 0.12f}, matt, 0.9),
     };
-    const auto texture =
-        std::make_shared<const Texture>(keep_coverage(leaf_texture(kTextureSide / 4), kTutorialCutoff));
-    for (const glm::vec3& tint : kTints) {
-        Material leaf = book_material("leaf", tint, matt, 0.95);
-        leaf.texture = texture;
-        leaf.sampler = kLunaSampler;
-        leaf.sampler.address_u = leaf.sampler.address_v = AddressMode::clamp;
-        leaf.alpha_cutoff = kTutorialCutoff;
-        all.push_back(std::move(leaf));
-    }
+    for (Material& leaf : leaf_materials(kTints)) all.push_back(std::move(leaf));
     return all;
 }
 

@@ -13,32 +13,6 @@
 namespace crevice {
 namespace {
 
-// A rectangle of a regular pattern, and where in it a point lies.
-struct PatternCell {
-    int column, row;
-    glm::dvec2 size;         // widths of the texture
-    glm::dvec2 from_centre;  // widths of the texture
-};
-
-// `columns` by `rows` rectangles, every second row shifted by `shift` of a rectangle; the texture's edges run
-// through the middle of rectangles. `rows` must be even if rows are shifted.
-PatternCell pattern_cell(glm::dvec2 uv, int columns, int rows, double shift) {
-    const double y = uv.y * rows + 0.5;
-    const int row = floor_to_int(y);
-    const double x = uv.x * columns + 0.5 + ((row & 1) == 1 ? shift : 0);
-    const int column = floor_to_int(x);
-    const glm::dvec2 size(1.0 / columns, 1.0 / rows);
-    return {(column % columns + columns) % columns, (row % rows + rows) % rows, size,
-            (glm::dvec2(x - column, y - row) - 0.5) * size};
-}
-
-// To the rim of a rounded rectangle of these half sides: positive inside.
-double depth_in_rectangle(glm::dvec2 from_centre, glm::dvec2 half, double corner) {
-    const glm::dvec2 beyond = glm::abs(from_centre) - half + corner;
-    const glm::dvec2 outside = glm::max(beyond, glm::dvec2(0));
-    return corner - std::sqrt(glm::dot(outside, outside)) - std::min(std::max(beyond.x, beyond.y), 0.0);
-}
-
 PaintedPoint floor_tile(glm::dvec2 uv) {
     const PatternCell cell = pattern_cell(uv, 4, 4, 0);
     const double grain = fractal_noise(uv.x * 64, uv.y * 64, 64, 3, 11);

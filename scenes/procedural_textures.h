@@ -1,6 +1,8 @@
 // The textures of the built-in scenes, made in code: no files, the same bits everywhere.
 #pragma once
 
+#include <glm/vec3.hpp>
+
 #include "rasterizer/textures/texture.h"
 
 namespace crevice {
@@ -29,6 +31,15 @@ SurfaceMaps brick_textures(int side = kTextureSide);
 // Weathered grey stone: grain, pits and a few cracks.
 SurfaceMaps rough_stone_textures(int side = kTextureSide);
 
+// Dressed blocks of warm limestone in courses, two blocks across and six courses, with narrow sunken joints.
+SurfaceMaps ashlar_textures(int side = kTextureSide);
+
+// The same stone without joints: faint beds that run across, pores, stains.
+SurfaceMaps limestone_textures(int side = kTextureSide);
+
+// Heavy woven cloth of the given colour (linear light), three by three lozenges of a golden thread on it.
+SurfaceMaps cloth_textures(glm::dvec3 colour, int side = kTextureSide);
+
 // A single leaf, its tip up and its stalk at the lower edge, that fills the square but for a free rim. The
 // colours go on beyond the outline, so that filters mix in nothing foreign. Alpha is the covered part of each
 // texel; its mip levels are plain means (see keep_coverage).
@@ -36,5 +47,9 @@ Texture leaf_texture(int side = kTextureSide);
 
 // A fence of woven wire, four by four diamonds, that repeats in both directions. Colours and alpha as above.
 Texture fence_texture(int side = kTextureSide);
+
+// A chain that hangs down the middle of the square, one link seen from the front and one from its side, that
+// repeats downwards. Half a texture further down it is the same chain seen a quarter turn from there.
+Texture chain_texture(int side = kTextureSide);
 
 }  // namespace crevice

@@ -3,10 +3,9 @@
 #include <string>
 #include <utility>
 
-#include <glm/geometric.hpp>
-
 #include "rasterizer/base/error.h"
 #include "rasterizer/lanes/approx_math.h"
+#include "scenes/lattice_mesh.h"
 
 namespace crevice {
 namespace {
@@ -18,36 +17,6 @@ void require_at_least(int least, int value, const char* name) {
         throw UsageError(std::string(name) + " is too small (" + std::to_string(value) + "); give at least " +
                          std::to_string(least));
     }
-}
-
-void add_vertex(Mesh& mesh, glm::dvec3 position, glm::dvec3 normal, glm::dvec2 texcoord) {
-    mesh.positions.emplace_back(position);
-    mesh.normals.emplace_back(glm::normalize(normal));
-    mesh.texcoords.emplace_back(texcoord);
-}
-
-Mesh as_one_part(Mesh mesh) {
-    mesh.parts = {{0, static_cast<std::uint32_t>(mesh.triangles.size()), 0}};
-    return mesh;
-}
-
-// The two triangles of each square of a vertex lattice whose rows follow one another: `first` is the
-// lattice's first vertex, and the front is the side from which columns run to the right and rows run down.
-void add_lattice_triangles(Mesh& mesh, int first, int rows, int columns) {
-    for (int row = 0; row + 1 < rows; ++row) {
-        for (int column = 0; column + 1 < columns; ++column) {
-            const auto a = static_cast<Index>(first + row * columns + column);
-            const auto below = a + static_cast<Index>(columns);
-            mesh.triangles.push_back({a, a + 1, below});
-            mesh.triangles.push_back({below, a + 1, below + 1});
-        }
-    }
-}
-
-// The direction of slice `j` of `slices`, in the xz plane; the seam closes exactly.
-glm::dvec2 slice_direction(int j, int slices) {
-    const SineCosine at = sine_cosine(2 * kPi * (j % slices) / slices);
-    return {at.cosine, at.sine};
 }
 
 void add_cap(Mesh& mesh, double y, double radius, double height, int slices) {

@@ -176,7 +176,7 @@ TEST_CASE("the lists name every scene, method and parameter") {
                   params = crevice_says("params xjun");
     CHECK(scenes.code == 0);
     for (const char* name : {"columns", "columns_luna", "sphere_on_plane", "wall_corner", "trench", "cornell",
-                             "noise_wall", "empty"}) {
+                             "atrium", "noise_wall", "empty"}) {
         CAPTURE(name);
         CHECK(scenes.text.find(name) != std::string::npos);
     }
