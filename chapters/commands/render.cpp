@@ -77,6 +77,8 @@ Json passes_json(const RenderOptions& options, const Frame& frame, const std::ve
     Json loading = Json::array();
     for (const LoadStep& step : load_steps)
         loading.push_back({{"step", step.name}, {"wall_ms", step.wall_ms}});
+    Json precision = Json::object();
+    for (const PrecisionLoss& loss : frame.precision) precision[loss.name] = loss.count;
     Json parameters = Json::object();
     for (const Parameter<FrameSettings>& p : frame_parameters(*request.method))
         parameters[p.name] = word_of(p, request.settings);
@@ -90,6 +92,7 @@ Json passes_json(const RenderOptions& options, const Frame& frame, const std::ve
             {"loading", loading},
             {"passes", passes},
             {"left_out", left_out},
+            {"precision", precision},
             {"buffers", std::move(buffers)}};
 }
 
@@ -143,6 +146,9 @@ void render(const RenderOptions& given) {
     options.request = request;
     try_output_directory(options.out);
     const Frame frame = render_frame(argument.scene, camera, request);
+    for (const PrecisionLoss& loss : frame.precision) {
+        if (!loss.warning.empty()) std::cerr << "warning: " << loss.warning << "\n";
+    }
     // Who asks for medians is told what leaving out saves, too; with everything kept there is nothing to
     // tell.
     const bool measures = request.repeats > 1 && request.run.leaves_out(Skip::passes);

@@ -6,6 +6,7 @@
 
 #include "chapters/frame/frame_settings.h"
 #include "chapters/frame/left_out.h"
+#include "chapters/frame/precision_account.h"
 #include "chapters/terminal/stopwatch.h"
 #include "ssao/needs.h"
 
@@ -30,6 +31,7 @@ struct Frame {
     std::vector<LeftOut> left_out;    // passes and data, with reasons
     FrameTiles tiles;
     std::vector<SkippedWork> skipped;
+    std::vector<PrecisionLoss> precision;
 };
 
 Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest& request);

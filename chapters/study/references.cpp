@@ -196,11 +196,14 @@ References make_references(const Scene& scene, const Camera& camera, const Refer
     request.rays.rays = round_up(asked.rays.rays, kReplicates);
     request.limit_seeds = round_up(asked.limit_seeds, kReplicates);
     const Clocks start = clocks();
-    references.gbuffer = normal_depth(scene, camera, request.size, request.run);
-    references.points = surface_points(scene, camera, references.gbuffer, request.run);
+    // Truth does not depend on how a frame stores its depths: the most precise way decides what is seen.
+    Camera precise = camera;
+    precise.reversed_z = true;
+    references.gbuffer = normal_depth(scene, precise, request.size, request.run);
+    references.points = surface_points(scene, precise, references.gbuffer, request.run);
     const Clocks drawn = clocks();
     const RayScene rays = ray_scene(scene, camera.eye, request.run);
-    const RayScene screen = depth_mesh(references.gbuffer, camera, request.rays.radius, request.run);
+    const RayScene screen = depth_mesh(references.gbuffer, precise, request.rays.radius, request.run);
     references.points_ms = drawn.wall_ms - start.wall_ms;
     references.build_ms = clocks().wall_ms - drawn.wall_ms;
     references.dropped_triangles = rays.not_finite;
@@ -213,11 +216,13 @@ References make_references(const Scene& scene, const Camera& camera, const Refer
     references.soft = std::move(truth.soft);
     references.lifted_far = truth.lifted_far;
     const SurfacePoints in_buffer =
-        points_on_depth_mesh(references.points, references.gbuffer, camera, request.run);
+        points_on_depth_mesh(references.points, references.gbuffer, precise, request.run);
     references.screen = maker.traced("screen", in_buffer, screen, fade).soft;
-    if (request.limit_seeds > 0)
+    if (request.limit_seeds > 0) {
+        const GBuffer as_frame = normal_depth(scene, camera, request.size, request.run);
         references.limit =
-            maker.limit_of({scene, camera, references.gbuffer, request.method->casts_rays ? &rays : nullptr});
+            maker.limit_of({scene, camera, as_frame, request.method->casts_rays ? &rays : nullptr});
+    }
     return references;
 }
 

@@ -44,7 +44,7 @@ struct Reference {
 };
 
 struct References {
-    GBuffer gbuffer;
+    GBuffer gbuffer;  // with reversed depths, the most precise there are; `limit` has the camera's own
     SurfacePoints points;
     Reference hard, soft, screen;       // `hard` and `soft` are one trace: each says its time
     Reference limit;                    // empty images when not asked for

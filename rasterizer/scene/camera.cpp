@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/lanes/approx_math.h"
 
 namespace crevice {
@@ -15,8 +16,15 @@ namespace {
 
 void require(bool holds, const char* member, const char* what, double value) {
     if (!holds)
-        throw UsageError(std::string(member) + ": " + what + " (" + std::to_string(value) +
+        throw UsageError(std::string(member) + ": " + what + " (" + shortest_text(value) +
                          "); choose another");
+}
+
+// Of eye and target: what is seen from there is rounded to floats.
+constexpr double kFarthest = 1e30;
+
+double largest_of_components(const glm::dvec3& p) {
+    return std::fmax(std::fabs(p.x), std::fmax(std::fabs(p.y), std::fabs(p.z)));
 }
 
 void require_finite(const char* member, const glm::dvec3& p) {
@@ -44,11 +52,16 @@ void validate(const Camera& camera) {
     require_finite("target", camera.target);
     require_finite("up", camera.up);
     const glm::dvec3 forward = camera.target - camera.eye;
-    require(glm::dot(forward, forward) > 0, "target", "eye and target are the same point, x is",
-            camera.eye.x);
-    const glm::dvec3 side = glm::cross(camera.up, glm::normalize(forward));
-    require(glm::dot(side, side) > 1e-12 * glm::dot(camera.up, camera.up), "target",
-            "the view direction is parallel to up, its y is", glm::normalize(forward).y);
+    const double longest = largest_of_components(forward);
+    require(longest > 0, "target", "eye and target are the same point, x is", camera.eye.x);
+    require(longest <= kFarthest && largest_of_components(camera.eye) <= kFarthest, "eye",
+            "eye and target must lie within 1e30 units, the largest coordinate is",
+            std::fmax(longest, largest_of_components(camera.eye)));
+    const glm::dvec3 along = glm::normalize(forward / longest),
+                     upward = camera.up / std::fmax(largest_of_components(camera.up), 1e-300);
+    const glm::dvec3 side = glm::cross(upward, along);
+    require(glm::dot(side, side) > 1e-12 * glm::dot(upward, upward), "target",
+            "the view direction is parallel to up, its y is", along.y);
     require(std::isfinite(camera.near_plane) && camera.near_plane > 0, "near_plane", "near must be above 0",
             camera.near_plane);
     require(std::isfinite(camera.far_plane) && camera.far_plane > camera.near_plane, "far_plane",

@@ -147,7 +147,8 @@ class TexelRow {
                 const auto other = !texel.one_surface(nearest);
                 surface = nearest.surface;
                 if (any(other & surface)) {
-                    z = select(other & surface, texel.carried_depth(nearest), z);
+                    // Not behind what the depth map shows there: samples near the texel would find that in front.
+                    z = select(other & surface, min_of(texel.carried_depth(nearest), z), z);
                     normal = select<F>(other & surface, nearest.n, normal);
                 }
             }

@@ -1,0 +1,170 @@
+#include "chapters/frame/precision_account.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/common.hpp>
+
+#include "chapters/frame/frame_settings.h"
+#include "chapters/terminal/number_text.h"
+#include "rasterizer/draw/cutouts.h"
+#include "rasterizer/draw/depth_precision.h"
+#include "rasterizer/draw/visibility.h"
+
+namespace crevice {
+
+namespace {
+
+// Positions are off by a few half steps of a float of their depth.
+constexpr double kPositionRounding = 0x1p-22;
+// Of the radius: a method without a tolerance of its own sees nothing wrong in less.
+constexpr double kHarmlessShare = 1.0 / 64;
+
+// Kernels square lengths, and shares of a millionth of them. Within these bounds no square leaves the range of a float
+// (every_method_test: all lengths times 2^-40 to 2^40 give the same bits).
+constexpr double kShortestSquared = 0x1p-42, kLongestSquared = 0x1p42;
+
+// What a distance may be off before the method takes it for an occluder, scene units.
+struct Tolerance {
+    const char* name;
+    double length;
+};
+Tolerance tolerance_of(const Method& method, const MethodSettings& settings) {
+    for (const Parameter<MethodSettings>& p : parameters_of(method)) {
+        const bool named = p.name == std::string("epsilon") || p.name == std::string("bias");
+        if (named && p.unit == kSceneUnit && p.get(settings) > 0) return {p.name, p.get(settings)};
+    }
+    const double radius = value_of(method, settings, "radius").value_or(0);
+    return {"radius / 64", radius * kHarmlessShare};
+}
+
+std::string in_brackets(const Tolerance& tolerance) {
+    return std::string(tolerance.name) + " (" + significant_text(tolerance.length, 3) + ")";
+}
+
+// Pixels that a surface covers, whose depth the format cannot tell from the cleared buffer.
+std::size_t lost_to_clear_code(const Scene& scene, const ScreenGeometry& geometry, const GBuffer& gbuffer,
+                               bool reversed_z, const Run& run) {
+    const DepthFormat format = gbuffer.depth.format;
+    const std::int32_t cleared = depth_code(format, reversed_z ? 0.0f : 1.0f, 0.0);
+    bool reaches = false;
+    for (const TriangleBlock& block : geometry.blocks) {
+        for (const ScreenTriangle& t : block.triangles)
+            reaches = reaches || depth_code(format, reversed_z ? t.z_low : t.z_high, t.depth_bias) == cleared;
+    }
+    if (!reaches) return 0;
+    const Image<std::int32_t> there =
+        drawn_again(geometry, gbuffer.depth, DepthFunction::equal, alpha_holes(scene, geometry, run), run);
+    std::size_t count = 0;
+    for (int y = 0; y < there.size.height; ++y) {
+        for (int x = 0; x < there.size.width; ++x)
+            count += gbuffer.triangle.at(x, y) < 0 && there.at(x, y) >= 0 ? 1 : 0;
+    }
+    return count;
+}
+
+// Texels with a surface further away than `depth`.
+std::size_t texels_beyond(const AoInputs& inputs, double depth) {
+    std::size_t count = 0;
+    for (int y = 0; y < inputs.view_depth.size.height; ++y) {
+        const float* const row = inputs.view_depth.row(y);
+        for (int x = 0; x < inputs.view_depth.size.width; ++x)
+            count += row[x] < std::numeric_limits<float>::infinity() && static_cast<double>(row[x]) > depth
+                         ? 1
+                         : 0;
+    }
+    return count;
+}
+
+std::size_t vertices_not_finite(const ScreenGeometry& geometry) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(geometry.vertices.projected,
+                              [](const ProjectedVertex& v) { return (v.outside & kNotANumber) != 0; }));
+}
+
+// Triangles that reach behind the eye and are cut at the near plane.
+std::size_t through_the_eye_plane(const ScreenGeometry& geometry) {
+    std::size_t count = 0;
+    const ScreenTriangle* last = nullptr;
+    for (const TriangleBlock& block : geometry.blocks) {
+        for (const ScreenTriangle& t : block.triangles) {
+            const bool piece_of_last = last != nullptr && last->clipped >= 0 && last->vertex == t.vertex;
+            last = &t;
+            if (t.clipped < 0 || piece_of_last) continue;
+            const auto behind = [&](std::uint32_t vertex) {
+                return (geometry.vertices.projected[vertex].outside & kOutsideEye) != 0;
+            };
+            count += std::ranges::any_of(t.vertex, behind) ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+// Vertices so far from the world's origin that the steps of their coordinates are larger than `length`.
+std::size_t vertices_far_from_origin(const Scene& scene, double length) {
+    const double limit = length * 0x1p24;
+    std::size_t count = 0;
+    for (const Instance& instance : scene.instances) {
+        const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+        // An instance far away of a mesh that is small keeps its precision.
+        for (const glm::vec3& p : mesh.positions) {
+            const glm::vec3 size = glm::abs(p);
+            count += static_cast<double>(std::max({size.x, size.y, size.z})) > limit ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+std::string warning_of(std::size_t count, const std::string& what, const std::string& cure) {
+    return count == 0 ? "" : std::to_string(count) + " " + what + ": " + cure;
+}
+
+}  // namespace
+
+std::vector<PrecisionLoss> precision_account(const Scene& scene, const Camera& camera,
+                                             const ScreenGeometry& geometry, const GBuffer& gbuffer,
+                                             const AoInputs& inputs, const Method& method,
+                                             const FrameSettings& settings, const Run& run) {
+    std::vector<PrecisionLoss> account;
+    const std::string finer_depth = settings.reversed_z || camera.projection == Projection::orthographic
+                                        ? "give a larger --near or a smaller --far"
+                                        : "give a larger --near or --param depth_format=d32f_reversed";
+    const auto add = [&](const char* name, std::size_t count, const std::string& what,
+                         const std::string& cure) {
+        account.push_back({name, count, warning_of(count, what, cure)});
+    };
+    add("pixels_lost_to_clear_depth", lost_to_clear_code(scene, geometry, gbuffer, camera.reversed_z, run),
+        "pixels of surfaces became sky, their depth is that of the cleared buffer", finer_depth);
+    add("vertices_not_finite", vertices_not_finite(geometry),
+        "vertices are no finite numbers on their way to the screen, and their triangles are left out",
+        "mend the file, or bring scene and camera to a smaller scale");
+    account.push_back({"triangles_through_eye_plane", through_the_eye_plane(geometry), ""});
+    if (!method.computes_ao() || inputs.view_depth.empty()) return account;
+
+    const double radius = value_of(method, settings.method, "radius").value_or(1);
+    const bool squares = radius == 0 || (radius >= kShortestSquared && radius <= kLongestSquared);
+    account.push_back(
+        {"radius_out_of_range", squares ? 0u : 1u,
+         squares ? ""
+                 : "the radius (" + significant_text(radius, 3) +
+                       " scene units) is out of the range whose squares floats hold, 2e-13 to 4e12, "
+                       "and occlusion may be lost: scale the scene"});
+    const Tolerance tolerance = tolerance_of(method, settings.method);
+    if (!(tolerance.length > 0)) return account;
+    const bool reads_depth_buffer = inputs.fetch.depth == DepthSource::ndc_depth;
+    add("texels_of_coarse_depth",
+        reads_depth_buffer
+            ? texels_beyond(inputs, depth_of_step(camera, gbuffer.depth.format, tolerance.length))
+            : 0,
+        "AO texels see steps of the depth buffer larger than " + in_brackets(tolerance), finer_depth);
+    add("texels_of_coarse_positions", texels_beyond(inputs, tolerance.length / kPositionRounding),
+        "AO texels see rounding larger than " + in_brackets(tolerance),
+        "bring the camera nearer, or give a larger --param radius and " + std::string(tolerance.name));
+    add("vertices_far_from_origin", vertices_far_from_origin(scene, tolerance.length),
+        "vertices have coordinates whose steps are larger than " + in_brackets(tolerance),
+        "move the scene nearer to its origin before it is written");
+    return account;
+}
+
+}  // namespace crevice
