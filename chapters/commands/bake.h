@@ -12,7 +12,8 @@
 namespace crevice {
 
 struct BakeOptions {
-    std::string scene;  // SCENE of the command line
+    std::string scene;           // SCENE of the command line
+    bool outside_files = false;  // WantedOfScene::outside_files
     // The radius, too: both bakes are of whole meshes, so the command leaves it unbounded unless it is given.
     RayAoSettings rays;
     int texels = 512;  // of bake_lightmap: side of the map

@@ -19,7 +19,7 @@ struct BakeWords {
     std::string scene, texels = "512", out = "out";
     RayWords rays{.rays = "256", .radius = {}};
     RunWords run;
-    bool vertex = false, lightmap = false, mesh_texcoords = false;
+    bool vertex = false, lightmap = false, mesh_texcoords = false, outside_files = false;
 };
 
 BakeOptions options_of(const BakeWords& words) {
@@ -33,6 +33,7 @@ BakeOptions options_of(const BakeWords& words) {
     if (!words.rays.radius) options.rays.radius = std::numeric_limits<float>::infinity();
     options.texels = static_cast<int>(parse_whole("--texels", words.texels, 16, 4096));
     options.mesh_texcoords = words.mesh_texcoords;
+    options.outside_files = words.outside_files;
     options.out = words.out;
     options.run = run_of(words.run);
     return options;
@@ -52,6 +53,7 @@ Command add_bake_command(CommandLine& program) {
     bake.option("--texels", words->texels, "with --lightmap: side of the map, 16..4096");
     add_ray_flags(bake, words->rays, "inf");
     add_run_flags(bake, words->run);
+    bake.flag("--outside-files", words->outside_files, kOutsideFilesMeaning);
     bake.option("--out", words->out, "the directory for the files");
     return {bake, [words] {
                 const BakeOptions options = options_of(*words);

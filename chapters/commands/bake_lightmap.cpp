@@ -76,8 +76,9 @@ void bake_lightmap(const BakeOptions& options, std::ostream& out) {
     validate(options.run);
     validate(options.rays);
     validate(ChartSettings{.texels = options.texels});
-    const SceneArgument argument =
-        load_scene(options.scene, {.surfaces = false, .unused_texcoords = options.mesh_texcoords});
+    const SceneArgument argument = load_scene(options.scene, {.surfaces = false,
+                                                              .unused_texcoords = options.mesh_texcoords,
+                                                              .outside_files = options.outside_files});
     try_output_directory(options.out);
     const Bake done = bake(argument.scene, options);
     warn(done, options);
@@ -92,7 +93,8 @@ void bake_lightmap(const BakeOptions& options, std::ostream& out) {
     write_obj(mesh, lightmap_mesh(argument.scene, done.rays, done.charts), {},
               "Ambient accessibility is in lightmap.png (and, as floats, in lightmap.npy).\n"
               "An OBJ file has one set of texture coordinates: these lead into the lightmap, not into the\n"
-              "materials' textures.");
+              "materials' textures.",
+              argument.scene.origin);
     out << map.string() << ": " << picture.mapping << "\n" << mesh.string() << "\n";
 }
 

@@ -44,7 +44,8 @@ void warn(const RayScene& rays, const VertexAo& ao, const BakeOptions& options) 
 void bake_vertex(const BakeOptions& options, std::ostream& out) {
     validate(options.rays);
     validate(options.run);
-    const Scene scene = load_scene(options.scene, {.surfaces = false}).scene;
+    const Scene scene =
+        load_scene(options.scene, {.surfaces = false, .outside_files = options.outside_files}).scene;
     try_output_directory(options.out);
     const double start_ms = clocks().wall_ms;
     const RayScene rays = centred_ray_scene(scene, options.scene, options.run);
@@ -62,7 +63,7 @@ void bake_vertex(const BakeOptions& options, std::ostream& out) {
     colours.reserve(mesh.positions.size());
     for (const float value : joined(ao)) colours.emplace_back(value);
     const std::filesystem::path path = options.out / (scene.name + "_vertex_ao.obj");
-    write_obj(path, mesh, colours, comment_of(scene, options.rays));
+    write_obj(path, mesh, colours, comment_of(scene, options.rays), scene.origin);
 
     warn(rays, ao, options);
     out << std::fixed << std::setprecision(1) << rays.triangles.size() << " triangles, "

@@ -15,10 +15,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Planes read_image(const fs::path& path) {
+// What a file holds, as it stands there.
+struct ComparedFile {
+    Planes planes;
+    Image<float> alpha;   // empty: it has none
+    bool linear = false;  // its values are proportional to light, or no light at all; else sRGB codes
+};
+
+ComparedFile read_image(const fs::path& path) {
     const std::string extension = path.extension().string();
-    if (extension == ".npy") return read_npy(path);
-    if (extension == ".png") return planes_of(read_png8(path));
+    if (extension == ".npy") return {read_npy(path), {}, true};
+    if (extension == ".png") {
+        ImageCodes codes = read_png(path);
+        return {planes_of(std::move(codes.colour)), std::move(codes.alpha), codes.linear};
+    }
     throw InputError(path.string() + ": not an image that can be compared (" + extension +
                      "); give a .npy or a .png");
 }
@@ -105,17 +115,38 @@ std::vector<DifferenceEntry> directory_entries(const CompareOptions& options) {
     return entries;
 }
 
-DifferenceEntry file_entry(const CompareOptions& options) {
-    DifferenceEntry entry{options.a.filename().string(), read_image(options.a), read_image(options.b), "",
-                          false};
-    entry.linear_light = entry.name == "lit.npy";
-    if (entry.a.size() != entry.b.size() || !(entry.a[0].size == entry.b[0].size)) {
+// Where only one has alpha, the other is opaque.
+Image<float> alpha_of(ComparedFile& file) {
+    return file.alpha.empty() ? Image<float>(file.planes[0].size, 1.0f) : std::move(file.alpha);
+}
+
+// The two files, and their alpha if any has some.
+std::vector<DifferenceEntry> file_entries(const CompareOptions& options) {
+    ComparedFile a = read_image(options.a), b = read_image(options.b);
+    if (a.planes.size() != b.planes.size() || !(a.planes[0].size == b.planes[0].size)) {
         throw InputError(options.b.string() + ": of another shape than " + options.a.string() + " (" +
-                         shape_text(entry.b) + " and " + shape_text(entry.a) +
+                         shape_text(b.planes) + " and " + shape_text(a.planes) +
                          ", width x height x components); compare images of one shape");
     }
-    entry.note = "A is " + options.a.string() + ", B is " + options.b.string() + ".";
-    return entry;
+    if (a.linear != b.linear) {
+        std::cerr << (a.linear ? options.b : options.a).string()
+                  << ": its values are sRGB codes and those of "
+                  << (a.linear ? options.a : options.b).string()
+                  << " linear; they are compared as they stand\n";
+    }
+    std::vector<DifferenceEntry> entries;
+    const std::string name = options.a.filename().string();
+    const auto add = [&](const std::string& what, Planes of_a, Planes of_b) {
+        entries.push_back({what, std::move(of_a), std::move(of_b),
+                           "A is " + options.a.string() + ", B is " + options.b.string() + ".",
+                           what == "lit.npy"});
+    };
+    const bool alpha = !a.alpha.empty() || !b.alpha.empty();
+    Image<float> alpha_a = alpha ? alpha_of(a) : Image<float>(),
+                 alpha_b = alpha ? alpha_of(b) : Image<float>();
+    add(name, std::move(a.planes), std::move(b.planes));
+    if (alpha) add(name + ", alpha", planes_of(std::move(alpha_a)), planes_of(std::move(alpha_b)));
+    return entries;
 }
 
 }  // namespace
@@ -128,17 +159,14 @@ int compare_files(const CompareOptions& options, std::ostream& report) {
                          (directories ? options.b : options.a).string() +
                          " is none; give two files or two directories");
     }
-    std::vector<DifferenceEntry> entries;
-    if (directories) {
-        entries = directory_entries(options);
-    } else {
-        entries.push_back(file_entry(options));
-    }
+    const std::vector<DifferenceEntry> entries =
+        directories ? directory_entries(options) : file_entries(options);
     long long differing = 0;
     for (const DifferenceEntry& entry : entries) {
         const bool comparable = !directories || entry.note.empty();
         if (!comparable) report << entry.name << ": " << entry.note << "\n";
-        const std::string stem = directories ? fs::path(entry.name).stem().string() + "_error" : "error";
+        const std::string of_file = &entry == &entries.front() ? "error" : "error_alpha";
+        const std::string stem = directories ? fs::path(entry.name).stem().string() + "_error" : of_file;
         differing += !comparable || compare_pair(entry, options.out, stem, report);
     }
     if (directories) report << differing << " of " << entries.size() << " differ\n";

@@ -130,7 +130,8 @@ PreparedRender prepared_render(const RenderOptions& options) {
     const FrameSettings asked = settings_of(*request.method, options.params);
     // Loads or makes no texture when nothing shows one.
     const bool surfaces = request.wanted.contains("lit") || asked.buffers.mapped_normals;
-    SceneArgument argument = load_scene(options.scene, {.surfaces = surfaces, .run = request.run});
+    SceneArgument argument = load_scene(
+        options.scene, {.surfaces = surfaces, .outside_files = options.outside_files, .run = request.run});
     named_as({{"time", "--time"}},
              [&] { argument.scene.lights = lights_at(argument.scene, options.time_s); });
     const Camera camera = chosen_camera(argument, options.camera);

@@ -11,6 +11,7 @@ namespace crevice {
 
 struct RenderOptions {
     std::string scene;
+    bool outside_files = false;  // WantedOfScene::outside_files
     CameraFlags camera;
     std::vector<std::string> params;  // "name=value"
     FrameRequest request;             // its settings follow from params and the scene

@@ -22,7 +22,7 @@ struct RenderWords {
     std::vector<std::string> params;
     CameraFlags camera;
     RunWords run;
-    bool inset = false;
+    bool inset = false, outside_files = false;
 };
 
 // Throws UsageError for a name that is no buffer, or none of the method's.
@@ -71,6 +71,7 @@ RenderOptions options_of(const RenderWords& words) {
     options.params = words.params;
     options.time_s = parse_number("--time", words.time);
     options.inset = words.inset;
+    options.outside_files = words.outside_files;
     options.out = words.out;
     FrameRequest& request = options.request;
     request.run = run_of(words.run);
@@ -123,6 +124,7 @@ Command add_render_command(CommandLine& program) {
     render.option(
         "--frames", words->frames,
         "A-B: a turntable of 36 frames a turn, as frame_NNNN.png and, with img2webp, turntable.webp");
+    render.flag("--outside-files", words->outside_files, kOutsideFilesMeaning);
     render.option("--out", words->out, "the directory for the files");
     return {render, [words] { return run(*words); }};
 }

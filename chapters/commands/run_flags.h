@@ -12,6 +12,9 @@ namespace crevice {
 // What SCENE is.
 inline constexpr const char* kSceneMeaning = "a built-in scene (crevice scenes) or the path of an OBJ file";
 
+inline constexpr const char* kOutsideFilesMeaning =
+    "also read materials and textures of the OBJ that lie outside its directory";
+
 // How to run, as it was typed.
 struct RunWords {
     std::string threads = "0", tile = "64", lanes, isa;

@@ -129,7 +129,8 @@ void write_truth(const TruthOptions& options) {
     request.settings = settings_of(*request.method, options.params).method;
     request.rays.radius = options.radius.value_or(1);
     validate(request.rays);
-    const SceneArgument argument = load_scene(options.scene, {.surfaces = false});
+    const SceneArgument argument =
+        load_scene(options.scene, {.surfaces = false, .outside_files = options.outside_files});
     if (triangle_count(argument.scene) == 0)
         std::cerr << options.scene << ": 0 triangles; everything is open\n";
     const Camera camera = chosen_camera(argument, options.camera);

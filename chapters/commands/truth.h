@@ -13,6 +13,7 @@ namespace crevice {
 
 struct TruthOptions {
     std::string scene;
+    bool outside_files = false;  // WantedOfScene::outside_files
     CameraFlags camera;
     std::vector<std::string> params;  // "name=value", of the method
     std::optional<float> radius;      // scene units; none: the method's

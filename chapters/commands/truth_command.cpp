@@ -21,7 +21,7 @@ struct TruthWords {
     RayWords rays{.rays = "1024", .radius = {}};
     CameraFlags camera;
     RunWords run;
-    bool no_cache = false;
+    bool no_cache = false, outside_files = false;
 };
 
 TruthOptions options_of(const TruthWords& words) {
@@ -29,6 +29,7 @@ TruthOptions options_of(const TruthWords& words) {
     options.scene = words.scene;
     options.camera = words.camera;
     options.params = words.params;
+    options.outside_files = words.outside_files;
     options.out = words.out;
     ReferenceRequest& request = options.request;
     request.run = run_of(words.run);
@@ -74,6 +75,7 @@ Command add_truth_command(CommandLine& program) {
     truth.option("--cache", words->cache, "where finished references are kept; default: ~/.cache/crevice");
     truth.flag("--no-cache", words->no_cache, "make everything anew and keep nothing");
     add_run_flags(truth, words->run);
+    truth.flag("--outside-files", words->outside_files, kOutsideFilesMeaning);
     truth.option("--out", words->out, "the directory for the files");
     return {truth, [words] {
                 write_truth(options_of(*words));

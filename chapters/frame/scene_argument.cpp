@@ -27,6 +27,7 @@ SceneArgument load_scene(const std::string& name_or_path, const WantedOfScene& w
     ObjOptions options;
     options.want_textures = wanted.surfaces;
     options.want_unused_texcoords = wanted.unused_texcoords;
+    options.outside_files = wanted.outside_files;
     LoadedObj loaded = load_obj(name_or_path, options);
     for (const std::string& warning : loaded.report.warnings) std::cerr << warning << "\n";
     return {std::move(loaded.scene), true, std::move(loaded.steps)};
@@ -37,7 +38,7 @@ Camera chosen_camera(const SceneArgument& argument, const CameraFlags& flags) {
     // An OBJ's coordinates are converted like its vertices.
     const auto point = [&](const char* flag, const std::string& word) {
         const glm::dvec3 p = parse_point(flag, word);
-        return argument.from_obj ? glm::dvec3(p.x, p.y, -p.z) : p;
+        return (argument.from_obj ? glm::dvec3(p.x, p.y, -p.z) : p) - argument.scene.origin;
     };
     if (flags.eye) {
         camera.eye = point("--eye", *flags.eye);

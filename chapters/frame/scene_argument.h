@@ -19,6 +19,7 @@ struct WantedOfScene {
     // SceneDetail::surfaces, and the texture files of an OBJ; else those stay unread.
     bool surfaces = true;
     bool unused_texcoords = false;  // of an OBJ: texture coordinates that no texture asks for
+    bool outside_files = false;     // of an OBJ: materials and textures outside its directory
     Run run = {};                   // with which a built-in scene is made
 };
 

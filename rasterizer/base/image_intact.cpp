@@ -17,10 +17,6 @@ std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
     return value;
 }
 
-std::uint32_t little_endian_16(std::string_view bytes, std::size_t at) {
-    return byte_at(bytes, at) | byte_at(bytes, at + 1) << 8;
-}
-
 // The remainders of all bytes for the CRC of ISO 3309, which PNG uses (PNG specification, annex D).
 constexpr std::array<std::uint32_t, 256> crc_table() {
     std::array<std::uint32_t, 256> table{};
@@ -64,41 +60,12 @@ std::string damage_in_jpeg(std::string_view bytes) {
     return whole ? "" : "JPEG, cut short";
 }
 
-// Walks the packets of a run-length coded TGA; true when they cover all pixels.
-bool covers_pixels(std::string_view packets, std::size_t pixel_bytes, std::size_t pixels) {
-    std::size_t at = 0;
-    while (pixels > 0) {
-        if (at >= packets.size()) return false;
-        const std::uint32_t head = byte_at(packets, at);
-        const std::size_t run = (head & 127u) + 1;
-        at += 1 + ((head & 128u) != 0 ? 1 : run) * pixel_bytes;
-        pixels -= run < pixels ? run : pixels;
-    }
-    return at <= packets.size();
-}
-
-std::string damage_in_tga(std::string_view bytes) {
-    constexpr std::size_t kHeader = 18;
-    constexpr std::uint32_t kRunLengthCoded = 8;
-    if (bytes.size() < kHeader) return "neither PNG nor JPEG nor TGA";
-    const std::size_t map_entries = byte_at(bytes, 1) != 0 ? little_endian_16(bytes, 5) : 0;
-    const std::size_t map_bytes = map_entries * ((byte_at(bytes, 7) + 7) / 8);
-    const std::size_t first = kHeader + byte_at(bytes, 0) + map_bytes;
-    const std::size_t pixels = std::size_t{little_endian_16(bytes, 12)} * little_endian_16(bytes, 14);
-    const std::size_t pixel_bytes = (byte_at(bytes, 16) + 7) / 8;
-    const bool coded = (byte_at(bytes, 2) & kRunLengthCoded) != 0;
-    const bool whole =
-        first <= bytes.size() && (coded ? covers_pixels(bytes.substr(first), pixel_bytes, pixels)
-                                        : pixels * pixel_bytes <= bytes.size() - first);
-    return whole ? "" : "TGA, cut short";
-}
-
 }  // namespace
 
 std::string damage_in_image(std::string_view bytes) {
     if (bytes.starts_with(kPngSignature)) return damage_in_png(bytes);
     if (bytes.starts_with("\xff\xd8")) return damage_in_jpeg(bytes);
-    return damage_in_tga(bytes);
+    return {};
 }
 
 }  // namespace crevice

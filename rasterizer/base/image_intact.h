@@ -7,9 +7,8 @@
 
 namespace crevice {
 
-// What is wrong with the bytes of a PNG (chunk lengths and check sums), JPEG (end marker) or TGA (length)
-// file, or nothing ("") when it is whole. Anything that is neither PNG nor JPEG is taken for TGA, which has
-// no signature.
+// What is wrong with the bytes of a PNG (chunk lengths and check sums) or JPEG (end marker) file, or nothing
+// ("") when it is whole, or of another kind.
 std::string damage_in_image(std::string_view bytes);
 
 }  // namespace crevice

@@ -61,4 +61,24 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
+std::string_view without_comment(std::string_view text) {
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        if (text[at] == '#' && (at == 0 || is_blank(text[at - 1]))) return trimmed(text.substr(0, at));
+    }
+    return trimmed(text);
+}
+
+std::string_view without_quotes(std::string_view name) {
+    const bool quoted = name.size() >= 2 && name.front() == '"' && name.back() == '"';
+    return quoted ? name.substr(1, name.size() - 2) : name;
+}
+
+std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return lower;
+}
+
 }  // namespace crevice

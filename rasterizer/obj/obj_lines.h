@@ -1,4 +1,4 @@
-// The lines and words of an OBJ's text.
+// The lines and words of an OBJ's or MTL's text.
 #pragma once
 
 #include <cstddef>
@@ -32,5 +32,14 @@ std::string_view take_word(std::string_view& rest);
 
 // `text` without blanks at both ends.
 std::string_view trimmed(std::string_view text);
+
+// `text` up to a comment: a # at its start or behind a blank; without blanks at both ends.
+std::string_view without_comment(std::string_view text);
+
+// `name` without the quotes around it, if there are any.
+std::string_view without_quotes(std::string_view name);
+
+// ASCII letters made small, as keywords are compared.
+std::string lower_case(std::string_view text);
 
 }  // namespace crevice

@@ -5,18 +5,21 @@
 #include <cmath>
 #include <iterator>
 #include <new>
+#include <system_error>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/file_bytes.h"
+#include "rasterizer/base/memory.h"
 #include "rasterizer/obj/ear_clip.h"
 #include "rasterizer/obj/obj_materials.h"
 #include "rasterizer/obj/obj_mesh.h"
 #include "rasterizer/obj/obj_parse.h"
 #include "rasterizer/obj/obj_prescan.h"
 #include "rasterizer/obj/obj_triangles.h"
+#include "rasterizer/obj/text_encoding.h"
 
 namespace crevice {
 namespace {
@@ -77,6 +80,21 @@ void add_light(Scene& scene) {
     scene.lights[2].diffuse = glm::vec3(0);
 }
 
+// Makes of the default material one that adds nothing to vertex colours: white, without highlights.
+void show_vertex_colours_alone(Material& material) {
+    material.diffuse = material.ambient = glm::vec3(1);
+    material.specular = glm::vec3(0);
+}
+
+std::vector<bool> used_positions(const ObjFaces& faces, std::size_t positions) {
+    std::vector<bool> used(positions, false);
+    for (const ObjCorner& corner : faces.corners) {
+        const auto position = static_cast<std::size_t>(corner.position);
+        if (corner.position >= 0 && position < positions) used[position] = true;
+    }
+    return used;
+}
+
 // Notes the time since the last step ended.
 class StepTimer {
  public:
@@ -93,27 +111,49 @@ class StepTimer {
     Clock::time_point started_ = Clock::now();
 };
 
+// Text, indices, triangles and mesh of a file take at least this many bytes for each of its own.
+constexpr std::uintmax_t kMemoryPerByte = 8;
+
+void check_memory(const std::filesystem::path& path) {
+    std::error_code error;
+    const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+    if (error || bytes > kMaxObjBytes || bytes <= memory_bytes() / kMemoryPerByte) return;
+    throw InputError(path.string() + ": the file is too large for this machine's memory (" +
+                     std::to_string(bytes) + " bytes need " + std::to_string(kMemoryPerByte) +
+                     " times as many, " + std::to_string(memory_bytes()) +
+                     " are there); split or simplify it");
+}
+
 LoadedObj loaded_from(const std::filesystem::path& path, const ObjOptions& options) {
     const std::string name = path.string();
     LoadedObj loaded;
     StepTimer timer(loaded.steps);
-    const std::string bytes = read_file(path, kMaxObjBytes);
+    check_memory(path);
+    std::string bytes = read_file(path, kMaxObjBytes);
+    if (bytes.empty()) throw InputError(name + ": the file is empty; give an OBJ with vertices and faces");
+    const std::string text = utf8_text(std::move(bytes), name);
     timer.finish("read the file");
-    ObjPrescan prescan = prescan_obj(bytes, name);
+    ObjPrescan prescan = prescan_obj(text, name);
     timer.finish("numbers and structure");
     const ObjFaces faces = parse_faces(prescan);
+    prescan.vertices.recentre(text, name, used_positions(faces, prescan.vertices.positions.size()),
+                              prescan.report.warnings);
     timer.finish("faces");
     ObjTriangles triangles = triangulate_obj(prescan, faces, std::move(prescan.report));
     timer.finish("triangles");
     ObjMaterials materials =
-        load_obj_materials(path, prescan.libraries, faces.materials, options.want_textures);
+        load_obj_materials(path, prescan.libraries, prescan.materials,
+                           {.surfaces = options.want_textures, .outside = options.outside_files});
+    if (!prescan.vertices.colours.empty()) show_vertex_colours_alone(materials.materials.back());
     timer.finish("materials and textures");
-    const int no_material = static_cast<int>(materials.materials.size()) - 1;
-    const bool textured = std::any_of(materials.materials.begin(), materials.materials.end(),
-                                      [](const Material& m) { return m.texture != nullptr; });
-    const bool want_texcoords = options.want_unused_texcoords || (options.want_textures && textured);
-    ObjMesh built = build_obj_mesh(prescan, faces, triangles, materials.of_use, no_material, want_texcoords,
-                                   options.crease_angle_rad);
+    const auto any = [&](const auto& has) {
+        return std::any_of(materials.materials.begin(), materials.materials.end(), has);
+    };
+    const bool normal_maps = any([](const Material& m) { return m.normal_map != nullptr; });
+    const bool textured = normal_maps || any([](const Material& m) { return m.texture != nullptr; });
+    ObjMesh built =
+        build_obj_mesh(prescan, faces, triangles, {materials.of_use, materials.texcoord_maps, normal_maps},
+                       options.want_unused_texcoords || textured, options.crease_angle_rad);
     timer.finish("vertices and normals");
 
     ObjReport& report = loaded.report = std::move(triangles.report);
@@ -121,7 +161,8 @@ LoadedObj loaded_from(const std::filesystem::path& path, const ObjOptions& optio
     const std::size_t skipped = report.too_few_corners.count + report.too_many_corners.count;
     report.dropped_faces =
         skipped + report.missing_vertices.count + report.not_finite.count + report.zero_area.count;
-    report.warnings = warnings_of(report, name, skipped + faces.faces.size());
+    const std::vector<std::string> found = warnings_of(report, name, skipped + faces.faces.size());
+    report.warnings.insert(report.warnings.end(), found.begin(), found.end());
     std::move(materials.warnings.begin(), materials.warnings.end(), std::back_inserter(report.warnings));
 
     Scene& scene = loaded.scene;
@@ -130,6 +171,7 @@ LoadedObj loaded_from(const std::filesystem::path& path, const ObjOptions& optio
     scene.instances.push_back({});
     scene.materials = std::move(materials.materials);
     scene.two_sided = true;
+    scene.origin = {prescan.vertices.origin.x, prescan.vertices.origin.y, -prescan.vertices.origin.z};
     add_light(scene);
     const Bounds bounds = world_bounds(scene);
     scene.camera = framing_camera(bounds);

@@ -1,8 +1,8 @@
 // OBJ files (with MTL and textures) as scenes.
 //
-// A file's text is first looked over and its numbers read (obj_prescan), its faces and materials are then
-// read by tinyobjloader (obj_parse, obj_materials), cut into triangles (obj_triangles), and made a mesh
-// (obj_mesh).
+// A file's text is first looked over and its numbers read (obj_prescan), its faces are then read by tinyobjloader
+// (obj_parse), cut into triangles (obj_triangles), and made a mesh (obj_mesh); its materials come from MTL files
+// (mtl_read, obj_materials) and their pictures (material_textures).
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,8 @@ struct ObjOptions {
     // [0, pi] rad; edges sharper than this stay sharp in GENERATED normals. pi: all smooth. The file's own
     // are kept.
     double crease_angle_rad = kSmoothEverywhere_rad;
-    bool want_textures = true;  // false: texture files are not read
+    bool want_textures = true;   // false: of texture files only those that cut out are read
+    bool outside_files = false;  // MTL and texture files outside the OBJ's directory are read, too
     bool want_unused_texcoords =
         true;  // false: no texture coordinates unless a texture that was read needs them
 };
@@ -41,10 +42,11 @@ struct LoadedObj {
 
 // One mesh and one identity instance, two-sided; a part is a run of faces of one material, in file order. The
 // file's right-handed coordinates become the lab's: z is negated for positions and normals and the winding
-// reversed; v of texture coordinates is flipped. Lengths are the file's. Materials see obj_materials.h,
-// normals vertex_normals.h. The lights are those of Luna's scene, the camera is framing_camera()'s. What could
+// reversed; v of texture coordinates is flipped. Lengths are the file's; coordinates, too, less Scene::origin.
+// Materials see obj_materials.h, normals vertex_normals.h. Vertex colours multiply the material's, and faces without
+// a material show them as they are. The lights are those of Luna's scene, the camera is framing_camera()'s. What could
 // not be drawn as the file says is in the report; a file whose every face was dropped is a scene without
-// triangles. Throws InputError when the file is missing, no regular file, too large, no OBJ, or has a number
+// triangles. Throws InputError when the file is missing, no regular file, too large (for memory, too), no OBJ, or has a number
 // or an index that is not one ("path:line: ..."); UsageError for an option out of range.
 LoadedObj load_obj(const std::filesystem::path& path, const ObjOptions& options = {});
 

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <system_error>
+#include <utility>
 
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/file_bytes.h"
 #include "rasterizer/obj/obj_lines.h"
+#include "rasterizer/obj/obj_report.h"
 
 namespace crevice {
 namespace {
@@ -16,47 +17,30 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kMaxMtlBytes = std::uintmax_t{64} << 20;
 
-// Finds files that an OBJ names, below its own directory only.
-struct FileTree {
-    fs::path root;  // canonical
+std::string located(const std::string& path, std::size_t line, const std::string& what) {
+    return path + ":" + std::to_string(line) + ": " + what;
+}
 
-    explicit FileTree(const fs::path& obj_path) {
-        const fs::path parent = obj_path.parent_path();
-        root = fs::canonical(parent.empty() ? fs::path(".") : parent);
-    }
-
-    // The canonical path of `name`, or nothing when it leaves the tree. The file need not exist.
-    std::optional<fs::path> find(std::string name) const {
-        std::replace(name.begin(), name.end(), '\\', '/');
-        std::error_code error;
-        const fs::path path = fs::weakly_canonical(root / name, error);
-        const fs::path below = error ? fs::path() : path.lexically_relative(root);
-        if (below.empty() || *below.begin() == "..") return std::nullopt;
-        return path;
-    }
-};
-
-struct Collected {
+// The MTL files that an OBJ names.
+struct Libraries {
     const fs::path& obj_path;
-    const FileTree tree;
-    std::vector<MtlMaterial> known;
+    const FileTree& tree;
+    std::vector<MtlFile> files;
     std::vector<std::string> warnings;
-    std::map<fs::path, std::shared_ptr<const Texture>> textures;  // null: could not be read
 
     void warn(std::size_t line, const std::string& what) {
-        warnings.push_back(obj_path.string() + ":" + std::to_string(line) + ": " + what);
+        warnings.push_back(located(obj_path.string(), line, what));
     }
 
-    void add_library(const std::string& name, std::size_t line) {
-        const std::optional<fs::path> path = tree.find(name);
-        if (!path) {
-            warn(line, "the material library is outside the OBJ's directory (" + name + "); not read");
-            return;
+    void add_file(const FoundFile& found, const std::string& name, std::size_t line) {
+        const bool outside = found.path.empty() && found.outside;
+        if (outside) {
+            return warn(line, "the material library is outside the OBJ's directory (" + name +
+                                  "); not read, --outside-files allows it");
         }
         try {
-            std::string text = read_file(*path, kMaxMtlBytes);
-            if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
-            for (MtlMaterial& material : parse_mtl(std::move(text))) known.push_back(std::move(material));
+            if (found.path.empty()) throw InputError(name + ": there is no such file");
+            files.push_back(read_mtl(read_file(found.path, kMaxMtlBytes), found.path.string()));
         } catch (const InputError& error) {
             warn(line,
                  "the material library cannot be read (" + std::string(error.what()) + "); drawn without it");
@@ -64,33 +48,45 @@ struct Collected {
     }
 
     // One name with blanks in it when there is such a file, else several names.
-    void add_libraries(const MaterialLibrary& library) {
-        const std::optional<fs::path> whole = tree.find(library.names);
-        std::error_code ignored;
-        if (whole && fs::is_regular_file(*whole, ignored)) return add_library(library.names, library.line);
+    void add(const MaterialLibrary& library) {
+        for (const std::string_view whole :
+             {std::string_view(library.names), without_comment(library.names)}) {
+            const std::string name(without_quotes(whole));
+            const FoundFile found = tree.find(name, tree.directory());
+            std::error_code ignored;
+            if (fs::is_regular_file(found.path, ignored)) return add_file(found, name, library.line);
+        }
         std::string_view rest = library.names;
         for (auto name = take_word(rest); !name.empty(); name = take_word(rest)) {
-            add_library(std::string(name), library.line);
+            add_file(tree.find(std::string(name), tree.directory()), std::string(name), library.line);
         }
     }
+};
 
-    std::shared_ptr<const Texture> texture(const MtlMaterial& material, std::size_t line) {
-        const std::optional<fs::path> path = tree.find(material.diffuse_map);
-        if (!path) {
-            warn(line, "the texture of material `" + material.name + "` is outside the OBJ's directory (" +
-                           material.diffuse_map + "); drawn without it");
-            return nullptr;
-        }
-        const auto [at, is_new] = textures.emplace(*path, nullptr);
-        if (is_new) {
-            try {
-                at->second = std::make_shared<const Texture>(load_texture(*path));
-            } catch (const InputError& error) {
-                warn(line, "the texture of material `" + material.name + "` cannot be read (" + error.what() +
-                               "); drawn without it");
+// The materials of all libraries by name. A name with a # in it is first looked for as it stands, then up to
+// what may be a comment. Of several the first counts.
+struct MaterialIndex {
+    struct Entry {
+        MtlMaterial* material = nullptr;
+        const MtlFile* file = nullptr;
+    };
+    std::map<std::string_view, Entry> by_whole_name, by_name;
+
+    explicit MaterialIndex(Libraries& libraries) {
+        for (MtlFile& file : libraries.files) {
+            for (MtlMaterial& m : file.materials) {
+                by_name.emplace(m.name, Entry{&m, &file});
+                const bool is_new = by_whole_name.emplace(m.whole_name, Entry{&m, &file}).second;
+                if (is_new) continue;
+                libraries.warnings.push_back(located(
+                    file.name, m.line, "material `" + m.name + "` is there already; the first one is drawn"));
             }
         }
-        return at->second;
+    }
+    Entry find(std::string_view name) const {
+        if (const auto at = by_whole_name.find(name); at != by_whole_name.end()) return at->second;
+        const auto at = by_name.find(without_comment(name));
+        return at != by_name.end() ? at->second : Entry{};
     }
 };
 
@@ -100,58 +96,130 @@ bool is_reflectance(glm::vec3 k) {
     return inside;
 }
 
-Material converted(const MtlMaterial& from, std::size_t line, bool want_textures, Collected& collected) {
-    Material material;
-    material.name = from.name;
-    const auto take = [&](const char* keyword, glm::vec3 value, glm::vec3& into) {
-        if (is_reflectance(value)) {
-            into = value;
+// Brings the numbers of `from` into the range of a Material; what is out of it is a warning of `from`.
+struct Conversion {
+    MtlMaterial& from;
+    const std::string& path;
+
+    void warn(const std::string& what) {
+        from.warnings.push_back(located(path, from.line, "material `" + from.name + "` " + what));
+    }
+
+    void check_reflectance(const char* keyword, std::optional<glm::vec3>& value) {
+        if (!value || is_reflectance(*value)) return;
+        warn("has a " + std::string(keyword) + " outside [0, 1]; drawn with the default");
+        value = std::nullopt;
+    }
+
+    Material numbers() {
+        Material material;
+        material.name = from.name;
+        check_reflectance("Kd", from.diffuse);
+        check_reflectance("Ka", from.ambient);
+        check_reflectance("Ks", from.specular);
+        material.diffuse = from.diffuse.value_or(material.diffuse);
+        material.ambient = from.ambient.value_or(material.diffuse);
+        material.specular = from.specular.value_or(glm::vec3(0));
+        const float shininess = from.shininess.value_or(1);
+        if (shininess >= 0 && shininess <= 1000) {
+            material.shininess = shininess;
         } else {
-            collected.warn(line, "material `" + from.name + "` has a " + keyword +
-                                     " outside [0, 1]; drawn with the default");
+            warn("has an Ns outside [0, 1000]; drawn with the default");
         }
-    };
-    take("Kd", from.diffuse, material.diffuse);
-    take("Ka", from.ambient, material.ambient);
-    take("Ks", from.specular, material.specular);
-    if (from.shininess >= 0 && from.shininess <= 1000) {
-        material.shininess = from.shininess;
-    } else {
-        collected.warn(line,
-                       "material `" + from.name + "` has an Ns outside [0, 1000]; drawn with the default");
+        return material;
     }
-    if (from.opacity < 1) {
-        collected.warn(line, "material `" + from.name + "` is transparent (d " +
-                                 std::to_string(from.opacity) + "); drawn opaque");
+
+    // Some exporters write `d 0` or `Tr 1` for what they show as solid.
+    void check_opacity() {
+        const float opacity = from.opacity.value_or(1 - from.transparency.value_or(0));
+        if (opacity <= 0) {
+            from.notes.push_back(
+                {"a material would be wholly invisible (d 0 or Tr 1)", "drawn opaque", from.line});
+        } else if (opacity < 1) {
+            warn("is transparent (d " + std::to_string(opacity) + "); drawn opaque");
+        }
     }
-    if (want_textures && !from.diffuse_map.empty()) material.texture = collected.texture(from, line);
-    return material;
+
+    // A colour that only the texture tells, and textures that nothing else tells.
+    void complete(Material& material) {
+        if (!from.diffuse && material.texture != nullptr) {
+            material.diffuse = material.ambient = glm::vec3(1);
+            warn("has no Kd (colour); its texture drawn as it is");
+        } else if (!from.diffuse) {
+            warn("has no Kd (colour); drawn in the default grey");
+        }
+        const std::string& ambient_file = from.ambient_map.file;
+        if (!ambient_file.empty() && ambient_file != from.diffuse_map.file) {
+            from.notes.push_back(not_drawn("map_Ka", from.ambient_map.line));
+        }
+    }
+};
+
+// One line for all that share a note.
+void add_notes(std::vector<std::string>& warnings, const std::string& path,
+               const std::vector<MtlNote>& notes) {
+    std::vector<std::pair<const MtlNote*, Tally>> tallies;
+    for (const MtlNote& note : notes) {
+        const auto same = std::find_if(tallies.begin(), tallies.end(), [&](const auto& t) {
+            return t.first->what == note.what && t.first->done == note.done;
+        });
+        if (same != tallies.end()) {
+            same->second.add(note.line);
+        } else {
+            tallies.emplace_back(&note, Tally{});
+            tallies.back().second.add(note.line);
+        }
+    }
+    for (const auto& [note, tally] : tallies) {
+        const std::string count =
+            std::to_string(tally.count) + (tally.count == 1 ? " line" : " lines, the first here");
+        warnings.push_back(located(path, tally.first_line, note->what + " (" + count + "); " + note->done));
+    }
 }
 
 }  // namespace
 
 ObjMaterials load_obj_materials(const fs::path& obj_path, std::span<const MaterialLibrary> libraries,
-                                std::span<const ObjMaterialUse> used, bool want_textures) {
-    Collected collected{
-        .obj_path = obj_path, .tree = FileTree(obj_path), .known = {}, .warnings = {}, .textures = {}};
+                                std::span<const ObjMaterialUse> used, const MaterialFiles& files) {
+    const FileTree tree(obj_path, files.outside);
+    Libraries known{obj_path, tree, {}, {}};
     if (!used.empty()) {
-        for (const MaterialLibrary& library : libraries) collected.add_libraries(library);
+        for (const MaterialLibrary& library : libraries) known.add(library);
     }
+    const MaterialIndex index(known);
+    MaterialTextures textures(tree, files.surfaces);
     ObjMaterials result;
+    std::map<const MtlMaterial*, int> converted;
+    std::map<const MtlFile*, std::vector<MtlNote>> notes;
     for (const ObjMaterialUse& use : used) {
-        const auto found = std::find_if(collected.known.begin(), collected.known.end(),
-                                        [&](const MtlMaterial& m) { return m.name == use.name; });
-        result.of_use.push_back(static_cast<int>(result.materials.size()));
-        if (found != collected.known.end()) {
-            result.materials.push_back(converted(*found, use.line, want_textures, collected));
-        } else {
-            collected.warn(use.line,
-                           "no library has the material (" + use.name + "); drawn in the default grey");
+        const auto [from, file] = index.find(use.name);
+        const auto next = static_cast<int>(result.materials.size());
+        if (from == nullptr) {
+            known.warn(use.line, "no library has the material (" + use.name + "); drawn in the default grey");
+            result.of_use.push_back(next);
             result.materials.push_back({.name = use.name, .texture = nullptr});
+            result.texcoord_maps.emplace_back();
+            continue;
         }
+        const auto [at, is_new] = converted.emplace(from, next);
+        result.of_use.push_back(at->second);
+        if (!is_new) continue;
+        Conversion conversion{*from, file->name};
+        Material material = conversion.numbers();
+        conversion.check_opacity();
+        result.texcoord_maps.push_back(textures.add_to(material, *from, file->name));
+        conversion.complete(material);
+        result.materials.push_back(std::move(material));
+        known.warnings.insert(known.warnings.end(), from->warnings.begin(), from->warnings.end());
+        notes[file].insert(notes[file].end(), from->notes.begin(), from->notes.end());
+    }
+    for (const MtlFile& file : known.files) {
+        known.warnings.insert(known.warnings.end(), file.warnings.begin(), file.warnings.end());
+        add_notes(known.warnings, file.name, notes[&file]);
     }
     result.materials.push_back({.name = "default", .texture = nullptr});
-    result.warnings = std::move(collected.warnings);
+    result.texcoord_maps.emplace_back();
+    result.warnings = std::move(known.warnings);
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "rasterizer/obj/material_textures.h"
 #include "rasterizer/obj/obj_parse.h"
 #include "rasterizer/obj/obj_prescan.h"
 #include "rasterizer/scene/scene.h"
@@ -13,17 +14,26 @@
 namespace crevice {
 
 struct ObjMaterials {
-    std::vector<Material> materials;    // those in use, in order of first use, then always the default one
-    std::vector<int> of_use;            // index into `materials`, one a used name
-    std::vector<std::string> warnings;  // "path:line: ..."
+    std::vector<Material> materials;  // those in use, in order of first use, then always the default one
+    std::vector<TexcoordMap> texcoord_maps;  // one a material
+    std::vector<int> of_use;                 // index into `materials`, one a used name
+    std::vector<std::string> warnings;       // "path:line: ..."
 };
 
-// Kd, Ka and Ks are taken as linear light as they stand, Ns as the shininess; map_Kd is read when
-// want_textures. MTL and texture files must lie in the directory of the OBJ or below it, also after following
-// links: other paths are refused. A material, MTL or texture that is missing, refused or damaged gives a
-// warning and the default in its place (a material: 0.8 grey; a texture: none). Only what faces use is read.
+// What of the files that an OBJ names is read.
+struct MaterialFiles {
+    bool surfaces = true;  // false: of textures only what cuts out
+    bool outside = false;  // also files outside the directory of the OBJ
+};
+
+// Kd, Ka and Ks are taken as linear light as they stand, Ns as the shininess; without Ka it is Kd, without Ks 0,
+// and a material without Kd is 0.8 grey, or shows its map_Kd as it is, and says so. Textures: material_textures.h.
+// Everything is drawn opaque but for cut-outs. MTL and texture files must lie in the directory of the OBJ or below
+// it, also after following links, unless files.outside. A material, MTL or texture that is missing, refused or
+// damaged gives a warning and the default in its place (a material: 0.8 grey; a texture: none). Only what faces
+// use is read.
 ObjMaterials load_obj_materials(const std::filesystem::path& obj_path,
                                 std::span<const MaterialLibrary> libraries,
-                                std::span<const ObjMaterialUse> used, bool want_textures);
+                                std::span<const ObjMaterialUse> used, const MaterialFiles& files);
 
 }  // namespace crevice

@@ -1,7 +1,9 @@
 #include "rasterizer/obj/obj_mesh.h"
 
 #include <algorithm>
+#include <functional>
 
+#include "rasterizer/scene/tangents.h"
 #include "rasterizer/scene/vertex_normals.h"
 
 namespace crevice {
@@ -10,6 +12,7 @@ namespace {
 struct VertexKey {
     std::int32_t position, texcoord;
     std::uint32_t normal;
+    int texcoord_map;  // the first material whose texture coordinates are mapped like those of this vertex
     friend bool operator==(const VertexKey&, const VertexKey&) = default;
 };
 
@@ -35,7 +38,8 @@ struct VertexNumbers {
     std::size_t slot_of(const VertexKey& key) const {
         std::uint64_t hash = static_cast<std::uint32_t>(key.position) * 0x9e3779b97f4a7c15u;
         hash = (hash ^ (hash >> 32) ^ static_cast<std::uint32_t>(key.texcoord)) * 0xbf58476d1ce4e5b9u;
-        hash = (hash ^ (hash >> 29) ^ key.normal) * 0x94d049bb133111ebu;
+        hash = (hash ^ (hash >> 29) ^ key.normal) * 0x94d049bb133111ebu +
+               static_cast<std::uint32_t>(key.texcoord_map);
         std::size_t slot = (hash >> 32) & (slots.size() - 1);
         while (slots[slot] != kEmpty && keys[slots[slot]] != key) slot = (slot + 1) & (slots.size() - 1);
         return slot;
@@ -45,6 +49,17 @@ struct VertexNumbers {
         for (std::uint32_t n = 0; n < keys.size(); ++n) slots[slot_of(keys[n])] = n;
     }
 };
+
+// One a triangle; none where all are of one group.
+std::vector<std::uint32_t> smoothing_groups(const ObjFaces& faces,
+                                            const std::vector<ObjTriangle>& triangles) {
+    std::vector<std::uint32_t> groups;
+    groups.reserve(triangles.size());
+    for (const ObjTriangle& triangle : triangles) groups.push_back(faces.faces[triangle.face].smoothing);
+    const bool differ =
+        std::adjacent_find(groups.begin(), groups.end(), std::not_equal_to<>()) != groups.end();
+    return differ ? groups : std::vector<std::uint32_t>();
+}
 
 struct FinalNormals {
     std::vector<glm::vec3> normals;                         // file space, unit
@@ -72,7 +87,9 @@ FinalNormals final_normals(const ObjPrescan& prescan, const ObjFaces& faces, con
                 static_cast<std::uint32_t>(faces.corners[from.triangles[t].corners[k]].position);
         }
     }
-    const CornerNormals generated = angle_weighted_normals(prescan.positions, by_position, crease_angle_rad);
+    const std::vector<std::uint32_t> groups = smoothing_groups(faces, from.triangles);
+    const CornerNormals generated =
+        angle_weighted_normals(prescan.vertices.positions, by_position, crease_angle_rad, groups);
     const auto first_generated = static_cast<std::uint32_t>(result.normals.size());
     result.normals.insert(result.normals.end(), generated.normals.begin(), generated.normals.end());
     for (std::size_t t = 0; t < from.triangles.size(); ++t) {
@@ -98,12 +115,45 @@ void add_to_parts(std::vector<MeshPart>& parts, int material) {
     ++parts.back().triangle_count;
 }
 
+// Of each material, the first one whose texture coordinates are mapped as its own are.
+std::vector<int> first_of_equal_maps(std::span<const TexcoordMap> maps) {
+    std::vector<int> first;
+    std::vector<int> distinct;
+    for (std::size_t m = 0; m < maps.size(); ++m) {
+        const auto same = std::find_if(distinct.begin(), distinct.end(),
+                                       [&](int d) { return maps[static_cast<std::size_t>(d)] == maps[m]; });
+        first.push_back(same != distinct.end() ? *same : static_cast<int>(m));
+        if (same == distinct.end()) distinct.push_back(static_cast<int>(m));
+    }
+    return first;
+}
+
+void add_vertices(Mesh& mesh, const std::vector<VertexKey>& keys, const ObjPrescan& prescan,
+                  const std::vector<glm::vec3>& normals, std::span<const TexcoordMap> maps,
+                  bool has_texcoords) {
+    mesh.positions.reserve(keys.size());
+    mesh.normals.reserve(keys.size());
+    if (has_texcoords) mesh.texcoords.reserve(keys.size());
+    for (const VertexKey& key : keys) {
+        const auto position = static_cast<std::size_t>(key.position);
+        mesh.positions.push_back(world_from_file(prescan.vertices.positions[position]));
+        mesh.normals.push_back(world_from_file(normals[key.normal]));
+        if (!prescan.vertices.colours.empty()) mesh.colours.push_back(prescan.vertices.colours[position]);
+        if (!has_texcoords) continue;
+        const bool absent = key.texcoord == kAbsentIndex;
+        const TexcoordMap& map = maps[static_cast<std::size_t>(key.texcoord_map)];
+        const glm::vec2 t = absent ? glm::vec2(0) : prescan.texcoords[static_cast<std::size_t>(key.texcoord)];
+        const glm::vec2 mapped = map.scale * t + map.offset;
+        mesh.texcoords.emplace_back(mapped.x, 1 - mapped.y);
+    }
+}
+
 }  // namespace
 
 ObjMesh build_obj_mesh(const ObjPrescan& prescan, const ObjFaces& faces, const ObjTriangles& triangles,
-                       std::span<const int> material_of_use, int no_material, bool want_texcoords,
-                       double crease_angle_rad) {
+                       const ObjMeshMaterials& materials, bool want_texcoords, double crease_angle_rad) {
     const FinalNormals normals = final_normals(prescan, faces, triangles, crease_angle_rad);
+    const std::vector<int> texcoord_map_of = first_of_equal_maps(materials.texcoord_maps);
     ObjMesh result{{}, normals.generated};
     Mesh& mesh = result.mesh;
     mesh.triangles.reserve(triangles.triangles.size());
@@ -111,29 +161,24 @@ ObjMesh build_obj_mesh(const ObjPrescan& prescan, const ObjFaces& faces, const O
     bool has_texcoords = false;
     for (std::size_t t = 0; t < triangles.triangles.size(); ++t) {
         const ObjTriangle& triangle = triangles.triangles[t];
+        const std::int32_t use = faces.faces[triangle.face].material;
+        const int material = use < 0 ? static_cast<int>(texcoord_map_of.size()) - 1
+                                     : materials.of_use[static_cast<std::size_t>(use)];
         std::array<std::uint32_t, 3> numbers;
         for (std::size_t k = 0; k < 3; ++k) {
             const std::size_t corner = triangle.corners[k];
             const std::int32_t texcoord = want_texcoords ? triangles.corner_texcoord[corner] : kAbsentIndex;
             has_texcoords = has_texcoords || texcoord != kAbsentIndex;
-            numbers[k] =
-                vertices.number_of({faces.corners[corner].position, texcoord, normals.of_triangle[t][k]});
+            const int texcoord_map = want_texcoords ? texcoord_map_of[static_cast<std::size_t>(material)] : 0;
+            numbers[k] = vertices.number_of(
+                {faces.corners[corner].position, texcoord, normals.of_triangle[t][k], texcoord_map});
         }
         mesh.triangles.push_back({numbers[0], numbers[2], numbers[1]});
-        const std::int32_t material = faces.faces[triangle.face].material;
-        add_to_parts(mesh.parts,
-                     material < 0 ? no_material : material_of_use[static_cast<std::size_t>(material)]);
+        add_to_parts(mesh.parts, material);
     }
-    mesh.positions.reserve(vertices.keys.size());
-    mesh.normals.reserve(vertices.keys.size());
-    if (has_texcoords) mesh.texcoords.reserve(vertices.keys.size());
-    for (const VertexKey& key : vertices.keys) {
-        mesh.positions.push_back(world_from_file(prescan.positions[static_cast<std::size_t>(key.position)]));
-        mesh.normals.push_back(world_from_file(normals.normals[key.normal]));
-        if (!has_texcoords) continue;
-        const bool absent = key.texcoord == kAbsentIndex;
-        const glm::vec2 t = absent ? glm::vec2(0) : prescan.texcoords[static_cast<std::size_t>(key.texcoord)];
-        mesh.texcoords.emplace_back(t.x, 1 - t.y);
+    add_vertices(mesh, vertices.keys, prescan, normals.normals, materials.texcoord_maps, has_texcoords);
+    if (materials.normal_maps && has_texcoords) {
+        mesh.tangents = vertex_tangents(mesh.positions, mesh.normals, mesh.texcoords, mesh.triangles);
     }
     return result;
 }

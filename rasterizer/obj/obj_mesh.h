@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "rasterizer/obj/material_textures.h"
 #include "rasterizer/obj/obj_parse.h"
 #include "rasterizer/obj/obj_prescan.h"
 #include "rasterizer/obj/obj_triangles.h"
@@ -15,12 +16,18 @@ struct ObjMesh {
     std::size_t generated_normals = 0;  // triangle corners that the file has no normal for
 };
 
+// What the mesh needs to know of the materials; the last one is for faces without.
+struct ObjMeshMaterials {
+    std::span<const int> of_use;                 // a material for each of ObjPrescan::materials
+    std::span<const TexcoordMap> texcoord_maps;  // one a material
+    bool normal_maps = false;                    // any has one: the mesh gets tangents
+};
+
 // Vertices stand in order of first use, one for each distinct position, texture coordinate and normal.
-// Corners without a normal get a generated one (see vertex_normals.h), those without texture coordinates (0,
-// 0) in file space; when no corner has any, or want_texcoords is false, the mesh has none. A part is a run of
-// faces of one material: material_of_use maps the faces' materials, no_material is for faces without.
+// Corners without a normal get a generated one (see vertex_normals.h; the faces of one smoothing group share
+// it), those without texture coordinates (0, 0) in file space; when no corner has any, or want_texcoords is false,
+// the mesh has none. A part is a run of faces of one material.
 ObjMesh build_obj_mesh(const ObjPrescan& prescan, const ObjFaces& faces, const ObjTriangles& triangles,
-                       std::span<const int> material_of_use, int no_material, bool want_texcoords,
-                       double crease_angle_rad);
+                       const ObjMeshMaterials& materials, bool want_texcoords, double crease_angle_rad);
 
 }  // namespace crevice

@@ -1,12 +1,9 @@
-// The faces of an OBJ and the materials of an MTL, read by tinyobjloader.
+// The faces of an OBJ, read by tinyobjloader.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
-
-#include <glm/vec3.hpp>
 
 #include "rasterizer/obj/obj_prescan.h"
 
@@ -22,36 +19,18 @@ struct ObjCorner {
 struct ObjFace {
     std::size_t first_corner = 0;  // into ObjFaces::corners
     std::uint32_t corner_count = 0;
-    std::int32_t material = -1;  // into ObjFaces::materials; -1: none
+    std::int32_t material = -1;  // into ObjPrescan::materials; -1: none
     std::uint32_t line = 0;
-};
-
-// A material as faces name it.
-struct ObjMaterialUse {
-    std::string name;
-    std::size_t line = 0;  // of its first `usemtl`
+    std::uint32_t smoothing = kNoSmoothing;
 };
 
 struct ObjFaces {
     std::vector<ObjCorner> corners;
     std::vector<ObjFace> faces;
-    std::vector<ObjMaterialUse> materials;  // in order of first use
 };
 
 // Polygons stay whole: tinyobjloader's triangulation loses faces, and its own face lists hold at most 255
 // corners, so its callback interface is used.
 ObjFaces parse_faces(const ObjPrescan& prescan);
-
-// What the lab uses of an MTL material, numbers as they stand in the file.
-struct MtlMaterial {
-    std::string name;
-    glm::vec3 ambient, diffuse, specular;  // Ka, Kd, Ks
-    float shininess;                       // Ns
-    float opacity;                         // d
-    std::string diffuse_map;               // map_Kd; empty: none
-};
-
-// The materials of an MTL text, in its order.
-std::vector<MtlMaterial> parse_mtl(std::string text);
 
 }  // namespace crevice

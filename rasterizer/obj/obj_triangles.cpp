@@ -30,7 +30,7 @@ struct Builder {
     std::vector<glm::vec3> outline;  // of the face in hand
 
     const glm::vec3& position(std::size_t corner) const {
-        return prescan.positions[static_cast<std::size_t>(faces.corners[corner].position)];
+        return prescan.vertices.positions[static_cast<std::size_t>(faces.corners[corner].position)];
     }
 
     // Collects the outline of a face; false when the face cannot be drawn.
@@ -38,7 +38,7 @@ struct Builder {
         outline.clear();
         for (std::uint32_t i = 0; i < face.corner_count; ++i) {
             const std::size_t corner = face.first_corner + i;
-            if (!is_listed(faces.corners[corner].position, prescan.positions)) {
+            if (!is_listed(faces.corners[corner].position, prescan.vertices.positions)) {
                 made.report.missing_vertices.add(face.line);
                 return false;
             }
@@ -112,18 +112,23 @@ struct Builder {
                 std::swap(made.triangles[t].corners[1], made.triangles[t].corners[2]);
             }
         }
-        replace_useless_normals(face, reversed ? -geometric : geometric);
+        use_face_normal(face, reversed ? -geometric : geometric);
     }
 
-    void replace_useless_normals(const ObjFace& face, glm::dvec3 geometric) {
+    // Gives the normal of the face to corners whose own is useless, and to those without one where the face is
+    // shaded flat.
+    void use_face_normal(const ObjFace& face, glm::dvec3 geometric) {
         // Where the outline crosses itself so that its areas cancel, the face has no normal: one is
         // generated.
         const glm::vec3 own = unit_or_zero(geometric);
         std::int32_t of_face = kAbsentIndex;
         for (std::size_t c = face.first_corner; c < face.first_corner + face.corner_count; ++c) {
             const std::int32_t n = made.corner_normal[c];
-            if (n == kAbsentIndex || made.normals[static_cast<std::size_t>(n)] != glm::vec3(0)) continue;
-            made.report.replaced_normals.add(face.line);
+            const bool absent = n == kAbsentIndex;
+            if (absent ? face.smoothing != kFlatShaded
+                       : made.normals[static_cast<std::size_t>(n)] != glm::vec3(0))
+                continue;
+            if (!absent) made.report.replaced_normals.add(face.line);
             if (of_face == kAbsentIndex && own != glm::vec3(0)) {
                 of_face = static_cast<std::int32_t>(made.normals.size());
                 made.normals.push_back(own);

@@ -17,18 +17,41 @@ namespace {
 struct ObjText {
     std::string text;
 
-    // "keyword 1 2 3". `index` tells a number that is not finite from others, counted from 1 as in the file.
+    void begin_line(const char* keyword) { text += keyword; }
+    void end_line() { text += '\n'; }
+
+    // One number of a line. `index` tells it from others when it is not finite, counted from 1 as in the file.
+    template <class Number>
+    void add(const char* keyword, std::size_t index, Number value) {
+        if (!std::isfinite(value))
+            throw InputError("OBJ: `" + std::string(keyword) + "` " + std::to_string(index + 1) +
+                             " holds a number that is not finite (" + std::to_string(value) +
+                             "); leave its triangles out");
+        text += ' ';
+        text += shortest_text(value);
+    }
+
+    // "keyword 1 2 3"
     void add_values(const char* keyword, std::size_t index, std::initializer_list<float> values) {
-        text += keyword;
-        for (const float value : values) {
-            if (!std::isfinite(value))
-                throw InputError("OBJ: `" + std::string(keyword) + "` " + std::to_string(index + 1) +
-                                 " holds a number that is not finite (" + std::to_string(value) +
-                                 "); leave its triangles out");
-            text += ' ';
-            text += shortest_text(value);
+        begin_line(keyword);
+        for (const float value : values) add(keyword, index, value);
+        end_line();
+    }
+
+    // "v x y z" or "v x y z r g b"
+    void add_vertex(std::size_t index, const glm::vec3& p, const glm::dvec3& origin,
+                    const glm::vec3* colour) {
+        begin_line("v");
+        for (int axis = 0; axis < 3; ++axis) {
+            const double turned = axis == 2 ? -1 : 1;
+            if (origin == glm::dvec3(0)) {
+                add("v", index, static_cast<float>(turned) * p[axis]);
+            } else {
+                add("v", index, turned * (double{p[axis]} + origin[axis]));
+            }
         }
-        text += '\n';
+        for (int i = 0; colour != nullptr && i < 3; ++i) add("v", index, (*colour)[i]);
+        end_line();
     }
 
     // Position, texture coordinate and normal of one corner; they share their index.
@@ -63,18 +86,13 @@ void add_comment(ObjText& obj, std::string_view comment) {
 
 }  // namespace
 
-std::string obj_text(const Mesh& mesh, std::span<const glm::vec3> colours, std::string_view comment) {
+std::string obj_text(const Mesh& mesh, std::span<const glm::vec3> colours, std::string_view comment,
+                     const glm::dvec3& origin) {
     check_colours(mesh, colours.size());
     ObjText obj;
     add_comment(obj, comment);
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-        const glm::vec3& p = mesh.positions[i];
-        if (colours.empty()) {
-            obj.add_values("v", i, {p.x, p.y, -p.z});
-        } else {
-            obj.add_values("v", i, {p.x, p.y, -p.z, colours[i].x, colours[i].y, colours[i].z});
-        }
-    }
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+        obj.add_vertex(i, mesh.positions[i], origin, colours.empty() ? nullptr : &colours[i]);
     for (std::size_t i = 0; i < mesh.texcoords.size(); ++i)
         obj.add_values("vt", i, {mesh.texcoords[i].x, 1 - mesh.texcoords[i].y});
     for (std::size_t i = 0; i < mesh.normals.size(); ++i)
@@ -90,8 +108,8 @@ std::string obj_text(const Mesh& mesh, std::span<const glm::vec3> colours, std::
 }
 
 void write_obj(const std::filesystem::path& path, const Mesh& mesh, std::span<const glm::vec3> colours,
-               std::string_view comment) {
-    write_file_atomically(path, obj_text(mesh, colours, comment));
+               std::string_view comment, const glm::dvec3& origin) {
+    write_file_atomically(path, obj_text(mesh, colours, comment, origin));
 }
 
 }  // namespace crevice

@@ -36,6 +36,7 @@ struct Mesh {
         tangents;  // object space, one a position (tangents.h); empty: normal maps do nothing
     std::vector<std::array<std::uint32_t, 3>> triangles;  // indices into all of the above
     std::vector<MeshPart> parts;                          // cover all triangles in order
+    std::vector<glm::vec3> colours = {};  // one a position, linear, multiply the material's; empty: white
 };
 
 struct Instance {
@@ -101,6 +102,8 @@ struct Scene {
     // How many scene units make one unit of the tutorials: the AO methods' default lengths are multiples of
     // it.
     float length_unit = 1;
+    // What was subtracted from all world coordinates to bring the scene to where float is precise; mostly 0.
+    glm::dvec3 origin = glm::dvec3(0);
 };
 
 std::size_t triangle_count(const Scene& scene);

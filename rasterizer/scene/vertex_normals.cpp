@@ -1,5 +1,6 @@
 #include "rasterizer/scene/vertex_normals.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -92,7 +93,7 @@ std::uint32_t index_of(std::vector<glm::vec3>& normals, std::size_t first, glm::
 
 CornerNormals angle_weighted_normals(std::span<const glm::vec3> positions,
                                      std::span<const std::array<std::uint32_t, 3>> triangles,
-                                     double crease_angle_rad) {
+                                     double crease_angle_rad, std::span<const std::uint32_t> groups) {
     if (!(crease_angle_rad >= 0 && crease_angle_rad <= kSmoothEverywhere_rad)) {
         throw UsageError("the crease angle is out of range (" + std::to_string(crease_angle_rad) +
                          " rad); give one from 0 to pi");
@@ -100,23 +101,38 @@ CornerNormals angle_weighted_normals(std::span<const glm::vec3> positions,
     const bool smooth = crease_angle_rad >= kSmoothEverywhere_rad;
     const double least_cosine = smooth ? -2 : sine_cosine(crease_angle_rad).cosine - kPlanarSlack;
     const std::vector<glm::dvec3> faces = unit_face_normals(positions, triangles);
-    const Incidences at = gather_incidences(positions, triangles);
+    Incidences at = gather_incidences(positions, triangles);
+    const auto group_of = [&](const Incidence& corner) {
+        return groups.empty() ? 0 : groups[corner.triangle];
+    };
 
     CornerNormals result;
     result.normals.reserve(positions.size());
     result.of_triangle.resize(triangles.size());
     for (std::size_t p = 0; p < positions.size(); ++p) {
-        const std::span<const Incidence> corners(at.corners.data() + at.first[p],
-                                                 at.first[p + 1] - at.first[p]);
+        std::span<Incidence> left(at.corners.data() + at.first[p], at.first[p + 1] - at.first[p]);
+        if (!groups.empty()) {
+            std::stable_sort(left.begin(), left.end(), [&](const Incidence& a, const Incidence& b) {
+                return group_of(a) < group_of(b);
+            });
+        }
         const std::size_t first = result.normals.size();
-        const glm::dvec3 everywhere = smooth ? mean_normal(corners, faces, {}, least_cosine) : glm::dvec3(0);
-        for (const Incidence& corner : corners) {
-            const glm::dvec3 own = faces[corner.triangle];
-            glm::dvec3 normal = smooth ? everywhere : mean_normal(corners, faces, own, least_cosine);
-            if (normal == glm::dvec3(0)) normal = own;
-            if (normal == glm::dvec3(0)) normal = {0, 0, 1};
-            result.of_triangle[corner.triangle][corner.corner] =
-                index_of(result.normals, first, glm::vec3(normal));
+        while (!left.empty()) {
+            const std::uint32_t group = group_of(left.front());
+            const auto end = std::find_if(left.begin(), left.end(),
+                                          [&](const Incidence& corner) { return group_of(corner) != group; });
+            const auto corners = left.first(static_cast<std::size_t>(end - left.begin()));
+            left = left.subspan(corners.size());
+            const glm::dvec3 everywhere =
+                smooth ? mean_normal(corners, faces, {}, least_cosine) : glm::dvec3(0);
+            for (const Incidence& corner : corners) {
+                const glm::dvec3 own = faces[corner.triangle];
+                glm::dvec3 normal = smooth ? everywhere : mean_normal(corners, faces, own, least_cosine);
+                if (normal == glm::dvec3(0)) normal = own;
+                if (normal == glm::dvec3(0)) normal = {0, 0, 1};
+                result.of_triangle[corner.triangle][corner.corner] =
+                    index_of(result.normals, first, glm::vec3(normal));
+            }
         }
     }
     return result;

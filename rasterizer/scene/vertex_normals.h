@@ -26,10 +26,11 @@ struct CornerNormals {
 // so texture seams leave no crease. Only triangles whose normal is within crease_angle_rad, in [0, pi], of
 // the corner's own take part: less than pi keeps edges sharp. A corner whose sum cancels out (two sides of
 // one sheet) has the normal of its triangle. `triangles` index `positions` and are counter-clockwise for
-// right-handed axes; one without area has no say and gets (0, 0, 1). Throws UsageError for an angle out of
+// right-handed axes; one without area has no say and gets (0, 0, 1). `groups`, one a triangle if given, are
+// smoothing groups: only triangles of one group smooth each other. Throws UsageError for an angle out of
 // range. Quadratic in the triangles of one position below pi, else linear.
 CornerNormals angle_weighted_normals(std::span<const glm::vec3> positions,
                                      std::span<const std::array<std::uint32_t, 3>> triangles,
-                                     double crease_angle_rad);
+                                     double crease_angle_rad, std::span<const std::uint32_t> groups = {});
 
 }  // namespace crevice

@@ -8,7 +8,7 @@
 
 #include <glm/vec4.hpp>
 
-#include "rasterizer/base/image.h"
+#include "rasterizer/textures/image_file.h"
 
 namespace crevice {
 
@@ -53,21 +53,7 @@ class Texture {
 // keep_coverage. Throws UsageError as Texture::add_level does.
 Texture build_texture(Image3 base, Image<float> alpha = {});
 
-// What the codes of a file mean. Alpha is linear in both.
-enum class TextureEncoding {
-    srgb,    // colours
-    linear,  // data, such as normals: code / 255
-};
-
-// Reads PNG, JPEG or TGA (8-bit). Alpha is kept where a file has it (of a TGA: where its header counts alpha
-// bits) and where it is not 1 everywhere. Throws InputError when the file is missing, not a regular file,
-// damaged, or larger than kMaxTextureSide on a side.
-inline constexpr int kMaxTextureSide = 16384;
+// The picture in a file (image_file.h) as a texture. Throws InputError as decode_image does.
 Texture load_texture(const std::filesystem::path& path, TextureEncoding encoding = TextureEncoding::srgb);
-
-// The stored values k/255, k in 0..255, as the file encodes them (sRGB); grey is spread to three components.
-// Goes through load_texture and back from linear light, rounded to the nearest k. Throws InputError as
-// load_texture does.
-Image3 read_png8(const std::filesystem::path& path);
 
 }  // namespace crevice

@@ -8,6 +8,7 @@
 #include "rasterizer/base/parallel.h"
 #include "rasterizer/draw/cutouts.h"
 #include "rasterizer/draw/surface_textures.h"
+#include "rasterizer/draw/vertex_colours.h"
 #include "ssao/light/light_tile.h"
 #include "ssao/light/second_drawing.h"
 
@@ -28,11 +29,12 @@ ViewLights lights_in_view(const Scene& scene, const CameraMatrices& matrices, bo
     return lights;
 }
 
-// See blinn_schlick. One a material; with textures the albedo of a pixel is anything.
+// See blinn_schlick. One a material; with textures or vertex colours the albedo of a pixel is anything.
 std::vector<float> highlight_limits(const Scene& scene, const Run& run) {
     std::vector<float> limits;
+    const bool coloured = has_vertex_colours(scene);
     for (const Material& material : scene.materials) {
-        const bool plain = material.texture == nullptr && material.normal_map == nullptr &&
+        const bool plain = material.texture == nullptr && material.normal_map == nullptr && !coloured &&
                            run.leaves_out(Skip::faint_highlights);
         limits.push_back(plain ? invisible_highlight(material) : 0);
     }
@@ -101,10 +103,11 @@ struct ViewLighting {
 class TileRows {
  public:
     TileRows(const ScreenGeometry& geometry, const SurfaceTextures& textures,
-             const Image<std::int32_t>& triangle, const GBuffer* gbuffer, bool one_material, PixelRect tile,
-             const Run& run)
+             const VertexColours& vertex_colours, const Image<std::int32_t>& triangle, const GBuffer* gbuffer,
+             bool one_material, PixelRect tile, const Run& run)
         : geometry_(geometry),
           textures_(textures),
+          vertex_colours_(vertex_colours),
           triangle_(triangle),
           gbuffer_(gbuffer),
           one_material_(one_material),
@@ -120,11 +123,16 @@ class TileRows {
                           {view_depth_, {normal_[0], normal_[1], normal_[2]}, material_}, run_);
         }
         ShownRow shown{material_, {normal_[0], normal_[1], normal_[2]}, {}, nullptr, view_depth_};
-        if (!textures_.any()) return shown;
+        if (!textures_.any() && !vertex_colours_.any()) return shown;
+        // Without textures it says 1 everywhere.
         textures_.look_up(
             triangle, tile_.x0, tile_.x1, y,
             {material_, {normal_[0], normal_[1], normal_[2]}, {colour_[0], colour_[1], colour_[2]}, gloss_},
             run_);
+        if (vertex_colours_.any()) {
+            vertex_colours_.multiply(triangle, tile_.x0, tile_.x1, y, {colour_[0], colour_[1], colour_[2]},
+                                     run_);
+        }
         std::copy_n(colour_, 3, shown.colour);
         shown.gloss = gloss_;
         return shown;
@@ -150,6 +158,7 @@ class TileRows {
 
     const ScreenGeometry& geometry_;
     const SurfaceTextures& textures_;
+    const VertexColours& vertex_colours_;
     const Image<std::int32_t>& triangle_;
     const GBuffer* gbuffer_;
     const bool one_material_;
@@ -167,13 +176,15 @@ Image3 light_triangles(const ViewLighting& view, const ScreenGeometry& geometry,
     Image3 lit(geometry.size);
     const TileLighting lighting = view.of_tiles(geometry, lit);
     const SurfaceTextures textures(view.scene, geometry);
+    const VertexColours vertex_colours(view.scene, geometry);
     parallel_for(geometry.tile_count(), run, [&](int tile) {
         const PixelRect rect = geometry.tile_rect(tile);
         if (geometry.triangles_of_tile(tile) == 0 && run.leaves_out(Skip::empty_tiles)) {
             lighting.fill_with_sky(rect);
             return;
         }
-        TileRows rows(geometry, textures, triangle, known(tile), view.scene.materials.size() == 1, rect, run);
+        TileRows rows(geometry, textures, vertex_colours, triangle, known(tile),
+                      view.scene.materials.size() == 1, rect, run);
         run_kernel(run, [&]<class F>(Lanes<F>) {
             lighting.light_tile<F>(rect, [&](int y) { return rows.row(y); });
         });

@@ -45,7 +45,7 @@ TEST_CASE("bake --lightmap: the map as floats and as a picture, the mesh that le
     CHECK(values.min < 0.1f);
     CHECK(values.max == 1);
     CHECK(values.nan == 0);
-    CHECK(read_png8(out / "lightmap.png").size() == Size{64, 64});
+    CHECK(read_png(out / "lightmap.png").colour.size() == Size{64, 64});
 
     const std::string obj = bytes_of(out / "cornell_lightmap.obj");
     CHECK(obj.find("# An OBJ file has one set of texture coordinates") != std::string::npos);

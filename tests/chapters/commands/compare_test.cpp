@@ -11,6 +11,7 @@
 #include "chapters/notebook/picture.h"
 #include "rasterizer/base/error.h"
 #include "rasterizer/textures/texture.h"
+#include "tests/tools/picture_files.h"
 #include "tests/tools/scratch_directory.h"
 
 using namespace crevice;
@@ -75,7 +76,7 @@ TEST_CASE("one pixel off: exit code 1, numbers, and the signed error image") {
     const Planes error = read_npy(scratch / "error.npy");
     CHECK(error[0].at(3, 2) == 0.5f);
     CHECK(error[0].at(2, 3) == 0);
-    const Image3 picture = read_png8(scratch / "error.png");
+    const Image3 picture = read_png(scratch / "error.png").colour;
     CHECK(picture.at(0, 0) == glm::vec3(1));
     CHECK(picture.at(3, 2).x > picture.at(3, 2).z);  // red: A is larger
 }
@@ -177,4 +178,27 @@ TEST_CASE("the page: failures first, first pixels with their values, offline, th
         CAPTURE(outside);
         CHECK(!contains(page, outside));
     }
+}
+
+TEST_CASE("compare: PNG files are compared with all their bits and their alpha") {
+    const ScratchDirectory scratch;
+    const auto put = [&](const char* name, const PngKind& kind, const std::string& samples) {
+        std::ofstream(scratch / name, std::ios::binary) << png_file({1, 1}, kind, samples);
+    };
+    put("a.png", {.colour_type = 0, .bits = 16}, std::string("\x64\0", 2));
+    put("b.png", {.colour_type = 0, .bits = 16}, "\x64\xc8");
+    put("opaque.png", {}, "\1\2\3\xff");
+    put("clear.png", {}, "\1\2\3\x7f");
+    put("plain.png", {.colour_type = 2}, "\1\2\3");
+    const auto outcome = [&](const char* a, const char* b) {
+        return compare({scratch / a, scratch / b, {}, scratch.path()});
+    };
+    CHECK(outcome("a.png", "a.png").code == 0);
+    CHECK(outcome("a.png", "b.png").code == 1);
+    CHECK(outcome("opaque.png", "plain.png").code == 0);
+    const Outcome alpha = outcome("opaque.png", "clear.png");
+    CHECK(alpha.code == 1);
+    CHECK(contains(alpha.report, "opaque.png: identical"));
+    CHECK(contains(alpha.report, "opaque.png, alpha: differs"));
+    CHECK(read_npy(scratch / "error_alpha.npy")[0].at(0, 0) == 1 - 127.0f / 255);
 }

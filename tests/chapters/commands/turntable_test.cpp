@@ -89,18 +89,18 @@ TEST_CASE("render --preset, --time and --frames as a user meets them") {
         CHECK(outcome.code == 2);
     }
     CHECK(says("--preset luna --only lit").code == 0);
-    const Image3 by_preset = read_png8(scratch / "out" / "lit.png");
+    const Image3 by_preset = read_png(scratch / "out" / "lit.png").colour;
     CHECK(says("columns_luna --ao luna --only lit").code == 0);
-    const Image3 by_words = read_png8(scratch / "out" / "lit.png");
+    const Image3 by_words = read_png(scratch / "out" / "lit.png").colour;
     CHECK(content_hash(by_preset) == content_hash(by_words));
     CHECK(says("--preset luna --only lit --time 5").code == 0);
-    CHECK(content_hash(read_png8(scratch / "out" / "lit.png")) != content_hash(by_words));
+    CHECK(content_hash(read_png(scratch / "out" / "lit.png").colour) != content_hash(by_words));
 
     const Outcome film = says("columns --frames 0-2");
     CAPTURE(film.text);
     REQUIRE(film.code == 0);
-    const Image3 first = read_png8(scratch / "out" / "frame_0000.png");
+    const Image3 first = read_png(scratch / "out" / "frame_0000.png").colour;
     CHECK(first.size() == Size{48, 27});
-    CHECK(content_hash(first) != content_hash(read_png8(scratch / "out" / "frame_0002.png")));
+    CHECK(content_hash(first) != content_hash(read_png(scratch / "out" / "frame_0002.png").colour));
     CHECK(!std::filesystem::exists(scratch / "out" / "frame_0003.png"));
 }

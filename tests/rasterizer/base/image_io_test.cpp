@@ -155,7 +155,8 @@ TEST_CASE("png: 8-bit values survive a round trip, grey and RGB") {
     }
     write_png(scratch / "grey.png", size, 1, grey);
     write_png(scratch / "rgb.png", size, 3, rgb);
-    const Image3 read_grey = read_png8(scratch / "grey.png"), read_rgb = read_png8(scratch / "rgb.png");
+    const Image3 read_grey = read_png(scratch / "grey.png").colour,
+                 read_rgb = read_png(scratch / "rgb.png").colour;
     REQUIRE(read_rgb.size() == size);
     for (int i = 0; i < 256; ++i) {
         CAPTURE(i);

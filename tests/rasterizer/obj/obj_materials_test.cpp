@@ -57,8 +57,8 @@ TEST_CASE("load_obj: material values as they stand; names with blanks and with W
 
 TEST_CASE("load_obj: no texture is read that nobody wants") {
     const Models models;
-    const LoadedObj loaded =
-        models.load("mtllib a b.mtl\n", "newmtl red\nmap_Kd cut.png\n", {.want_textures = false});
+    const LoadedObj loaded = models.load("mtllib a b.mtl\n", "newmtl red\nKd .8 .8 .8\nmap_Kd cut.png\n",
+                                         {.want_textures = false});
     CHECK_FALSE(loaded.report.any());
     CHECK_FALSE(loaded.scene.materials[0].texture);
 }
@@ -99,6 +99,69 @@ TEST_CASE("load_obj: a material that is missing, damaged or outside is a warning
 TEST_CASE("load_obj: a link does not lead out of the directory") {
     const Models models;
     fs::create_symlink(models.scratch / "outside.png", models.scratch / "models/link.png");
-    const LoadedObj loaded = models.load("mtllib a b.mtl\n", "newmtl red\nmap_Kd link.png\n");
+    const LoadedObj loaded = models.load("mtllib a b.mtl\n", "newmtl red\nKd 1 1 1\nmap_Kd link.png\n");
     CHECK(has_warning(loaded.report, "is outside the OBJ's directory (link.png)"));
+}
+
+TEST_CASE("load_obj: a material's colour is its own; without one it is grey, or its texture's, and says so") {
+    const Models models;
+    const std::string lib = "mtllib a b.mtl\n";
+    const LoadedObj grey = models.load(lib, "newmtl other\nKd 1 0 0\nKs 1 1 1\nNs 90\nnewmtl red\nNs 10\n");
+    const Material& plain = grey.scene.materials[0];
+    CHECK(plain.diffuse == glm::vec3(0.8f));
+    CHECK(plain.specular == glm::vec3(0));
+    CHECK(plain.shininess == 10);
+    CHECK(grey.report.warnings.size() == 1);
+    CHECK(
+        has_warning(grey.report, "a b.mtl:5: material `red` has no Kd (colour); drawn in the default grey"));
+    const LoadedObj mapped = models.load(lib, "newmtl red\nmap_Kd maps/white.png\n");
+    CHECK(mapped.scene.materials[0].diffuse == glm::vec3(1));
+    CHECK(has_warning(mapped.report,
+                      "a b.mtl:1: material `red` has no Kd (colour); its texture drawn as it is"));
+    CHECK(models.load(lib, "newmtl red\nKd .5\n").scene.materials[0].diffuse == glm::vec3(0.5f));
+}
+
+TEST_CASE("load_obj: what would be invisible is drawn opaque, and said once for all") {
+    const Models models;
+    const LoadedObj solid = models.load("mtllib a b.mtl\n", "newmtl red\nKd 1 0 0\nd 0\n");
+    REQUIRE(solid.report.warnings.size() == 1);
+    CHECK(
+        has_warning(solid.report,
+                    "a b.mtl:1: a material would be wholly invisible (d 0 or Tr 1) (1 line); drawn opaque"));
+    CHECK(has_warning(models.load("mtllib a b.mtl\n", "newmtl red\nKd 1 0 0\nTr 1\n").report,
+                      "wholly invisible"));
+    CHECK(has_warning(models.load("mtllib a b.mtl\n", "newmtl red\nKd 1 0 0\nd .5\n").report,
+                      "is transparent (d 0.5"));
+    // Some exporters write both, the second one meaning the same as the first.
+    CHECK_FALSE(models.load("mtllib a b.mtl\n", "newmtl red\nKd 1 0 0\nd 1\nTr 1\n").report.any());
+}
+
+TEST_CASE("load_obj: material names with comments, numbers and quotes around them") {
+    const ScratchDirectory scratch;
+    write_text(scratch / "a.mtl",
+               "newmtl paint # red\nKd 1 0 0\nnewmtl Material #1\nKd 0 1 0\n"
+               "newmtl Material #2\nKd 0 0 1\nnewmtl  two  words \nKd 1 1 0\n"
+               "newmtl paint # red\nKd 0 0 0\n");
+    write_text(scratch / "a.obj", "mtllib \"a.mtl\" # colours\n" + std::string(kCorners) +
+                                      "usemtl paint # brush\nf 1 2 3\nusemtl Material #2\nf 1 2 3\n"
+                                      "usemtl  two  words\nf 1 2 3\nusemtl Material #1\nf 1 2 3\n"
+                                      "usemtl paint\nf 1 2 3\n");
+    const LoadedObj loaded = load_obj(scratch / "a.obj");
+    check_whole(loaded);
+    const auto& parts = mesh_of(loaded).parts;
+    REQUIRE(parts.size() == 5);
+    const glm::vec3 wanted[] = {{1, 0, 0}, {0, 0, 1}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}};
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        CAPTURE(i);
+        CHECK(loaded.scene.materials[static_cast<std::size_t>(parts[i].material)].diffuse == wanted[i]);
+    }
+    REQUIRE(loaded.report.warnings.size() == 1);
+    CHECK(has_warning(loaded.report, "a.mtl:9: material `paint` is there already; the first one is drawn"));
+}
+
+TEST_CASE("load_obj: files outside the directory are read where that is allowed") {
+    const Models models;
+    const LoadedObj loaded = models.load("mtllib ../outside.mtl\n", "", {.outside_files = true});
+    CHECK_FALSE(loaded.report.any());
+    CHECK(loaded.scene.materials[0].diffuse == glm::vec3(1, 0, 0));
 }

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 #include <sys/stat.h>
 
+#include "rasterizer/base/memory.h"
 #include "tests/tools/loaded_obj.h"
 
 using namespace crevice;
@@ -91,6 +92,13 @@ TEST_CASE("load_obj: what is no OBJ file is an InputError") {
         write_text(scratch / "a.obj", "v 0 0 0\n");
         fs::resize_file(scratch / "a.obj", kMaxObjBytes + 1);  // sparse: takes no room
         CHECK(error_of(scratch / "a.obj").find("too large (4294967297 bytes") != std::string::npos);
+    }
+    SUBCASE("too large for the memory, which is seen before it is read") {
+        const std::uintmax_t bytes = memory_bytes() / 8 + 1;
+        if (bytes > kMaxObjBytes) return;
+        write_text(scratch / "a.obj", "v 0 0 0\n");
+        fs::resize_file(scratch / "a.obj", bytes);
+        CHECK(error_of(scratch / "a.obj").find("too large for this machine's memory") != std::string::npos);
     }
 }
 

@@ -1,0 +1,55 @@
+// Where in an OBJ a statement stands, and its numbers.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "rasterizer/base/error.h"
+#include "rasterizer/obj/obj_lines.h"
+#include "rasterizer/obj/obj_numbers.h"
+
+namespace crevice {
+
+// As many numbers as a statement gives; absent ones are 0.
+template <class Number, std::size_t kMost>
+struct Numbers {
+    std::array<Number, kMost> values{};
+    std::size_t count = 0;
+};
+
+struct ObjPlace {
+    const std::string& name;  // the path, for messages
+    std::size_t line = 0;
+
+    std::string text() const { return name + ":" + std::to_string(line) + ": "; }
+    [[noreturn]] void fail(const std::string& what) const { throw InputError(text() + what); }
+
+    template <class Number>
+    Number number(std::string_view token) const {
+        const std::optional<Number> value = number_in<Number>(token);
+        if (!value) fail("this is not a number (" + std::string(token) + "); " + number_advice(token));
+        return *value;
+    }
+
+    // Of a statement that has between `least` and kMost.
+    template <class Number, std::size_t kMost>
+    Numbers<Number, kMost> numbers(std::string_view keyword, std::string_view rest, std::size_t least) const {
+        Numbers<Number, kMost> read;
+        for (std::string_view token = take_word(rest); !token.empty(); token = take_word(rest)) {
+            const Number value = number<Number>(token);
+            if (read.count < kMost) read.values[read.count] = value;
+            ++read.count;
+        }
+        if (read.count < least || read.count > kMost) {
+            const std::string wanted =
+                std::to_string(least) + (least == kMost ? "" : " to " + std::to_string(kMost));
+            fail("`" + std::string(keyword) + "` has the wrong count of numbers (" +
+                 std::to_string(read.count) + "); give " + wanted);
+        }
+        return read;
+    }
+};
+
+}  // namespace crevice

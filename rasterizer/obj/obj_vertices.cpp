@@ -1,0 +1,73 @@
+#include "rasterizer/obj/obj_vertices.h"
+
+#include <algorithm>
+
+#include "rasterizer/base/float_text.h"
+#include "rasterizer/obj/obj_origin.h"
+
+namespace crevice {
+namespace {
+
+constexpr glm::vec3 kUncoloured(-1);  // until all are known; white then
+constexpr float kByteColours = 255;   // what 1 is where colours are written as bytes
+
+// Homogeneous ones divided by w.
+glm::dvec3 exact_position(const ObjPlace& place, std::string_view rest) {
+    const auto [p, count] = place.numbers<double, 7>("v", rest, 3);
+    return glm::dvec3(p[0], p[1], p[2]) / (count == 4 ? p[3] : 1.0);
+}
+
+}  // namespace
+
+void ObjVertices::add(const ObjPlace& place, std::string_view rest) {
+    const auto [p, count] = place.numbers<float, 7>("v", rest, 3);
+    if (count == 5) {
+        place.fail("`v` has the wrong count of numbers (5); give 3, with w 4, with a colour 6 or 7");
+    }
+    const bool weighted = count == 4 && p[3] != 1;
+    positions.push_back(weighted ? glm::vec3(exact_position(place, rest)) : glm::vec3(p[0], p[1], p[2]));
+    if (count >= 6 && first_coloured_line_ == 0) {
+        colours.assign(positions.size() - 1, kUncoloured);
+        first_coloured_line_ = place.line;
+    }
+    if (first_coloured_line_ == 0) return;
+    colours.push_back(count >= 6 ? glm::vec3(p[3], p[4], p[5]) : kUncoloured);
+}
+
+void ObjVertices::recentre(std::string_view text, const std::string& name, const std::vector<bool>& used,
+                           std::vector<std::string>& warnings) {
+    if (!lie_far(positions, used)) return;
+    std::vector<glm::dvec3> exact;
+    exact.reserve(positions.size());
+    for (LogicalLines lines(text); lines.advance();) {
+        std::string_view rest = lines.text;
+        if (lower_case(take_word(rest)) == "v") exact.push_back(exact_position({name, lines.line}, rest));
+    }
+    origin = near_origin(exact, used);
+    if (origin == glm::dvec3(0)) return;
+    for (std::size_t i = 0; i < exact.size(); ++i) positions[i] = glm::vec3(exact[i] - origin);
+    warnings.push_back(name + ": " + origin_warning(origin));
+}
+
+void ObjVertices::finish_colours(const std::string& name, std::vector<std::string>& warnings) {
+    float highest = 0;
+    bool in_range = true;
+    for (const glm::vec3& c : colours) {
+        for (int i = 0; c != kUncoloured && i < 3; ++i) {
+            in_range = in_range && c[i] >= 0 && c[i] <= kByteColours;
+            highest = std::max(highest, c[i]);
+        }
+    }
+    const std::string where = ObjPlace{name, first_coloured_line_}.text();
+    if (!in_range) {
+        colours.clear();
+        warnings.push_back(where + "a vertex colour of the file is out of range; give 0 to 1, drawn without");
+    } else if (highest > 1) {
+        warnings.push_back(where + "vertex colours are above 1 (the highest is " + shortest_text(highest) +
+                           "); taken as 0 to 255");
+    }
+    const float full = highest > 1 ? kByteColours : 1;
+    for (glm::vec3& c : colours) c = c == kUncoloured ? glm::vec3(1) : c / full;
+}
+
+}  // namespace crevice

@@ -1,0 +1,214 @@
+#include "rasterizer/textures/image_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <new>
+#include <string_view>
+
+#include "rasterizer/base/error.h"
+#include "rasterizer/base/file_bytes.h"
+#include "rasterizer/base/image_intact.h"
+#include "rasterizer/lanes/approx_math.h"
+#include "rasterizer/textures/image_kind.h"
+#include "rasterizer/textures/tga.h"
+
+// The decoder of this file only: what it need not read it cannot get wrong.
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wall"
+#pragma GCC diagnostic ignored "-Wextra"
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wunused-function"
+#endif
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_NO_HDR
+#define STBI_NO_LINEAR
+#define STBI_NO_STDIO
+#define STBI_MAX_DIMENSIONS 16384
+#include <stb/stb_image.h>
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
+namespace crevice {
+namespace {
+
+static_assert(kMaxTextureSide == STBI_MAX_DIMENSIONS);
+
+// No picture of kMaxTexturePixels, 16 bits a channel and hardly compressible, needs more.
+constexpr std::uintmax_t kMaxFileBytes = (std::uintmax_t{1} << 31) - 1;
+
+constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1a\n";
+constexpr std::string_view kJpegSignature = "\xff\xd8\xff";
+
+const stbi_uc* encoded(const std::string& bytes) { return reinterpret_cast<const stbi_uc*>(bytes.data()); }
+int length(const std::string& bytes) { return static_cast<int>(bytes.size()); }
+
+struct FreePixels {
+    void operator()(void* pixels) const { stbi_image_free(pixels); }
+};
+template <class Code>
+using StbPixels = std::unique_ptr<Code, FreePixels>;
+
+[[noreturn]] void fail_damaged(const std::string& name, const std::string& damage) {
+    throw InputError(name + ": the picture is damaged (" + damage +
+                     "); replace the file, or convert it to PNG anew");
+}
+
+void check_size(Size size, const std::string& name, std::int64_t most_pixels) {
+    const std::int64_t pixels = std::int64_t{size.width} * size.height;
+    const bool fits = size.width >= 1 && size.height >= 1 && size.width <= kMaxTextureSide &&
+                      size.height <= kMaxTextureSide && pixels <= most_pixels;
+    if (fits) return;
+    throw InputError(name + ": the picture's size is out of range (" + std::to_string(size.width) + " x " +
+                     std::to_string(size.height) + "); 1 to " + std::to_string(kMaxTextureSide) +
+                     " pixels on a side and " + std::to_string(most_pixels) + " in all can be read here");
+}
+
+// What each of the 256 codes of a colour channel means.
+std::array<float, 256> meaning_of_codes(TextureEncoding encoding) {
+    std::array<float, 256> table{};
+    for (std::size_t code = 0; code < table.size(); ++code) {
+        const float value = static_cast<float>(code) / 255.0f;
+        table[code] = encoding == TextureEncoding::srgb ? std::min(1.0f, linear_from_srgb(value)) : value;
+    }
+    return table;
+}
+
+DecodedImage image_from(const std::uint8_t* rgba, Size size, TextureEncoding encoding, bool has_alpha) {
+    const std::array<float, 256> meaning = meaning_of_codes(encoding);
+    DecodedImage image{Image3(size, glm::vec3(0)), has_alpha ? Image<float>(size, 1.0f) : Image<float>()};
+    bool opaque = true;
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x, rgba += 4) {
+            image.colour.set(x, y, {meaning[rgba[0]], meaning[rgba[1]], meaning[rgba[2]]});
+            if (!has_alpha) continue;
+            image.alpha.at(x, y) = static_cast<float>(rgba[3]) / 255.0f;
+            opaque = opaque && rgba[3] == 255;
+        }
+    }
+    if (opaque) image.alpha = {};
+    return image;
+}
+
+// The size and the channels of a PNG or JPEG that is whole and within the limits.
+struct StbInfo {
+    Size size;
+    int channels = 0;
+};
+StbInfo checked_info(const std::string& bytes, const std::string& name, std::int64_t most_pixels) {
+    const std::string damage = damage_in_image(bytes);
+    if (!damage.empty()) fail_damaged(name, damage);
+    StbInfo info;
+    if (stbi_info_from_memory(encoded(bytes), length(bytes), &info.size.width, &info.size.height,
+                              &info.channels) == 0) {
+        fail_damaged(name, stbi_failure_reason());
+    }
+    check_size(info.size, name, most_pixels);
+    return info;
+}
+
+// Apple's variant, CgBI, stores blue first, and colours already multiplied by alpha. Set for good: other
+// files do not look at it.
+const bool kAppleVariantIsConverted = [] {
+    stbi_convert_iphone_png_to_rgb(1);
+    stbi_set_unpremultiply_on_load(1);
+    return true;
+}();
+
+// Whether a gAMA chunk says that the codes are proportional to light (PNG specification, 11.3.2.2).
+bool is_linear_png(std::string_view bytes) {
+    constexpr std::string_view kGammaOfOne("gAMA\0\1\x86\xa0", 8);
+    return bytes.substr(0, bytes.find("IDAT")).find(kGammaOfOne) != std::string_view::npos;
+}
+
+DecodedImage decode_with_stb(const std::string& bytes, const std::string& name, TextureEncoding encoding,
+                             std::int64_t most_pixels) {
+    StbInfo info = checked_info(bytes, name, most_pixels);
+    const StbPixels<stbi_uc> pixels(stbi_load_from_memory(encoded(bytes), length(bytes), &info.size.width,
+                                                          &info.size.height, &info.channels, STBI_rgb_alpha));
+    if (!pixels) fail_damaged(name, stbi_failure_reason());
+    return image_from(pixels.get(), info.size, encoding, info.channels == 2 || info.channels == 4);
+}
+
+bool starts_as(const std::string& bytes, std::string_view signature) { return bytes.starts_with(signature); }
+
+}  // namespace
+
+DecodedImage decode_image(const std::string& bytes, const std::string& name, TextureEncoding encoding,
+                          std::int64_t most_pixels) {
+    if (starts_as(bytes, kPngSignature) || starts_as(bytes, kJpegSignature)) {
+        return decode_with_stb(bytes, name, encoding, most_pixels);
+    }
+    const TgaHeader tga = tga_header(bytes);
+    if (!tga.valid) {
+        const std::string kind = unread_kind(bytes);
+        throw InputError(name + ": this is not a PNG, JPEG or TGA picture (" +
+                         (kind.empty() ? "nothing that is known here" : kind) + "); convert it to PNG");
+    }
+    check_size(tga.size, name, most_pixels);
+    const RgbaPixels pixels = decode_tga(bytes);
+    if (pixels.bytes.empty()) fail_damaged(name, "TGA, cut short or with an index that has no palette entry");
+    return image_from(pixels.bytes.data(), pixels.size, encoding, pixels.has_alpha);
+}
+
+std::string read_image_bytes(const std::filesystem::path& path) { return read_file(path, kMaxFileBytes); }
+
+DecodedImage load_image(const std::filesystem::path& path, TextureEncoding encoding,
+                        std::int64_t most_pixels) {
+    try {
+        return decode_image(read_image_bytes(path), path.string(), encoding, most_pixels);
+    } catch (const std::bad_alloc&) {
+        throw InputError(path.string() + ": there is not enough memory for the picture; give a smaller one");
+    }
+}
+
+bool may_have_alpha(const std::string& bytes) {
+    if (starts_as(bytes, kJpegSignature)) return false;
+    if (!starts_as(bytes, kPngSignature)) {
+        const TgaHeader tga = tga_header(bytes);
+        return tga.valid && tga.has_alpha;
+    }
+    constexpr std::size_t kColourType = 25;  // in the header, which is the first chunk but in CgBI
+    constexpr char kGreyAndAlpha = 4, kRgba = 6;
+    const bool has_channel =
+        bytes.size() > kColourType && (bytes[kColourType] == kGreyAndAlpha || bytes[kColourType] == kRgba);
+    return has_channel || bytes.find("tRNS") < bytes.find("IDAT") || bytes.find("CgBI") < bytes.find("IDAT");
+}
+
+ImageCodes read_png(const std::filesystem::path& path) {
+    const std::string bytes = read_image_bytes(path), name = path.string();
+    if (!starts_as(bytes, kPngSignature)) {
+        const std::string kind = unread_kind(bytes);
+        throw InputError(name + ": this is not a PNG picture" + (kind.empty() ? "" : " (" + kind + ")") +
+                         "; convert it to PNG");
+    }
+    StbInfo info = checked_info(bytes, name, kMaxTexturePixels);
+    const StbPixels<stbi_us> pixels(stbi_load_16_from_memory(
+        encoded(bytes), length(bytes), &info.size.width, &info.size.height, &info.channels, STBI_rgb_alpha));
+    if (!pixels) fail_damaged(name, stbi_failure_reason());
+    const bool has_alpha = info.channels == 2 || info.channels == 4;
+    ImageCodes codes{
+        Image3(info.size, glm::vec3(0)), has_alpha ? Image<float>(info.size, 1.0f) : Image<float>(),
+        stbi_is_16_bit_from_memory(encoded(bytes), length(bytes)) != 0 ? 16 : 8, is_linear_png(bytes)};
+    const stbi_us* rgba = pixels.get();
+    // stb repeats the byte of an 8-bit code, so that k / 255 = 257 k / 65535.
+    const auto value = [&](stbi_us code) {
+        return codes.bits == 16 ? static_cast<float>(code) / 65535.0f
+                                : static_cast<float>(code >> 8) / 255.0f;
+    };
+    for (int y = 0; y < info.size.height; ++y) {
+        for (int x = 0; x < info.size.width; ++x, rgba += 4) {
+            codes.colour.set(x, y, {value(rgba[0]), value(rgba[1]), value(rgba[2])});
+            if (has_alpha) codes.alpha.at(x, y) = value(rgba[3]);
+        }
+    }
+    return codes;
+}
+
+}  // namespace crevice

@@ -1,0 +1,124 @@
+#include "rasterizer/textures/image_file.h"
+
+#include <fstream>
+
+#include <doctest/doctest.h>
+
+#include "rasterizer/base/error.h"
+#include "rasterizer/lanes/approx_math.h"
+#include "tests/tools/picture_files.h"
+#include "tests/tools/scratch_directory.h"
+
+using namespace crevice;
+using namespace std::string_literals;
+
+namespace {
+
+std::string error_of(const std::string& bytes) {
+    try {
+        decode_image(bytes, "t.png", TextureEncoding::srgb);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+ImageCodes codes_of(const std::string& bytes) {
+    const ScratchDirectory scratch;
+    std::ofstream(scratch / "a.png", std::ios::binary) << bytes;
+    return read_png(scratch / "a.png");
+}
+
+}  // namespace
+
+TEST_CASE("decode_image: a file of another kind is named for what it is") {
+    struct Row {
+        std::string bytes, kind;
+    };
+    const std::vector<Row> rows = {
+        {"II*\0\x08\0\0\0"s, "TIFF"},
+        {"MM\0*\0\0\0\x08"s, "TIFF"},
+        {"RIFF\x10\0\0\0WEBPVP8L"s, "WebP"},
+        {"8BPS\0\1"s, "PSD"},
+        {"\x76\x2f\x31\x01\x02\0\0\0"s, "OpenEXR"},
+        {"\xabKTX 20\xbb\r\n\x1a\n"s, "KTX2"},
+        {"DDS |\0\0\0"s, "DDS"},
+        {"\0\0\0\x0cjP  \r\n\x87\n"s, "JPEG 2000"},
+        {"\xff\x4f\xff\x51\0\x2f"s, "JPEG 2000"},
+        {"\0\0\0\x1c"s + "ftypavif", "AVIF"},
+        {"\0\0\0\x1c"s + "ftypheic", "HEIF"},
+        {"GIF89a\x10\0\x10\0"s, "GIF"},
+        {"BM\x36\0\0\0"s, "BMP"},
+        {"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n", "Radiance"},
+        {"P6\n2 2\n255\n", "PNM"},
+        {"<svg xmlns=\"http://www.w3.org/2000/svg\"/>", "SVG"},
+        {"<?xml version=\"1.0\"?>\n<!-- made by hand -->\n<svg/>", "SVG"},
+        {"\xEF\xBB\xBF\n<!DOCTYPE html>\n<html><body>404</body></html>", "HTML"},
+        {"<HTML><HEAD></HEAD></HTML>", "HTML"},
+        {"version https://git-lfs.github.com/spec/v1\noid sha256:1234\nsize 12\n", "Git LFS pointer"},
+        {"%PDF-1.7\n", "PDF"},
+        {"", "empty file"},
+        {"not a picture at all, only some words", "text"},
+        {"\1\2\3\4\5\6\7\x08"s, "nothing that is known"},
+    };
+    for (const Row& row : rows) {
+        CAPTURE(row.kind);
+        const std::string error = error_of(row.bytes);
+        CAPTURE(error);
+        CHECK(error.find("t.png: ") == 0);
+        CHECK(error.find(row.kind) != std::string::npos);
+        CHECK(error.find("convert it to PNG") != std::string::npos);
+        CHECK(error.find('\n') == std::string::npos);
+    }
+}
+
+TEST_CASE("decode_image: Apple's PNG variant has its colours in order and freed of alpha") {
+    // Blue, green, red, alpha: (200, 100, 50) opaque, and (254, 128, 0) times 1/2.
+    const std::string stored = "\x32\x64\xc8\xff\0\x40\x7f\x80"s;
+    const DecodedImage apple =
+        decode_image(png_file({2, 1}, {.apple = true}, stored), "k.png", TextureEncoding::linear);
+    CHECK(apple.colour.at(0, 0) == glm::vec3(200, 100, 50) / 255.0f);
+    CHECK(apple.alpha.at(1, 0) == 128.0f / 255);
+    CHECK(std::abs(apple.colour.at(1, 0).x - 254.0f / 255) < 1.01f / 255);
+    CHECK(std::abs(apple.colour.at(1, 0).y - 128.0f / 255) < 1.01f / 255);
+    CHECK(apple.colour.at(1, 0).z == 0);
+    // A common PNG is not touched by it.
+    const DecodedImage common = decode_image(png_file({2, 1}, {}, stored), "k.png", TextureEncoding::linear);
+    CHECK(common.colour.at(0, 0) == glm::vec3(50, 100, 200) / 255.0f);
+    CHECK(common.colour.at(1, 0) == glm::vec3(0, 64, 127) / 255.0f);
+}
+
+TEST_CASE("may_have_alpha: told by the header") {
+    CHECK(may_have_alpha(png_file({1, 1}, {.colour_type = 6}, "\1\2\3\4")));
+    CHECK(may_have_alpha(png_file({1, 1}, {.colour_type = 4}, "\1\2")));
+    CHECK_FALSE(may_have_alpha(png_file({1, 1}, {.colour_type = 2}, "\1\2\3")));
+    CHECK(may_have_alpha(
+        png_file({1, 1}, {.colour_type = 2, .chunks = png_chunk("tRNS", std::string(6, '\0'))}, "\1\2\3")));
+    CHECK(may_have_alpha(tga_header(2, {1, 1}, 32, 0x28)));
+    CHECK_FALSE(may_have_alpha(tga_header(2, {1, 1}, 32, 0x20)));
+    CHECK_FALSE(may_have_alpha("\xff\xd8\xff\xe0"));
+    CHECK_FALSE(may_have_alpha(""));
+}
+
+TEST_CASE("read_png: the file's own codes, 8 bits or 16, and its alpha") {
+    const ImageCodes grey = codes_of(png_file({2, 1}, {.colour_type = 0, .bits = 16}, "\x64\0\x64\xc8"s));
+    CHECK(grey.bits == 16);
+    CHECK(grey.colour.at(0, 0) == glm::vec3(25600.0f / 65535));
+    CHECK(grey.colour.at(1, 0) == glm::vec3(25800.0f / 65535));
+    CHECK(grey.alpha.empty());
+    CHECK_FALSE(grey.linear);
+    const ImageCodes rgba =
+        codes_of(png_file({1, 1}, {.chunks = png_chunk("gAMA", "\0\1\x86\xa0"s)}, "\1\2\3\4"));
+    CHECK(rgba.bits == 8);
+    CHECK(rgba.colour.at(0, 0) == glm::vec3(1, 2, 3) / 255.0f);
+    CHECK(rgba.alpha.at(0, 0) == 4.0f / 255);
+    CHECK(rgba.linear);
+    CHECK_THROWS_WITH_AS(codes_of("GIF89a"), doctest::Contains("a GIF picture"), InputError);
+}
+
+TEST_CASE("decode_image: a picture beyond the limit given is refused") {
+    const std::string four = png_file({2, 2}, {.colour_type = 0}, "\1\2\3\4");
+    CHECK_NOTHROW(decode_image(four, "a.png", TextureEncoding::srgb, 4));
+    CHECK_THROWS_WITH_AS(decode_image(four, "a.png", TextureEncoding::srgb, 3),
+                         doctest::Contains("out of range (2 x 2)"), InputError);
+}
