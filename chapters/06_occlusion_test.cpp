@@ -52,7 +52,7 @@ Sample sample_of(const LunaKernel& kernel, const RandomMap& map, int x, int y, s
     const float r_z = kernel.depth_at(in.rays.p_screen(q, 1 / q.z));
     const Vec3<float> r = in.rays.at_depth(q, 1 / q.z, r_z), to_r = r - p;
     const float cosine = dot(n, to_r) / std::sqrt(dot(to_r, to_r));
-    return {p, q, r, p.z - r_z, cosine > 0 ? cosine : 0, kernel.occlusion(p.z - r_z)};
+    return {p, q, r, p.z - r_z, cosine > 0 ? cosine : 0, kernel.occlusion(p.z - r_z, p.z)};
 }
 
 void tell_one_texel(Notebook& book, const LunaKernel& kernel, const Image<float>& ao) {

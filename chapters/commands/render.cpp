@@ -10,9 +10,11 @@
 #include "chapters/frame/buffer_writer.h"
 #include "chapters/frame/demo_view.h"
 #include "chapters/frame/parameter_words.h"
+#include "chapters/terminal/number_text.h"
 #include "chapters/terminal/output_directory.h"
 #include "chapters/terminal/parse.h"
 #include "rasterizer/base/write_file.h"
+#include "rasterizer/scene/outlier_vertex.h"
 
 namespace crevice {
 
@@ -121,6 +123,16 @@ void print_times(const Frame& frame, const std::vector<Saving>& savings,
     }
 }
 
+void warn_of(const OutlierVertex& outlier, const RenderOptions& options) {
+    const glm::dvec3& p = outlier.p_world;
+    std::cerr
+        << "warning: " << options.scene << ": the vertex at " << significant_text(p.x, 6) << ", "
+        << significant_text(p.y, 6) << ", " << significant_text(p.z, 6) << " makes the scene "
+        << significant_text(outlier.stretch, 3)
+        << " times as large as the others do, and framing, the unit of lengths and the shadow follow; remove "
+           "it, or give --eye, --target and --param radius\n";
+}
+
 }  // namespace
 
 PreparedRender prepared_render(const RenderOptions& options) {
@@ -138,6 +150,8 @@ PreparedRender prepared_render(const RenderOptions& options) {
     request.settings = settings_of(*request.method, options.params, argument.scene.length_unit);
     if (triangle_count(argument.scene) == 0)
         std::cerr << options.scene << ": 0 triangles; only the sky will be seen\n";
+    if (const std::optional<OutlierVertex> outlier = outlier_vertex(argument.scene))
+        warn_of(*outlier, options);
     return {std::move(argument), camera, std::move(request)};
 }
 

@@ -16,8 +16,6 @@ namespace crevice {
 
 namespace {
 
-// Positions are off by a few half steps of a float of their depth.
-constexpr double kPositionRounding = 0x1p-22;
 // Of the radius: a method without a tolerance of its own sees nothing wrong in less.
 constexpr double kHarmlessShare = 1.0 / 64;
 
@@ -27,12 +25,12 @@ constexpr double kShortestSquared = 0x1p-42, kLongestSquared = 0x1p42;
 
 // What a distance may be off before the method takes it for an occluder, scene units.
 struct Tolerance {
-    const char* name;
+    std::string name;
     double length;
 };
 Tolerance tolerance_of(const Method& method, const MethodSettings& settings) {
     for (const Parameter<MethodSettings>& p : parameters_of(method)) {
-        const bool named = p.name == std::string("epsilon") || p.name == std::string("bias");
+        const bool named = p.name == "epsilon" || p.name == "bias";
         if (named && p.unit == kSceneUnit && p.get(settings) > 0) return {p.name, p.get(settings)};
     }
     const double radius = value_of(method, settings, "radius").value_or(0);
@@ -40,7 +38,7 @@ Tolerance tolerance_of(const Method& method, const MethodSettings& settings) {
 }
 
 std::string in_brackets(const Tolerance& tolerance) {
-    return std::string(tolerance.name) + " (" + significant_text(tolerance.length, 3) + ")";
+    return tolerance.name + " (" + significant_text(tolerance.length, 3) + ")";
 }
 
 // Pixels that a surface covers, whose depth the format cannot tell from the cleared buffer.
@@ -75,6 +73,16 @@ std::size_t texels_beyond(const AoInputs& inputs, double depth) {
                          : 0;
     }
     return count;
+}
+
+bool shows_something(const GBuffer& gbuffer) {
+    const Size size = gbuffer.triangle.size;
+    for (int y = 0; y < size.height; ++y) {
+        const std::int32_t* const row = gbuffer.triangle.row(y);
+        if (std::any_of(row, row + size.width, [](std::int32_t triangle) { return triangle >= 0; }))
+            return true;
+    }
+    return false;
 }
 
 std::size_t vertices_not_finite(const ScreenGeometry& geometry) {
@@ -136,6 +144,9 @@ std::vector<PrecisionLoss> precision_account(const Scene& scene, const Camera& c
     };
     add("pixels_lost_to_clear_depth", lost_to_clear_code(scene, geometry, gbuffer, camera.reversed_z, run),
         "pixels of surfaces became sky, their depth is that of the cleared buffer", finer_depth);
+    const std::size_t unseen = shows_something(gbuffer) ? 0 : geometry.submitted_triangles;
+    add("triangles_of_an_empty_picture", unseen, "triangles, and none is seen",
+        "give another --eye and --target, or --near and --far");
     add("vertices_not_finite", vertices_not_finite(geometry),
         "vertices are no finite numbers on their way to the screen, and their triangles are left out",
         "mend the file, or bring scene and camera to a smaller scale");
@@ -158,9 +169,10 @@ std::vector<PrecisionLoss> precision_account(const Scene& scene, const Camera& c
             ? texels_beyond(inputs, depth_of_step(camera, gbuffer.depth.format, tolerance.length))
             : 0,
         "AO texels see steps of the depth buffer larger than " + in_brackets(tolerance), finer_depth);
-    add("texels_of_coarse_positions", texels_beyond(inputs, tolerance.length / kPositionRounding),
+    add("texels_of_coarse_positions",
+        texels_beyond(inputs, tolerance.length / static_cast<double>(kViewDepthRounding)),
         "AO texels see rounding larger than " + in_brackets(tolerance),
-        "bring the camera nearer, or give a larger --param radius and " + std::string(tolerance.name));
+        "bring the camera nearer, or give a larger --param radius and " + tolerance.name);
     add("vertices_far_from_origin", vertices_far_from_origin(scene, tolerance.length),
         "vertices have coordinates whose steps are larger than " + in_brackets(tolerance),
         "move the scene nearer to its origin before it is written");

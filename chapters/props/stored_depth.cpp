@@ -81,7 +81,7 @@ Image<float> ao_with_std_max(const AoInputs& in) {
             const Vec3<float> q = kernel.sample_point(p, n, kernel.random_vector(map, u, v), offset);
             const float r_z = kernel.depth_at(in.rays.p_screen(q, 1 / q.z));
             const Vec3<float> to_r = (r_z / q.z) * q - p;
-            sum += std::max(dot(n, to_r) / std::sqrt(dot(to_r, to_r)), 0.0f) * kernel.occlusion(p.z - r_z);
+            sum += std::max(dot(n, to_r) / std::sqrt(dot(to_r, to_r)), 0.0f) * kernel.occlusion(p.z - r_z, p.z);
         }
         ao.at(x, y) = 1 - sum / kCubeVectors;
     }

@@ -12,7 +12,7 @@ double plane_distance(int plane, const glm::dvec4& p, Size size, const DepthRang
     switch (plane) {
         case 0: return range.by_w ? p.w - static_cast<double>(range.nearest) : p.z;
         case 1: return range.by_w ? static_cast<double>(range.farthest) - p.w : p.w - p.z;
-        case 2: return p.w - kSmallestW;
+        case 2: return range.by_w ? p.w : p.w - kSmallestW;  // the near plane lies before the eye plane
         case 3: return (right + 1) * p.w + p.x;   // screen x >= -kGuardBand_px
         case 4: return (right - 1) * p.w - p.x;   // screen x <= +kGuardBand_px
         case 5: return (bottom + 1) * p.w - p.y;  // screen y >= -kGuardBand_px

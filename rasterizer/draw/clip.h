@@ -16,7 +16,7 @@ namespace crevice {
 // Near, far, the eye plane and the four sides of the guard band.
 inline constexpr int kClipPlanes = 7;
 inline constexpr int kMaxClippedVertices = 3 + kClipPlanes;
-// Vertices nearer to the eye plane are cut off: below the near plane of any camera.
+// Vertices nearer to the eye plane are cut off where the range of depths is not one of w.
 inline constexpr double kSmallestW = 1e-12;
 
 struct ClippedVertex {

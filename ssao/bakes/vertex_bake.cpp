@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
 #include "rasterizer/base/parallel.h"
@@ -69,8 +70,10 @@ Explanation explain_vertex_bake(const Scene& scene, const Camera& camera, const 
     const glm::mat3 view_from_relative(camera_matrices(camera, inputs.picture).view_from_relative);
     const VertexAoShown shown = vertex_ao_shown(scene, camera, inputs.size(), rays, baked, x, y);
     result.p_view = view_from_relative * shown.position;
-    result.n_view = {inputs.normal.x.at(x, y), inputs.normal.y.at(x, y), inputs.normal.z.at(x, y)};
     if (!shown.hit) return result;
+    const glm::vec3 across = glm::cross(shown.corner[1] - shown.corner[0], shown.corner[2] - shown.corner[0]);
+    const glm::vec3 n_view = view_from_relative * glm::normalize(across);
+    result.n_view = glm::dot(n_view, result.p_view) > 0 ? -n_view : n_view;  // towards the eye
     for (std::size_t i = 0; i < 3; ++i) {
         ExplainedSample sample;
         sample.q_view = sample.r_view = view_from_relative * shown.corner[i];

@@ -82,6 +82,10 @@ struct AoInputs {
 // X_Jun clears its depth to 1e5, a hundred times its far plane; as a ratio it survives a change of units.
 inline constexpr float kBackgroundOverFar = 100;
 
+// The difference of two view depths, one filtered, may be off by this share of them: a few steps of a float. What lies no
+// further in front is no occluder but rounding.
+inline constexpr float kViewDepthRounding = 0x1p-20f;
+
 // The AO map of a picture: each side times the scale, rounded up, at least 1.
 Size ao_map_size(Size picture, float scale);
 

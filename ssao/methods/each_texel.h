@@ -30,6 +30,13 @@ struct TexelPoint {
     Mask<F> surface;  // false: background, where p lies at depth 1 and means nothing
 };
 
+// From their points towards a perspective camera's eye, unit. They lie before it, however small the scene's unit is.
+template <class F>
+CREVICE_INLINE Vec3<F> towards_eye(const TexelPoint<F>& texel) {
+    const Vec3<F> way = {F(0) - texel.p.x, F(0) - texel.p.y, F(0) - texel.p.z};
+    return (F(1) / square_root(dot(way, way))) * way;
+}
+
 template <class F>
 CREVICE_INLINE TexelPoint<F> texel_point(const AoInputs& inputs, int x, int y) {
     const Size size = inputs.size(), picture = inputs.picture;

@@ -40,7 +40,7 @@ struct HbaoKernel {
         const F zero(0);
         const Vec3<F> axis{zero, zero, F(-1)};
         if (!inputs.rays.perspective || settings.zenith == Zenith::axis) return axis;
-        return normalize_or<F>({zero - texel.p.x, zero - texel.p.y, zero - texel.p.z}, axis);
+        return towards_eye(texel);
     }
 
     template <class F>

@@ -7,9 +7,9 @@ namespace {
 glm::vec3 as_glm(const Vec3<float>& v) { return {v.x, v.y, v.z}; }
 
 // Why a sample takes nothing, or that it takes something.
-const char* verdict_of(const ExplainedSample& s, const LunaKernel& kernel) {
+const char* verdict_of(const ExplainedSample& s, float p_z, const LunaKernel& kernel) {
     if (!kernel.visible(s.q_view.z)) return "in front of the near plane";
-    if (!(s.dz > kernel.nearest_occluder)) return "nothing in front";
+    if (!(s.dz > kernel.nearest_occluder(p_z))) return "nothing in front";
     if (s.weight == 0) return "too far in front";
     if (s.dp == 0) return "below the surface";
     return "occludes";
@@ -27,9 +27,9 @@ ExplainedSample explained(const LunaKernel& kernel, const LunaPoint<float>& at, 
     sample.r_view = as_glm(kernel.inputs.rays.at_depth(q, inverse_z, r_z));
     sample.dz = at.p.z - r_z;
     sample.dp = kernel.settings.self_occlusion_test ? kernel.facing(at.p, at.n, q, inverse_z, r_z) : 1;
-    sample.weight = kernel.occlusion(sample.dz);
+    sample.weight = kernel.occlusion(sample.dz, at.p.z);
     sample.contribution = kernel.contribution(at.p, at.n, q, inverse_z, r_z);
-    sample.verdict = verdict_of(sample, kernel);
+    sample.verdict = verdict_of(sample, at.p.z, kernel);
     return sample;
 }
 

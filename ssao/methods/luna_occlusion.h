@@ -68,14 +68,14 @@ struct LunaKernel {
     const AoInputs& inputs;
     LunaSettings settings;  // spelt out
     std::array<glm::vec3, kCubeVectors> offsets;
-    float inverse_fade;      // 1 / (fade_end - fade_start), very large for a step
-    float nearest_occluder;  // epsilon; infinite for radius 0: then q = p, which nothing occludes
+    float inverse_fade;  // 1 / (fade_end - fade_start), very large for a step
+    float epsilon;       // infinite for radius 0: then q = p, which nothing occludes
 
     LunaKernel(const AoInputs& ao_inputs, const LunaSettings& luna)
         : inputs(ao_inputs), settings(spelt_out(luna)), offsets(cube_offsets(luna.seed)) {
         const float range = luna.fade_end - luna.fade_start;
         inverse_fade = range > 0 ? 1 / range : 3e38f;
-        nearest_occluder = luna.radius > 0 ? luna.epsilon : std::numeric_limits<float>::infinity();
+        epsilon = luna.radius > 0 ? luna.epsilon : std::numeric_limits<float>::infinity();
     }
 
     // Where a screen position lies between the pixels of the depth map, outside the picture on its border.
@@ -114,11 +114,18 @@ struct LunaKernel {
         return depth_in(cell_at(p_screen, depths), depths);
     }
 
-    // How much an occluder `distance_z` in front of p counts, in [0,1].
+    // How far in front of a point at view depth z something must be to count: epsilon, or what rounding makes of it.
     template <class F>
-    CREVICE_INLINE F occlusion(F distance_z) const {
+    CREVICE_INLINE F nearest_occluder(F z) const {
+        return max_of(F(epsilon), F(kViewDepthRounding) * z);
+    }
+
+    // How much an occluder `distance_z` in front of a point counts, in [0,1]; the point is at view depth p_z, at 0 nothing
+    // is rounded away.
+    template <class F>
+    CREVICE_INLINE F occlusion(F distance_z, F p_z = F(0)) const {
         const F fading = saturate((F(settings.fade_end) - distance_z) * F(inverse_fade));
-        return select(distance_z > F(nearest_occluder), fading, F(0));
+        return select(distance_z > nearest_occluder(p_z), fading, F(0));
     }
 
     // The point q around p that one offset vector leads to.
@@ -156,8 +163,8 @@ struct LunaKernel {
     // What that surface takes from p.
     template <class F>
     CREVICE_INLINE F contribution(Vec3<F> p, Vec3<F> n, Vec3<F> q, F inverse_z, F r_z) const {
-        if (!settings.self_occlusion_test) return select(visible(q.z), occlusion(p.z - r_z), F(0));
-        return facing(p, n, q, inverse_z, r_z) * occlusion(p.z - r_z);
+        if (!settings.self_occlusion_test) return select(visible(q.z), occlusion(p.z - r_z, p.z), F(0));
+        return facing(p, n, q, inverse_z, r_z) * occlusion(p.z - r_z, p.z);
     }
 
     // What one offset vector contributes: where it leads, what the depth map shows there, what that takes.
@@ -200,9 +207,10 @@ struct LunaKernel {
         }
         F r_z[kCubeVectors];
         auto occluded = F(0) > F(0);
+        const F nearest = nearest_occluder(p.z);
         for (int i = 0; i < settings.samples; ++i) {
             r_z[i] = depth_in(MapCell<F>{cell[i], cell_x[i], cell_y[i]}, depths);
-            occluded = occluded | (p.z - r_z[i] > F(nearest_occluder));
+            occluded = occluded | (p.z - r_z[i] > nearest);
         }
         if (!any(occluded)) return F(1);
         F sum = F(0);

@@ -13,8 +13,8 @@
 //         Their blur between scales is left out: it smooths the pattern of their taps, which lie four texels
 //         apart. So are the de-interleaved copies of the depths, which spare a GPU's caches: all taps read the
 //         map's own. Scales are upsampled one by one, so that one can tell what each takes, and the two
-//         coarsest have a grid in common. A pair of chords opens no more than a plane (MsvoPairs::all is
-//         theirs). The sky is infinitely far away.
+//         coarsest have a grid in common. A pair of chords opens no more than a plane, and one that leaves the picture
+//         counts as one (MsvoPairs::all is theirs). The sky is infinitely far away.
 // Cost:   36 reads of depth and about 400 operations a texel and scale; the coarser ones have 1/4, 1/16 and
 //         1/16 of the texels.
 #pragma once

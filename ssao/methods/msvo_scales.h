@@ -32,6 +32,10 @@ class DepthGrid {
         return min_of(I(cell_) * y + I(lower_), I(map_.height - 1));
     }
     float at(int x, int y) const { return depth_.at(x, y); }
+    template <class F>
+    CREVICE_INLINE Mask<F> holds(Int<F> x, Int<F> y) const {
+        return (x >= Int<F>(0)) & (x < Int<F>(size().width)) & (y >= Int<F>(0)) & (y < Int<F>(size().height));
+    }
     // Beyond the grid its outermost texels go on.
     template <class F>
     CREVICE_INLINE F at(Int<F> x, Int<F> y) const {
@@ -110,7 +114,11 @@ struct MsvoBall {
             const F first_z = map.at<F>(x + dx, y + dy), second_z = map.at<F>(x - dx, y - dy);
             const F first = (first_z - z) * chords + F(0.5f), second = (second_z - z) * chords + F(0.5f);
             F open = open_pair(first, second, thickness);
-            if (limit == MsvoPairs::plane) open = min_of(open, F(1));
+            // Beyond the picture its outermost depths go on, level where a plane would rise or fall: such a pair tells
+            // nothing.
+            if (limit == MsvoPairs::plane)
+                open = select(map.holds<F>(x + dx, y + dy) & map.holds<F>(x - dx, y - dy), min_of(open, F(1)),
+                              F(1));
             const auto nearer = first_z < second_z;
             pairs[i] = {half * (F(1) - open), half, select(nearer, dx, Int<F>(0) - dx),
                         select(nearer, dy, Int<F>(0) - dy), min_of(first_z, second_z)};

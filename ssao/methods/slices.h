@@ -67,10 +67,7 @@ CREVICE_INLINE Slice<F> slice_of(const TexelPoint<F>& texel, const AoInputs& inp
     slice.x = x;
     slice.y = F(0) - y;
     const F zero(0), one(1);
-    slice.v =
-        inputs.rays.perspective
-            ? normalize_or<F>({zero - texel.p.x, zero - texel.p.y, zero - texel.p.z}, {zero, zero, F(-1)})
-            : Vec3<F>{zero, zero, F(-1)};
+    slice.v = inputs.rays.perspective ? towards_eye(texel) : Vec3<F>{zero, zero, F(-1)};
     const F along_v = x * slice.v.x + y * slice.v.y;
     slice.t = normalize_or<F>(Vec3<F>{x, y, zero} - along_v * slice.v, {one, zero, zero});
     const F n_t = dot(texel.n, slice.t), n_v = dot(texel.n, slice.v);

@@ -82,6 +82,10 @@ struct SeenTriangle {
 template <class F>
 inline constexpr double kRoundoff = std::is_same_v<F, double> ? 0x1p-53 : 0x1p-24;
 
+// Below this products lose digits, or vanish.
+template <class F>
+inline constexpr double kSmallestProduct = std::is_same_v<F, double> ? 0x1p-1022 : 0x1p-126;
+
 template <class F, class Scalar>
 CREVICE_INLINE Vec3<F> in_ray_space(const RaySpace<Scalar>& space, const float (&corner)[3][kBvhWidth],
                                     int lane) {
@@ -110,13 +114,13 @@ CREVICE_INLINE SeenTriangle<F> seen_triangle(const RaySpace<Scalar>& space, cons
     t.u = c.x * b.y - c.y * b.x;
     t.v = a.x * c.y - a.y * c.x;
     t.w = b.x * a.y - b.y * a.x;
-    t.edge_error = F(static_cast<Scalar>(20 * kRoundoff<F>)) * side * (side + depth) + F(Scalar(0x1p-126));
+    t.edge_error = F(static_cast<Scalar>(20 * kRoundoff<F>)) * side * (side + depth) + F(static_cast<Scalar>(kSmallestProduct<F>));
     const F signed_area = t.u + t.v + t.w;
     t.area = absolute(signed_area);
     const F sum = F(space.forward) * (t.u * a.z + t.v * b.z + t.w * c.z);
     t.depth_by_area = select(signed_area < F(0), -sum, sum);
     t.area_error = F(4) * t.edge_error + F(static_cast<Scalar>(8 * kRoundoff<F>)) * t.area;
-    t.depth_error = depth * t.area_error + F(Scalar(0x1p-126));
+    t.depth_error = depth * t.area_error + F(static_cast<Scalar>(kSmallestProduct<F>));
     return t;
 }
 

@@ -3,6 +3,7 @@
 
 #include "ssao/bakes/vertex_bake.h"
 #include "ssao/blur/bilateral_denoiser.h"
+#include "ssao/inputs/depth_inputs.h"
 #include "ssao/inputs/pixel_fetch.h"
 #include "ssao/rays/ray_cast_map.h"
 #include "ssao/screen_method.h"
@@ -90,7 +91,7 @@ Method ray_cast_row() {
 Method vertex_bake_row() {
     using S = VertexBakeSettings;
     const auto inputs_of = [](const AoView& view, const AnySettings& s, const Run& run) {
-        return ao_inputs(view.gbuffer, view.camera, pixel_fetch(s.as<S>()), run);
+        return depth_inputs(view.gbuffer, view.camera, s.as<S>().ao_scale, run);
     };
     // The bake of the view, or one made for the occasion.
     const auto shown = [](const AoView& view, const AnySettings& s, const Run& run, const auto& show) {

@@ -7,6 +7,7 @@
 #include "rasterizer/draw/cutouts.h"
 #include "rasterizer/lanes/approx_math.h"
 #include "rasterizer/scene/camera.h"
+#include "rasterizer/scene/outlier_vertex.h"
 #include "rasterizer/scene/world_mesh.h"
 #include "scenes/builtin_scenes.h"
 
@@ -73,6 +74,13 @@ TEST_CASE("every built-in scene is complete") {
     }
     CHECK(find_builtin_scene("") == nullptr);
     CHECK(find_builtin_scene("Columns") == nullptr);
+}
+
+TEST_CASE("no scene is stretched by a few vertices") {
+    for (const BuiltinScene& builtin : builtin_scenes()) {
+        CAPTURE(std::string(builtin.name));
+        CHECK(!outlier_vertex(builtin.make()));
+    }
 }
 
 TEST_CASE("triangle counts are those of scenes/README.md") {

@@ -100,19 +100,18 @@ TEST_CASE("what lies beyond the far plane or before the near one is cut where it
             CAPTURE(at);
             const auto z = static_cast<float>(far_plane * at);
             Scene scene =
-                scene_of(quad_mesh({glm::vec3(-z, z, z), {z, z, z}, {z, -z, z}, {-z, -z, z}}, {0, 0, -1})
-        });
-        Camera camera;
-        camera.eye = {0, 0, 0};
-        camera.target = {0, 0, 1};
-        camera.fov_y_rad = kPi / 4;
-        camera.near_plane = 1e-2;
-        camera.far_plane = far_plane;
-        camera.reversed_z = true;
-        const GBuffer g = normal_depth(scene, camera, kSize);
-        CHECK((g.view_depth.at(32, 24) < INFINITY) == (at < 1));
+                scene_of({quad_mesh({glm::vec3(-z, z, z), {z, z, z}, {z, -z, z}, {-z, -z, z}}, {0, 0, -1})});
+            Camera camera;
+            camera.eye = {0, 0, 0};
+            camera.target = {0, 0, 1};
+            camera.fov_y_rad = kPi / 4;
+            camera.near_plane = 1e-2;
+            camera.far_plane = far_plane;
+            camera.reversed_z = true;
+            const GBuffer g = normal_depth(scene, camera, kSize);
+            CHECK((g.view_depth.at(32, 24) < INFINITY) == (at < 1));
+        }
     }
-}
 }
 
 TEST_CASE(

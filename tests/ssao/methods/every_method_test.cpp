@@ -242,6 +242,31 @@ TEST_CASE("every method: towards radius 0 everything is open, at 0 exactly where
     }
 }
 
+TEST_CASE("every method: a plane so far away that positions are coarse is open: rounding is no occluder") {
+    for (const Method* method : computing_methods()) {
+        for (const float z : {1e4f, 1e5f, 1e6f}) {
+            for (const float across : {0.0f, 1.0f}) {  // square to the view, and at 45 degrees
+                CAPTURE(std::string(method->name));
+                CAPTURE(z);
+                CAPTURE(across);
+                Scene scene = scene_of({quad_mesh({glm::vec3(-z, z, z * (1 - across)),
+                                                   {z, z, z * (1 + across)},
+                                                   {z, -z, z * (1 + across)},
+                                                   {-z, -z, z * (1 - across)}},
+                                                  glm::normalize(glm::vec3(across, 0, -1)))});
+                scene.camera.eye = {0, 0, 0};
+                scene.camera.target = {0, 0, 1};
+                // A pixel is about a tenth of the radius wide.
+                scene.camera.fov_y_rad = std::max(3.2 / static_cast<double>(z), 2e-4);
+                scene.camera.near_plane = 1;
+                scene.camera.far_plane = 1e7;
+                const Maps maps = maps_of(*method, scene, {48, 32}, full_size(*method));
+                CHECK(least_of(maps.raw.ao) >= 0.99f);
+            }
+        }
+    }
+}
+
 TEST_CASE("every method: an open plane is open at any tilt, at half and at full size") {
     for (const Method* method : computing_methods()) {
         for (const float degrees : {0.0f, 30.0f, 60.0f, 80.0f}) {

@@ -62,8 +62,12 @@ double ball_by_miniengine(const AoInputs& inputs, const MsvoSettings& s, int x, 
             const auto share = [&](double other) {
                 return (other - z) / (2 * radius * std::fmax(half, 1e-3)) + 0.5;
             };
-            const double open =
+            double open =
                 pair_by_miniengine(share(z_at(x + di, y + dj)), share(z_at(x - di, y - dj)), s.thickness);
+            const auto outside = [&](int px, int py) {
+                return px < 0 || py < 0 || px >= inputs.size().width || py >= inputs.size().height;
+            };
+            if (s.pairs == MsvoPairs::plane && (outside(x + di, y + dj) || outside(x - di, y - dj))) open = 1;
             taken += half * (1 - (s.pairs == MsvoPairs::plane ? std::fmin(open, 1) : open));
             total += half;
         }

@@ -1,0 +1,77 @@
+// `crevice stability`: what is wrong comes out as wrong, and nothing is.
+#include "chapters/stability/stability.h"
+
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include "chapters/stability/stiff_scenes.h"
+#include "tests/tools/crevice_says.h"
+#include "tests/tools/scratch_directory.h"
+
+using namespace crevice;
+
+namespace {
+
+StabilityVerdict verdict_on(const StiffCase& stiff, const char* method = "xjun") {
+    return stability_cell(stiff, find_method(method), {}).verdict;
+}
+
+}  // namespace
+
+TEST_CASE("stability: answers that do not hold come out as wrong, or warned where the frame warns") {
+    CHECK(verdict_on({"corner", "a corner is not open", Answer::open, corner_view}) ==
+          StabilityVerdict::wrong);
+    CHECK(verdict_on({"others", "other views", Answer::same, corner_view, block_view}) ==
+          StabilityVerdict::wrong);
+    CHECK(verdict_on({"seen", "a corner is seen", Answer::background, corner_view}) ==
+          StabilityVerdict::wrong);
+    CHECK(verdict_on({"itself", "the same", Answer::same, corner_view, corner_view}) ==
+          StabilityVerdict::exact);
+    const auto far_corner = [] {
+        StiffView view = moved(corner_view(), 4e6);  // where a step is half a unit
+        return view;
+    };
+    CHECK(verdict_on({"far", "a corner far away is not open", Answer::open, far_corner}) ==
+          StabilityVerdict::warned);
+}
+
+TEST_CASE("stability: case names are unique words, and a quick run has some of each answer") {
+    std::set<std::string> names;
+    for (const StiffCase& stiff : stiff_cases(false)) {
+        CAPTURE(stiff.name);
+        CHECK(names.insert(stiff.name).second);
+        CHECK(stiff.name.find(' ') == std::string::npos);
+        CHECK(!stiff.question.empty());
+        CHECK((stiff.answer == Answer::same) == static_cast<bool>(stiff.same_as));
+    }
+    std::set<Answer> answers;
+    for (const StiffCase& stiff : stiff_cases(true)) {
+        CHECK(names.count(stiff.name) == 1);
+        answers.insert(stiff.answer);
+    }
+    CHECK(answers.size() == 4);
+}
+
+TEST_CASE("stability --quick: no method is wrong in silence, and each cell has its picture and command") {
+    const ScratchDirectory scratch;
+    const Outcome outcome = crevice_says("stability --quick --out '" + (scratch / "out").string() + "'");
+    CAPTURE(outcome.text);
+    CHECK(outcome.code == 0);
+    std::ifstream json(scratch / "out" / "bench_stability.json"), html(scratch / "out" / "stability.html");
+    const nlohmann::json report = nlohmann::json::parse(json);
+    std::size_t methods = 0;
+    for (const Method& method : ao_methods()) methods += method.computes_ao() ? 1 : 0;
+    const std::size_t cells = methods * stiff_cases(true).size();
+    CHECK(report["tables"]["stability"].size() == cells);
+    const std::string page((std::istreambuf_iterator<char>(html)), {});
+    for (const nlohmann::json& row : report["tables"]["stability"]) {
+        CHECK(row["verdict"] != "wrong");
+        CHECK(page.find(row["command"].get<std::string>()) != std::string::npos);
+    }
+    CHECK(crevice_says("stability --case no_such_case").code == 2);
+    CHECK(crevice_says("stability --ao no_such_method").code == 2);
+}
