@@ -23,6 +23,7 @@ void require_drawable(const Scene& scene, const Camera& camera, const FrameSetti
         if (!holds) throw UsageError(std::string("--peers: the peer has no ") + what + "; leave it away");
     };
     for (const Material& material : scene.materials) require(material.texture == nullptr, "textures");
+    for (const Mesh& mesh : scene.meshes) require(mesh.colours.empty(), "vertex colours");
     require(!camera.reversed_z && !settings.reversed_z, "reversed depth");
     require(settings.buffers.depth_format == DepthFormat::d32f, "integer depth");
     const LunaSettings& ao = settings.method.ao.as<LunaSettings>();

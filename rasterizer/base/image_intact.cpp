@@ -52,12 +52,50 @@ std::string damage_in_png(std::string_view bytes) {
     return "PNG, cut short";
 }
 
+std::uint32_t byte_or_zero(std::string_view bytes, std::size_t at) {
+    return at < bytes.size() ? byte_at(bytes, at) : 0;
+}
+
+// Whether the Huffman tables of a DHT segment whose length stands at `at` have at most 256 codes each. stb_image
+// (2.27) does not ask, and writes behind its own tables.
+bool huffman_tables_fit(std::string_view bytes, std::size_t at) {
+    constexpr std::uint32_t kMostCodes = 256, kLengths = 16;
+    const std::size_t end = at + (byte_or_zero(bytes, at) << 8 | byte_or_zero(bytes, at + 1));
+    for (at += 2; at < end;) {
+        std::uint32_t codes = 0;
+        for (std::uint32_t i = 1; i <= kLengths; ++i) codes += byte_or_zero(bytes, at + i);
+        if (codes > kMostCodes) return false;
+        at += 1 + kLengths + codes;
+    }
+    return true;
+}
+
+// The segments up to the first scan; and behind it, where coded data never look like one, all that look like tables.
+bool jpeg_tables_fit(std::string_view bytes) {
+    constexpr unsigned char kTables = 0xc4, kScan = 0xda;
+    std::size_t at = 2;
+    while (at < bytes.size()) {
+        at = bytes.find('\xff', at);
+        while (at < bytes.size() && byte_at(bytes, at) == 0xff) ++at;
+        if (at >= bytes.size()) return true;
+        const std::uint32_t marker = byte_at(bytes, at++);
+        if (marker == kTables && !huffman_tables_fit(bytes, at)) return false;
+        if (marker == kScan) break;
+        at += byte_or_zero(bytes, at) << 8 | byte_or_zero(bytes, at + 1);
+    }
+    for (at = bytes.find("\xff\xc4", at); at != std::string_view::npos; at = bytes.find("\xff\xc4", at + 1)) {
+        if (!huffman_tables_fit(bytes, at + 2)) return false;
+    }
+    return true;
+}
+
 // An end marker inside the header belongs to a thumbnail, so the last one has to follow the last start of a
 // scan.
 std::string damage_in_jpeg(std::string_view bytes) {
     const std::size_t scan = bytes.rfind("\xff\xda"), end = bytes.rfind("\xff\xd9");
     const bool whole = scan != std::string_view::npos && end != std::string_view::npos && scan < end;
-    return whole ? "" : "JPEG, cut short";
+    if (!whole) return "JPEG, cut short";
+    return jpeg_tables_fit(bytes) ? "" : "JPEG, a Huffman table of more than 256 codes";
 }
 
 }  // namespace

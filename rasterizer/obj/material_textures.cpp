@@ -58,8 +58,9 @@ struct MaterialTextures::Request {
     }
     void takes(const MtlTexture& texture) {
         if (first == nullptr) first = &texture;
-        if (first->scale != texture.scale || first->offset != texture.offset) {
-            warn(texture, "-s and -o differ between the textures of material `" + from.name + "` (" +
+        if (first->scale != texture.scale || first->offset != texture.offset ||
+            first->clamp != texture.clamp) {
+            warn(texture, "-s, -o or -clamp differ between the textures of material `" + from.name + "` (" +
                               texture.file + "); drawn with those of " + first->file);
         }
     }
@@ -188,6 +189,7 @@ void MaterialTextures::add_colours(Material& material, Request& request) {
     });
     if (material.texture == nullptr) return;
     request.takes(main);
+    if (!cutout_path.empty()) request.takes(cutouts);
     if (material.texture->has_alpha()) material.alpha_cutoff = kCutoutAlpha;
 }
 

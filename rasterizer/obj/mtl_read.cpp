@@ -54,8 +54,22 @@ struct Reader {
 
     MtlMaterial& material() { return file.materials.back(); }
     std::string here() const { return file.name + ":" + std::to_string(line) + ": "; }
-    void warn(const std::string& what) { material().warnings.push_back(here() + what); }
-    void note_not_drawn(std::string_view keyword) { material().notes.push_back(not_drawn(keyword, line)); }
+    // Of a file that is something else, a few lines say enough.
+    void warn(const std::string& what) {
+        constexpr std::size_t kMost = 8;
+        std::vector<std::string>& warnings = material().warnings;
+        if (warnings.size() < kMost) {
+            warnings.push_back(here() + what);
+        } else {
+            material().notes.push_back(
+                {"a material has more lines that cannot be read", "passed over", line});
+        }
+    }
+    void note_not_drawn(std::string_view keyword) {
+        constexpr std::size_t kMost = 32;
+        std::vector<MtlNote>& notes = material().notes;
+        notes.push_back(not_drawn(notes.size() < kMost ? keyword : "others", line));
+    }
 
     // The numbers of a statement; nothing, with a warning, when one is none.
     std::optional<std::vector<float>> numbers(std::string_view keyword, std::string_view rest) {

@@ -40,7 +40,11 @@ struct Libraries {
         }
         try {
             if (found.path.empty()) throw InputError(name + ": there is no such file");
-            files.push_back(read_mtl(read_file(found.path, kMaxMtlBytes), found.path.string()));
+            const std::string path = found.path.string();
+            const bool known =
+                std::any_of(files.begin(), files.end(), [&](const MtlFile& f) { return f.name == path; });
+            if (known) return;  // files that were put together name it once for each part
+            files.push_back(read_mtl(read_file(found.path, kMaxMtlBytes), path));
         } catch (const InputError& error) {
             warn(line,
                  "the material library cannot be read (" + std::string(error.what()) + "); drawn without it");
@@ -129,14 +133,15 @@ struct Conversion {
         return material;
     }
 
+    void note(const char* what, const char* done) { from.notes.push_back({what, done, from.line}); }
+
     // Some exporters write `d 0` or `Tr 1` for what they show as solid.
     void check_opacity() {
         const float opacity = from.opacity.value_or(1 - from.transparency.value_or(0));
         if (opacity <= 0) {
-            from.notes.push_back(
-                {"a material would be wholly invisible (d 0 or Tr 1)", "drawn opaque", from.line});
+            note("a material would be wholly invisible (d 0 or Tr 1)", "drawn opaque");
         } else if (opacity < 1) {
-            warn("is transparent (d " + std::to_string(opacity) + "); drawn opaque");
+            note("a material is transparent (d below 1)", "drawn opaque");
         }
     }
 
@@ -144,9 +149,9 @@ struct Conversion {
     void complete(Material& material) {
         if (!from.diffuse && material.texture != nullptr) {
             material.diffuse = material.ambient = glm::vec3(1);
-            warn("has no Kd (colour); its texture drawn as it is");
+            note("a material has no Kd (colour)", "its texture is drawn as it is");
         } else if (!from.diffuse) {
-            warn("has no Kd (colour); drawn in the default grey");
+            note("a material has no Kd (colour)", "drawn in the default grey");
         }
         const std::string& ambient_file = from.ambient_map.file;
         if (!ambient_file.empty() && ambient_file != from.diffuse_map.file) {
@@ -158,22 +163,14 @@ struct Conversion {
 // One line for all that share a note.
 void add_notes(std::vector<std::string>& warnings, const std::string& path,
                const std::vector<MtlNote>& notes) {
-    std::vector<std::pair<const MtlNote*, Tally>> tallies;
-    for (const MtlNote& note : notes) {
-        const auto same = std::find_if(tallies.begin(), tallies.end(), [&](const auto& t) {
-            return t.first->what == note.what && t.first->done == note.done;
-        });
-        if (same != tallies.end()) {
-            same->second.add(note.line);
-        } else {
-            tallies.emplace_back(&note, Tally{});
-            tallies.back().second.add(note.line);
-        }
-    }
+    std::map<std::pair<std::string_view, std::string_view>, Tally> tallies;
+    for (const MtlNote& note : notes) tallies[{note.what, note.done}].add(note.line);
     for (const auto& [note, tally] : tallies) {
         const std::string count =
             std::to_string(tally.count) + (tally.count == 1 ? " line" : " lines, the first here");
-        warnings.push_back(located(path, tally.first_line, note->what + " (" + count + "); " + note->done));
+        warnings.push_back(
+            located(path, tally.first_line,
+                    std::string(note.first).append(" (").append(count).append("); ").append(note.second)));
     }
 }
 

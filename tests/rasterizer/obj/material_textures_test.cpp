@@ -186,7 +186,7 @@ TEST_CASE("material textures: scale, offset and clamp") {
     CHECK(clamped.scene.materials[0].sampler.border == glm::vec4(1));
     CHECK(has_warning(clamped.report, "-clamp on"));
     CHECK(has_warning(square.load("map_Kd -s 2 2 t.png\nmap_d t.png\nnorm t.png\n").report,
-                      "-s and -o differ between the textures of material `m` (t.png)"));
+                      "-s, -o or -clamp differ between the textures of material `m` (t.png)"));
 }
 
 TEST_CASE("material textures: map_Ks multiplies Ks by its mean") {

@@ -126,3 +126,12 @@ TEST_CASE("read_mtl: names") {
     CHECK(said(early.warnings, "a.mtl:1: `Kd` stands before the first `newmtl`"));
     CHECK(read_mtl("", "a.mtl").materials.empty());
 }
+
+TEST_CASE("read_mtl: a file of another kind is not retold line by line") {
+    std::string text = "newmtl a\n";
+    for (int i = 0; i < 1000; ++i) text += "Kd x" + std::to_string(i) + "\nword" + std::to_string(i) + " 1\n";
+    const MtlMaterial m = only(text);
+    CHECK(m.warnings.size() == 8);
+    CHECK(m.notes.back().what == "`others` is not drawn here");
+    CHECK(m.notes.back().line == 2001);
+}

@@ -82,3 +82,12 @@ TEST_CASE("obj_text: numbers that are not finite are refused by name, and colour
     CHECK_FALSE(std::filesystem::exists(scratch / "a.obj"));
     CHECK_THROWS_AS(write_obj(scratch / "no/such/a.obj", awkward()), OutputError);
 }
+
+TEST_CASE("obj_text: the origin brings positions back to where their own file has them") {
+    const LoadedObj loaded = load_text(
+        "v 388095.5 3948995.75 40.125\nv 388097.5 3948995.75 40.125\nv 388095.5 3948997.75 40\nf 1 2 3\n");
+    REQUIRE(loaded.scene.origin != glm::dvec3(0));
+    const std::string text = obj_text(mesh_of(loaded), {}, {}, loaded.scene.origin);
+    CHECK(text.find("v 388095.5 3948995.75 40.125\n") == 0);
+    CHECK(text.find("\nv 388095.5 3948997.75 40\n") != std::string::npos);
+}

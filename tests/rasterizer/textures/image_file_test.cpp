@@ -122,3 +122,20 @@ TEST_CASE("decode_image: a picture beyond the limit given is refused") {
     CHECK_THROWS_WITH_AS(decode_image(four, "a.png", TextureEncoding::srgb, 3),
                          doctest::Contains("out of range (2 x 2)"), InputError);
 }
+
+TEST_CASE("decode_image: a JPEG whose Huffman table has more codes than there are is refused") {
+    // The counts of codes by length; 257 codes are one too many, before the first scan and behind it.
+    const auto tables = [](int codes) {
+        std::string counts(16, '\0');
+        counts[14] = static_cast<char>(codes > 255 ? 255 : codes);
+        counts[15] = static_cast<char>(codes > 255 ? codes - 255 : 0);
+        return "\xff\xc4" + big_endian_bytes(static_cast<std::uint32_t>(2 + 17 + codes), 2) + '\0' + counts +
+               std::string(static_cast<std::size_t>(codes), '\1');
+    };
+    const std::string scan = "\xff\xda\0\x08\1\1\0\0\x3f\0"s, end = "\xff\xd9", start = "\xff\xd8";
+    CHECK(error_of(start + tables(257) + scan + end).find("a Huffman table of more than 256 codes") !=
+          std::string::npos);
+    CHECK(error_of(start + scan + tables(257) + end).find("a Huffman table of more than 256 codes") !=
+          std::string::npos);
+    CHECK(error_of(start + tables(256) + scan + end).find("Huffman") == std::string::npos);
+}

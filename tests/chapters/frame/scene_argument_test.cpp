@@ -1,0 +1,38 @@
+#include "chapters/frame/scene_argument.h"
+
+#include <fstream>
+
+#include <doctest/doctest.h>
+#include <glm/geometric.hpp>
+
+#include "tests/tools/scratch_directory.h"
+
+using namespace crevice;
+
+TEST_CASE("camera flags: eye and target stay in the coordinates of an OBJ that was moved") {
+    const ScratchDirectory scratch;
+    std::ofstream(scratch / "a.obj")
+        << "v 500000 4000000 40\nv 500002 4000000 40\nv 500000 4000002 42\nf 1 2 3\n";
+    const SceneArgument argument = load_scene((scratch / "a.obj").string());
+    REQUIRE(argument.scene.origin != glm::dvec3(0));
+    CameraFlags flags;
+    flags.eye = "500001.25,4000001,50";
+    flags.target = "500001,4000001,41";
+    const Camera camera = chosen_camera(argument, flags);
+    CHECK(camera.eye + argument.scene.origin == glm::dvec3(500001.25, 4000001, -50));
+    CHECK(camera.target + argument.scene.origin == glm::dvec3(500001, 4000001, -41));
+    // The vertices, too: the eye is 8 above the highest one.
+    const glm::dvec3 highest(argument.scene.meshes[0].positions.at(1));
+    CHECK(glm::length(highest + argument.scene.origin - glm::dvec3(500000, 4000002, -42)) < 1e-6);
+}
+
+TEST_CASE("scenes: files outside the OBJ's directory are read where that is asked for") {
+    const ScratchDirectory scratch;
+    std::filesystem::create_directories(scratch / "models");
+    std::ofstream(scratch / "red.mtl") << "newmtl red\nKd 1 0 0\n";
+    std::ofstream(scratch / "models/a.obj")
+        << "mtllib ../red.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n";
+    const std::string path = (scratch / "models/a.obj").string();
+    CHECK(load_scene(path).scene.materials[0].diffuse == glm::vec3(0.8f));
+    CHECK(load_scene(path, {.outside_files = true}).scene.materials[0].diffuse == glm::vec3(1, 0, 0));
+}
