@@ -37,9 +37,9 @@ LitImage lit_image(const Scene& scene, const ScreenGeometry& geometry, const Fra
                    const FrameRequest& request) {
     const FrameSettings& settings = request.settings;
     if (scene.point_light)
-        return {
-            deferred_point_light(scene, frame.camera, frame.gbuffer, ao, settings.light_space, request.run),
-            TileMap(geometry.size, geometry.tile_size)};
+        return {deferred_point_light(scene, frame.camera, frame.gbuffer, ao, settings.light_space,
+                                     request.run, settings.ambient.multi_bounce),
+                TileMap(geometry.size, geometry.tile_size)};
     AmbientUse ambient{settings.ambient};
     if (!frame.bent_normal.empty()) {
         ambient.bent_normals = &frame.bent_normal;

@@ -1,12 +1,11 @@
 // XeGTAO's spatial denoiser: a mean over three by three texels, weighed by edges that were found once and packed into
 // two bits for each side of a texel.
-// Source: XeGTAO 1.30 (Intel), XeGTAO_CalculateEdges, XeGTAO_PackEdges and XeGTAO_Denoise
+// Source: XeGTAO 1.30 (Intel), XeGTAO_Denoise; its edges are packed_edges.h
 // In:     an AO map; the AoInputs it was computed from (view depth, same size). No normals
 // Out:    the blurred AO map; background 1. Where all texels are 1 the result is exactly 1
 // Reach:  a texel in x and in y for each iteration
-// Differs from the source: the map ends where it ends, and the background is no neighbour; there a texel counts itself
-//         once more, and the sky's openness leaks into single texels. The edges' width follows the height of the view
-//         in orthographic pictures, whose depths tell nothing about the size of a texel. Maps are not packed.
+// Differs from the source: what lies beyond the map or shows no surface is no neighbour; there a texel counts itself
+//         once more, and the sky's openness leaks into single texels. Maps are not packed.
 // Cost:   five reads of edges, nine of AO and about 70 operations a texel and iteration.
 #pragma once
 
@@ -30,18 +29,6 @@ struct EdgeBlurSettings {
 
 // Throws UsageError naming the first member out of its range.
 void validate(const EdgeBlurSettings& settings);
-
-// How far each texel's surface goes on: 3 to the next texel, 0 not at all. Texel (x, y) of the map is at
-// (x + 1, y + 1), and around the map there is nothing.
-struct PackedEdges {
-    static constexpr int kLeft = 6, kRight = 4, kTop = 2, kBottom = 0;  // the first of two bits
-    static constexpr int kSurface = 1 << 8;                             // set: the texel shows something
-    Image<std::int32_t> bits;
-
-    // As it is packed, from 0 to 3.
-    int at(int x, int y, int side) const { return (bits.at(x + 1, y + 1) >> side) & 3; }
-};
-PackedEdges packed_edges(const AoInputs& inputs, const Run& run = {});
 
 AoMap edge_blur(const Image<float>& ao, const AoInputs& inputs, const EdgeBlurSettings& settings = {},
                 const Run& run = {});

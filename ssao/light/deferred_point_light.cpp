@@ -7,6 +7,7 @@
 #include "rasterizer/base/parallel.h"
 #include "rasterizer/lanes/approx_math.h"
 #include "rasterizer/spaces.h"
+#include "ssao/light/multi_bounce.h"
 #include "ssao/light/widened_ao.h"
 
 namespace crevice {
@@ -39,6 +40,7 @@ struct PointLit {
     const glm::vec3 light_view, eye_view;  // as LightSpace has them
     const ViewRays rays;
     const Albedos albedos;
+    const MultiBounce bounces;
 
     template <class F>
     CREVICE_INLINE Vec3<F> colour_at(int x, int y) const {
@@ -73,15 +75,16 @@ struct PointLit {
         const F facing = max_of(dot(n, to_light), zero);
         const F highlight = power(max_of(dot(n, half), zero), F(kPointLightShininess));
         const Vec3<F> arriving = attenuation * spread<F>(light.colour);
-        return ao * (spread<F>(scene.ambient_light) * albedo) + arriving * (facing * albedo) +
-               highlight * arriving;
+        return ambient_access(bounces, ao, albedo) * (spread<F>(scene.ambient_light) * albedo) +
+               arriving * (facing * albedo) + highlight * arriving;
     }
 };
 
 }  // namespace
 
 Image3 deferred_point_light(const Scene& scene, const Camera& camera, const GBuffer& gbuffer,
-                            const Image<float>& ao, LightSpace space, const Run& run) {
+                            const Image<float>& ao, LightSpace space, const Run& run,
+                            MultiBounce bounces) {
     if (!scene.point_light)
         throw UsageError("deferred point light: the scene has none (" + scene.name +
                          "); set its point_light");
@@ -98,7 +101,8 @@ Image3 deferred_point_light(const Scene& scene, const Camera& camera, const GBuf
                         in_view ? glm::mat3(matrices.view_from_relative) * from_eye : light.position,
                         in_view ? glm::vec3(0) : glm::vec3(camera.eye),
                         {matrices.ray_scale, size, camera.projection == Projection::perspective},
-                        Albedos(scene)};
+                        Albedos(scene),
+                        bounces};
     Image3 picture(size);
     parallel_rows(size.height, run, [&](int first_row, int end_row) {
         run_kernel(run, [&]<class F>(Lanes<F>) {

@@ -12,6 +12,7 @@
 #pragma once
 
 #include "rasterizer/draw/normal_depth.h"
+#include "ssao/light/ambient_use.h"
 
 namespace crevice {
 
@@ -27,6 +28,7 @@ inline constexpr float kPointLightShininess = 8;
 
 // Throws UsageError for a scene without a point light.
 Image3 deferred_point_light(const Scene& scene, const Camera& camera, const GBuffer& gbuffer,
-                            const Image<float>& ao, LightSpace space = LightSpace::view, const Run& run = {});
+                            const Image<float>& ao, LightSpace space = LightSpace::view, const Run& run = {},
+                            MultiBounce bounces = MultiBounce::none);
 
 }  // namespace crevice

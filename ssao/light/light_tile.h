@@ -121,8 +121,10 @@ struct TileLighting {
     CREVICE_INLINE Vec3<F> lit_by(LitPoint<F> point, Vec3<F> open, std::size_t index) const {
         const Material& material = scene.materials[index];
         const F accessibility = point.ambient.x;
-        if (kEffects == Effects::any && ambient.multi_bounce != MultiBounce::none)
-            point.ambient = bounced(accessibility, point.texture_colour * spread<F>(material.diffuse));
+        if (kEffects == Effects::any) {
+            const Vec3<F> albedo = point.texture_colour * spread<F>(material.diffuse);
+            point.ambient = ambient_access(ambient.multi_bounce, accessibility, albedo);
+        }
         if (scene.lighting == LightingModel::phong) return phong(point, material, lights);
         const Vec3<F> colour =
             blinn_schlick(point, material, lights, scene.ambient_light, no_highlight_below[index]);
@@ -132,13 +134,6 @@ struct TileLighting {
             reflected_colour(*around, point.n, point.to_eye, spread<F>(material.specular), smoothness, F(0));
         if (ambient.specular_occlusion == SpecularOcclusion::none) return colour + reflected;
         return colour + unhidden(accessibility, point, open, smoothness) * reflected;
-    }
-
-    template <class F>
-    CREVICE_INLINE Vec3<F> bounced(F accessibility, Vec3<F> albedo) const {
-        const MultiBounceFit& fit = ambient.multi_bounce == MultiBounce::paper ? kPaperFit : kRoundedFit;
-        return {multi_bounce(accessibility, albedo.x, fit), multi_bounce(accessibility, albedo.y, fit),
-                multi_bounce(accessibility, albedo.z, fit)};
     }
 
     // How much of what the point mirrors arrives.

@@ -3,7 +3,8 @@
 //         to path-traced scenes of one albedo
 #pragma once
 
-#include "rasterizer/lanes/wide.h"
+#include "rasterizer/lanes/vec3.h"
+#include "ssao/light/ambient_use.h"
 
 namespace crevice {
 
@@ -24,6 +25,15 @@ CREVICE_INLINE F multi_bounce(F accessibility, F albedo, const MultiBounceFit& f
             c = F(fit.c_slope) * colour + F(fit.c_offset);
     const F bounced = ((a * accessibility + b) * accessibility + c) * accessibility;
     return min_of(max_of(bounced, accessibility), F(1));
+}
+
+// What each colour channel of ambient light is multiplied by.
+template <class F>
+CREVICE_INLINE Vec3<F> ambient_access(MultiBounce bounces, F accessibility, Vec3<F> albedo) {
+    if (bounces == MultiBounce::none) return {accessibility, accessibility, accessibility};
+    const MultiBounceFit& fit = bounces == MultiBounce::paper ? kPaperFit : kRoundedFit;
+    return {multi_bounce(accessibility, albedo.x, fit), multi_bounce(accessibility, albedo.y, fit),
+            multi_bounce(accessibility, albedo.z, fit)};
 }
 
 }  // namespace crevice

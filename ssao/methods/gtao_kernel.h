@@ -84,7 +84,7 @@ struct GtaoKernel {
         const F above_surface = dot(texel.n, delta) / distance;
         const F weight = weight_of(delta, distance, apart);
         const F c = mix(F(0) - sine, horizon_cosine(slice, side, texel.n, delta), weight);
-        const auto in_front = pixel.r.z > F(inputs.near_plane), higher = (c > horizon.c) & in_front;
+        const Mask<F> in_front = pixel.r.z > F(inputs.near_plane), higher = (c > horizon.c) & in_front;
         if (settings.thickness > 0 && settings.form == GtaoForm::paper) {
             const F lowered = mix(horizon.c, c, F(settings.thickness));
             horizon.c = select(in_front & (c < horizon.c), lowered, horizon.c);

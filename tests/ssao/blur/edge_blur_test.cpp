@@ -8,6 +8,7 @@
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/image_summary.h"
 #include "ssao/blur/bilateral_blur.h"
+#include "ssao/blur/packed_edges.h"
 #include "tests/tools/every_run.h"
 #include "tests/tools/image_checks.h"
 #include "tests/tools/plane_inputs.h"

@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "rasterizer/base/image_summary.h"
+#include "ssao/light/deferred_point_light.h"
 #include "ssao/light/shade.h"
 #include "tests/tools/every_run.h"
 #include "tests/tools/image_checks.h"
@@ -135,4 +136,28 @@ TEST_CASE(
                                      with(MultiBounce::paper))) == expected);
         });
     }
+}
+
+TEST_CASE("multi-bounce under a point light: the ambient term alone grows") {
+    constexpr Size size{53, 31};
+    Scene scene = ambient_scene(LightingModel::phong);
+    scene.point_light = PointLight{.position = {1, 3, -2}};
+    const GBuffer g = normal_depth(scene, scene.camera, size);
+    const auto lit = [&](float ao, MultiBounce bounces) {
+        return deferred_point_light(scene, scene.camera, g, Image<float>(size, ao), LightSpace::view, {},
+                                    bounces);
+    };
+    const Image3 off = lit(0.4f, MultiBounce::none), paper = lit(0.4f, MultiBounce::paper);
+    CHECK(content_hash(lit(1, MultiBounce::paper)) == content_hash(lit(1, MultiBounce::none)));
+    const glm::vec3 albedo = scene.materials[0].diffuse, ambient = scene.ambient_light;
+    CHECK(pixels_against(size, [&](int x, int y) {
+              for (int channel = 0; channel < 3; ++channel) {
+                  const float grown = multi_bounce(0.4f, albedo[channel], kPaperFit) - 0.4f;
+                  const bool surface = g.view_depth.at(x, y) < kInfinity;
+                  const float expected = surface ? grown * ambient[channel] * albedo[channel] : 0;
+                  if (std::fabs(paper.at(x, y)[channel] - off.at(x, y)[channel] - expected) > 1e-5f)
+                      return false;
+              }
+              return true;
+          }) == "");
 }
