@@ -104,7 +104,7 @@ void add_settings(CaseList& list) {
                       return view;
                   }});
     }
-    for (const char* words : {"samples=1", "exponent=0", "exponent=64", "blur_iterations=64"}) {
+    for (const char* words : {"exponent=0", "exponent=64", "blur_iterations=64"}) {
         list.add(false, {words, std::string("a parameter at its end, ") + words, Answer::in_range, [words] {
                              StiffView view = block_view();
                              view.params = {words};
