@@ -37,17 +37,20 @@ std::uint32_t crc_of(std::string_view bytes) {
 
 constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1a\n";
 
+// Around the content of a chunk stand its length, its kind and its check sum.
+constexpr std::size_t kAroundChunk = 12;
+
 std::string damage_in_png(std::string_view bytes) {
     std::size_t at = kPngSignature.size();
-    while (bytes.size() - at >= 12) {
+    while (bytes.size() - at >= kAroundChunk) {
         const std::size_t length = big_endian(bytes, at);
-        if (length > bytes.size() - at - 12) break;
+        if (length > bytes.size() - at - kAroundChunk) break;
         const std::string_view kind = bytes.substr(at + 4, 4);
         if (crc_of(bytes.substr(at + 4, length + 4)) != big_endian(bytes, at + 8 + length)) {
             return "PNG, wrong check sum at byte " + std::to_string(at);
         }
         if (kind == "IEND") return {};
-        at += length + 12;
+        at += length + kAroundChunk;
     }
     return "PNG, cut short";
 }
@@ -104,6 +107,16 @@ std::string damage_in_image(std::string_view bytes) {
     if (bytes.starts_with(kPngSignature)) return damage_in_png(bytes);
     if (bytes.starts_with("\xff\xd8")) return damage_in_jpeg(bytes);
     return {};
+}
+
+std::size_t png_pixel_bytes(std::string_view bytes) {
+    std::size_t sum = 0, at = kPngSignature.size();
+    while (bytes.substr(at + 4, 4) != "IEND") {
+        const std::size_t length = big_endian(bytes, at);
+        if (bytes.substr(at + 4, 4) == "IDAT") sum += length;
+        at += length + kAroundChunk;
+    }
+    return sum;
 }
 
 }  // namespace crevice

@@ -2,6 +2,7 @@
 // memory.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -10,5 +11,8 @@ namespace crevice {
 // What is wrong with the bytes of a PNG (chunk lengths and check sums) or JPEG (end marker, size of its tables) file, or nothing
 // ("") when it is whole, or of another kind.
 std::string damage_in_image(std::string_view bytes);
+
+// How many bytes of coded pixels a PNG that is whole has in its IDAT chunks.
+std::size_t png_pixel_bytes(std::string_view bytes);
 
 }  // namespace crevice

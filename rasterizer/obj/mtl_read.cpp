@@ -141,7 +141,7 @@ struct Reader {
 
     void new_material(std::string_view rest) {
         MtlMaterial started;
-        started.name = without_comment(rest);
+        started.name = without_quotes(without_comment(rest));
         started.whole_name = trimmed(rest);
         started.line = line;
         file.materials.push_back(std::move(started));

@@ -23,7 +23,7 @@ MtlNote not_drawn(std::string_view keyword, std::size_t line);
 // What is absent was not said, or not in a way that can be read; numbers are as they stand in the file, in
 // range or not.
 struct MtlMaterial {
-    std::string name;                                     // up to a comment
+    std::string name;                                     // up to a comment, without quotes
     std::string whole_name;                               // with it: 3ds Max names materials `Material #25`
     std::size_t line = 0;                                 // of its `newmtl`
     std::optional<glm::vec3> ambient, diffuse, specular;  // Ka, Kd, Ks

@@ -7,6 +7,7 @@
 
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/file_bytes.h"
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/obj/obj_lines.h"
 #include "rasterizer/obj/obj_report.h"
 
@@ -89,7 +90,7 @@ struct MaterialIndex {
     }
     Entry find(std::string_view name) const {
         if (const auto at = by_whole_name.find(name); at != by_whole_name.end()) return at->second;
-        const auto at = by_name.find(without_comment(name));
+        const auto at = by_name.find(without_quotes(without_comment(name)));
         return at != by_name.end() ? at->second : Entry{};
     }
 };
@@ -104,6 +105,7 @@ bool is_reflectance(glm::vec3 k) {
 struct Conversion {
     MtlMaterial& from;
     const std::string& path;
+    const bool has_colour = from.diffuse.has_value();
 
     void warn(const std::string& what) {
         from.warnings.push_back(located(path, from.line, "material `" + from.name + "` " + what));
@@ -111,7 +113,8 @@ struct Conversion {
 
     void check_reflectance(const char* keyword, std::optional<glm::vec3>& value) {
         if (!value || is_reflectance(*value)) return;
-        warn("has a " + std::string(keyword) + " outside [0, 1]; drawn with the default");
+        warn("has a " + std::string(keyword) + " outside [0, 1] (" + shortest_text(value->x) + " " +
+             shortest_text(value->y) + " " + shortest_text(value->z) + "); drawn with the default");
         value = std::nullopt;
     }
 
@@ -128,7 +131,7 @@ struct Conversion {
         if (shininess >= 0 && shininess <= 1000) {
             material.shininess = shininess;
         } else {
-            warn("has an Ns outside [0, 1000]; drawn with the default");
+            warn("has an Ns outside [0, 1000] (" + shortest_text(shininess) + "); drawn with the default");
         }
         return material;
     }
@@ -147,10 +150,10 @@ struct Conversion {
 
     // A colour that only the texture tells, and textures that nothing else tells.
     void complete(Material& material) {
-        if (!from.diffuse && material.texture != nullptr) {
+        if (!has_colour && material.texture != nullptr) {
             material.diffuse = material.ambient = glm::vec3(1);
             note("a material has no Kd (colour)", "its texture is drawn as it is");
-        } else if (!from.diffuse) {
+        } else if (!has_colour) {
             note("a material has no Kd (colour)", "drawn in the default grey");
         }
         const std::string& ambient_file = from.ambient_map.file;

@@ -1,6 +1,7 @@
 #include "rasterizer/obj/obj_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "rasterizer/scene/tangents.h"
@@ -144,7 +145,8 @@ void add_vertices(Mesh& mesh, const std::vector<VertexKey>& keys, const ObjPresc
         const TexcoordMap& map = maps[static_cast<std::size_t>(key.texcoord_map)];
         const glm::vec2 t = absent ? glm::vec2(0) : prescan.texcoords[static_cast<std::size_t>(key.texcoord)];
         const glm::vec2 mapped = map.scale * t + map.offset;
-        mesh.texcoords.emplace_back(mapped.x, 1 - mapped.y);
+        const bool finite = std::isfinite(mapped.x) && std::isfinite(mapped.y);
+        mesh.texcoords.emplace_back(finite ? mapped.x : 0, finite ? 1 - mapped.y : 1);
     }
 }
 

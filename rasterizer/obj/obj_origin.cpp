@@ -51,9 +51,14 @@ glm::dvec3 near_origin(std::span<const glm::dvec3> positions, const std::vector<
 }
 
 std::string origin_warning(glm::dvec3 origin) {
+    // Without exponents as long as that is exact: these are coordinates as people write them.
+    const auto text = [](double value) {
+        const bool whole = value == std::nearbyint(value) && std::abs(value) < 1e15;
+        return whole ? std::to_string(static_cast<long long>(value)) : shortest_text(value);
+    };
     return "the coordinates lie too far from their origin for the precision of float; the scene is moved by "
            "(" +
-           shortest_text(-origin.x) + ", " + shortest_text(-origin.y) + ", " + shortest_text(-origin.z) +
+           text(-origin.x) + ", " + text(-origin.y) + ", " + text(-origin.z) +
            "), --eye and --target stay in the file's coordinates";
 }
 

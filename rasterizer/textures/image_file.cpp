@@ -55,6 +55,8 @@ struct FreePixels {
 template <class Code>
 using StbPixels = std::unique_ptr<Code, FreePixels>;
 
+bool starts_as(const std::string& bytes, std::string_view signature) { return bytes.starts_with(signature); }
+
 [[noreturn]] void fail_damaged(const std::string& name, const std::string& damage) {
     throw InputError(name + ": the picture is damaged (" + damage +
                      "); replace the file, or convert it to PNG anew");
@@ -96,6 +98,15 @@ DecodedImage image_from(const std::uint8_t* rgba, Size size, TextureEncoding enc
     return image;
 }
 
+// Deflate can blow a byte up to a thousand, and stb_image inflates all there is before it looks at the size. What is
+// hardly compressible needs little more than its pixels, of at most eight bytes.
+bool has_more_data_than_pixels(const std::string& bytes, Size size) {
+    constexpr std::size_t kSlack = std::size_t{1} << 16;
+    const std::size_t row_bytes = 8 * static_cast<std::size_t>(size.width) + 1;
+    return starts_as(bytes, kPngSignature) &&
+           png_pixel_bytes(bytes) > 2 * row_bytes * static_cast<std::size_t>(size.height) + kSlack;
+}
+
 // The size and the channels of a PNG or JPEG that is whole and within the limits.
 struct StbInfo {
     Size size;
@@ -110,6 +121,8 @@ StbInfo checked_info(const std::string& bytes, const std::string& name, std::int
         fail_damaged(name, stbi_failure_reason());
     }
     check_size(info.size, name, most_pixels);
+    if (has_more_data_than_pixels(bytes, info.size))
+        fail_damaged(name, "PNG, more data than its pixels need");
     return info;
 }
 
@@ -135,8 +148,6 @@ DecodedImage decode_with_stb(const std::string& bytes, const std::string& name, 
     if (!pixels) fail_damaged(name, stbi_failure_reason());
     return image_from(pixels.get(), info.size, encoding, info.channels == 2 || info.channels == 4);
 }
-
-bool starts_as(const std::string& bytes, std::string_view signature) { return bytes.starts_with(signature); }
 
 }  // namespace
 

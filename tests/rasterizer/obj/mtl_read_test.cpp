@@ -120,6 +120,7 @@ TEST_CASE("read_mtl: names") {
     CHECK(numbered.whole_name == "Material #25");
     CHECK(only("newmtl a#1\n").name == "a#1");
     CHECK(only("newmtl red paint  \n").name == "red paint");
+    CHECK(only("newmtl \"red paint\" # oil\n").name == "red paint");
     CHECK(said(read_mtl("newmtl # none\n", "a.mtl").warnings, "a.mtl:1: `newmtl` without a name"));
     const MtlFile early = read_mtl("Kd 1 0 0\nKs 1 1 1\nnewmtl a\n", "a.mtl");
     REQUIRE(early.warnings.size() == 1);

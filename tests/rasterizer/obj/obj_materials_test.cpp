@@ -84,7 +84,7 @@ TEST_CASE("load_obj: a material that is missing, damaged or outside is a warning
         {"texture by absolute path", lib, "newmtl red\nKd .8 .8 .8\nmap_Kd " + absolute + "\n", "is outside"},
         {"texture by detour", lib, "newmtl red\nKd .8 .8 .8\nmap_Kd maps/../../outside.png\n", "is outside"},
         {"texture is a directory", lib, "newmtl red\nKd .8 .8 .8\nmap_Kd maps\n", "is a directory"},
-        {"reflectance out of range", lib, "newmtl red\nKd 7 0 0\n", "has a Kd outside [0, 1]"},
+        {"reflectance out of range", lib, "newmtl red\nKd 7 0 0\n", "has a Kd outside [0, 1] (7 0 0)"},
     };
     for (const Row& row : rows) {
         CAPTURE(row.what);
@@ -145,7 +145,7 @@ TEST_CASE("load_obj: material names with comments, numbers and quotes around the
     write_text(scratch / "a.obj", "mtllib \"a.mtl\" # colours\n" + std::string(kCorners) +
                                       "usemtl paint # brush\nf 1 2 3\nusemtl Material #2\nf 1 2 3\n"
                                       "usemtl  two  words\nf 1 2 3\nusemtl Material #1\nf 1 2 3\n"
-                                      "usemtl paint\nf 1 2 3\n");
+                                      "usemtl \"paint\"\nf 1 2 3\n");
     const LoadedObj loaded = load_obj(scratch / "a.obj");
     check_whole(loaded);
     const auto& parts = mesh_of(loaded).parts;

@@ -139,3 +139,9 @@ TEST_CASE("decode_image: a JPEG whose Huffman table has more codes than there ar
           std::string::npos);
     CHECK(error_of(start + tables(256) + scan + end).find("Huffman") == std::string::npos);
 }
+
+TEST_CASE("decode_image: a PNG with far more data than its pixels need is refused before it is inflated") {
+    const std::string bomb =
+        png_file({1, 1}, {.colour_type = 0, .chunks = png_chunk("IDAT", std::string(1 << 17, '\0'))}, "\1");
+    CHECK(error_of(bomb).find("t.png: the picture is damaged (PNG, more data than its pixels need)") == 0);
+}
