@@ -1,5 +1,5 @@
 // Ambient occlusion with the light that occluders themselves reflect: brighter, the more so the brighter they are.
-// Source: Jimenez et al. 2016, "Practical real-time strategies for accurate indirect occlusion", section 5: a cubic fit
+// Source: Jimenez et al. 2016, "Practical real-time strategies for accurate indirect occlusion": a cubic fit
 //         to path-traced scenes of one albedo
 #pragma once
 

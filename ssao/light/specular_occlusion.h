@@ -1,8 +1,7 @@
 // How much of what a surface mirrors of its surroundings is not hidden.
-// Source: Jimenez et al. 2016, "Practical real-time strategies for accurate indirect occlusion", section 6 (GTSO): the
+// Source: Jimenez et al. 2016, "Practical real-time strategies for accurate indirect occlusion" (GTSO): the
 //         cone of open directions meets that of mirrored ones; their intersection as in Oat and Sander 2007, "Ambient
-//         aperture lighting". Lagarde and de Rousiers 2014, "Moving Frostbite to physically based rendering", section
-//         4.10.2
+//         aperture lighting". Lagarde and de Rousiers 2014, "Moving Frostbite to physically based rendering"
 // In:     unit vectors of one space; accessibility in [0, 1], cosine-weighted; roughness in [0, 1]
 // Out:    [0, 1]; exactly 1 where accessibility is 1 and the open directions lie about the normal
 // Error:  against the integral over the mirrored cone, over roughnesses, accessibilities and angles of all kinds, RMSE

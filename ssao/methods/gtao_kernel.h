@@ -10,19 +10,14 @@
 
 namespace crevice {
 
-// XeGTAO's pyramid has five levels.
-inline constexpr int kCoarsestLevel = 4;
-// Of a slice's length, against a slight darkness of steep slopes (XeGTAO).
-inline constexpr float kShareOfOne = 0.05f;
 static_assert(GtaoSettings{}.step_power == kStepPower);
 
-// 1 / length; so large for 0 that what is nearer than the reach counts fully. With a reach of 0 nothing is.
-inline float inverse_or_step(float length) {
-    constexpr float kStep = 1e30f;
-    return length > kSmallestRadius ? 1 / length : kStep;
-}
-
 struct GtaoKernel {
+    // XeGTAO's pyramid has five levels.
+    static constexpr int kCoarsestLevel = 4;
+    // Of a slice's length, against a slight darkness of steep slopes (XeGTAO).
+    static constexpr float kShareOfOne = 0.05f;
+
     const AoInputs& inputs;
     const GtaoSettings settings;
     const SlicePlan plan;
@@ -43,6 +38,12 @@ struct GtaoKernel {
           level_scale(exp2_of(0.5f - gtao.level_offset)) {
         const float longest_px = static_cast<float>(inputs.picture.width + inputs.picture.height);
         if (longest_px * level_scale >= 2) pyramid.emplace(inputs, kCoarsestLevel, run);
+    }
+
+    // 1 / length; so large for 0 that what is nearer than the reach counts fully. With a reach of 0 nothing is.
+    static float inverse_or_step(float length) {
+        constexpr float kStep = 1e30f;
+        return length > kSmallestRadius ? 1 / length : kStep;
     }
 
     // The highest sample of one side of a slice so far.
