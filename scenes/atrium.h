@@ -8,6 +8,7 @@
 
 #include "rasterizer/base/run.h"
 #include "rasterizer/scene/scene.h"
+#include "scenes/camera_walk.h"
 
 namespace crevice {
 
@@ -55,6 +56,24 @@ std::vector<ArcadePlace> arcade_arches();  // the middles of the openings
 
 // Axes for what the lathe and the frames have made lying: its y becomes -z, towards the court, its z up.
 inline constexpr glm::dmat3 kStanding{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}};
+
+// From the scene's own camera past the statue, out through the far middle arch, back along the left aisle.
+inline constexpr std::array<WalkStop, 14> kAtriumWalk = {{
+    {{0.9, 1.75, -8.0}, {-0.5, 3.1, 2.0}},
+    {{1.0, 1.7, -4.6}, {0.0, 2.3, 0.5}},
+    {{2.5, 1.8, -0.8}, {-0.6, 2.5, 0.6}},
+    {{1.5, 1.75, 3.8}, {-2.6, 3.6, 6.0}},
+    {{0.1, 1.75, 7.2}, {-0.8, 2.4, 11.0}},
+    {{-1.2, 1.8, 9.9}, {-4.6, 2.2, 10.4}},
+    {{-4.3, 1.8, 10.1}, {-5.6, 2.3, 7.0}},
+    {{-5.0, 1.8, 7.2}, {-5.0, 2.4, 3.0}},
+    {{-5.0, 1.8, 2.4}, {-3.9, 2.5, -2.0}},
+    {{-5.0, 1.8, -2.4}, {-4.6, 2.3, -7.0}},
+    {{-5.0, 1.8, -7.2}, {-4.2, 2.2, -11.0}},
+    {{-4.3, 1.8, -10.1}, {-1.2, 2.3, -10.6}},
+    {{-1.4, 1.8, -10.0}, {1.0, 2.6, -7.5}},
+    {{0.0, 1.8, -9.0}, {0.6, 3.0, -3.0}},
+}};
 
 // Walls, arcades, vaults, floors and roof.
 void add_atrium_building(Scene& scene);

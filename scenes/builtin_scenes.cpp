@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "scenes/atrium.h"
+
 namespace crevice {
 namespace {
 
@@ -31,7 +33,7 @@ constexpr std::array<BuiltinScene, 14> kScenes = {{
      "the tutorial's", field_scene},
     {"atrium",
      "the complex scene: two floors of arches round a court, cloth, chains and plants under the sky",
-     "about 1 m", atrium_scene},
+     "about 1 m", atrium_scene, kAtriumWalk},
     {"noise_wall", "a textured wall of noise: nothing that is seen of it can be left out", "none, 1",
      plain<noise_wall_scene>},
     {"empty", "no triangles: every buffer is its background", "none, 1", plain<empty_scene>},

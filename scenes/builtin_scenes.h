@@ -7,6 +7,7 @@
 
 #include "rasterizer/base/run.h"
 #include "rasterizer/scene/scene.h"
+#include "scenes/camera_walk.h"
 
 namespace crevice {
 
@@ -20,6 +21,7 @@ struct BuiltinScene {
     const char* purpose;  // half a sentence
     const char* unit;     // what one scene unit is
     Scene (*build)(SceneDetail detail, const Run& run);
+    std::span<const WalkStop> walk = {};  // through the scene and back; empty: there is none
     // `run` says on how many threads; the scene is the same on any.
     Scene make(SceneDetail detail = SceneDetail::shapes, const Run& run = {}) const {
         return build(detail, run);

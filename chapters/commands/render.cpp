@@ -22,9 +22,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json described_buffers(const Frame& frame, const RenderOptions& options) {
-    const FrameRequest& request = options.request;
-    BufferWriter writer(options.out);
+Json described_buffers(const Frame& frame, const FrameRequest& request, bool inset,
+                       const std::filesystem::path& out, std::ostream& told) {
+    BufferWriter writer(out, told);
     const auto wanted = [&](const char* name) { return request.wanted.contains(name); };
     const GBuffer& g = frame.gbuffer;
     if (wanted("normal")) writer.write("normal", g.normal, normal_picture(g.normal));
@@ -36,7 +36,7 @@ Json described_buffers(const Frame& frame, const RenderOptions& options) {
     if (wanted("ao_raw")) writer.write("ao_raw", frame.ao_raw, ao_picture(frame.ao_raw));
     if (wanted("ao_blurred")) writer.write("ao_blurred", frame.ao_blurred, ao_picture(frame.ao_blurred));
     if (wanted(kBentNormal)) writer.write(kBentNormal, frame.bent_normal, normal_picture(frame.bent_normal));
-    if (wanted("lit")) writer.write("lit", frame.lit, demo_view(frame, options.inset));
+    if (wanted("lit")) writer.write("lit", frame.lit, demo_view(frame, inset));
     return writer.described();
 }
 
@@ -50,9 +50,8 @@ const Saving* saving_of(Skip skip, const std::vector<Saving>& savings) {
     return at == savings.end() ? nullptr : &*at;
 }
 
-Json passes_json(const RenderOptions& options, const Frame& frame, const std::vector<Saving>& savings,
-                 const std::vector<LoadStep>& load_steps, Json buffers) {
-    const FrameRequest& request = options.request;
+Json passes_json(const std::string& scene, const FrameRequest& request, const Frame& frame,
+                 const std::vector<Saving>& savings, const std::vector<LoadStep>& load_steps, Json buffers) {
     Json passes = Json::array(), left_out = Json::array();
     for (const PassTime& pass : frame.passes) {
         passes.push_back({{"name", pass.name},
@@ -84,7 +83,7 @@ Json passes_json(const RenderOptions& options, const Frame& frame, const std::ve
     Json parameters = Json::object();
     for (const Parameter<FrameSettings>& p : frame_parameters(*request.method))
         parameters[p.name] = word_of(p, request.settings);
-    return {{"scene", options.scene},
+    return {{"scene", scene},
             {"size", {request.size.width, request.size.height}},
             {"method", request.method->name},
             {"parameters", parameters},
@@ -155,10 +154,21 @@ PreparedRender prepared_render(const RenderOptions& options) {
     return {std::move(argument), camera, std::move(request)};
 }
 
-void render(const RenderOptions& given) {
-    const auto [argument, camera, request] = prepared_render(given);
-    RenderOptions options = given;
-    options.request = request;
+void write_frame(const RenderOptions& options, const FrameRequest& request, const std::filesystem::path& out,
+                 const Frame& frame, const std::vector<LoadStep>& load_steps) {
+    std::ostream quiet(nullptr);
+    try_output_directory(out);
+    Json buffers = described_buffers(frame, request, options.inset, out, quiet);
+    write_file_atomically(
+        out / "passes.json",
+        passes_json(options.scene, request, frame, {}, load_steps, std::move(buffers)).dump(1) + "\n");
+}
+
+void render(const RenderOptions& options) {
+    const auto [argument, camera, request] = prepared_render(options);
+    if (request.settings.history.longest > 1)
+        throw UsageError("--param history: there is no frame before this one (" +
+                         std::to_string(request.settings.history.longest) + "); give --frames A-B");
     try_output_directory(options.out);
     const Frame frame = render_frame(argument.scene, camera, request);
     for (const PrecisionLoss& loss : frame.precision) {
@@ -173,10 +183,12 @@ void render(const RenderOptions& given) {
     }
     const std::vector<Saving> savings =
         measure_savings(argument.scene, camera, request, found, std::min(request.repeats, kMostSavingPairs));
-    Json buffers = described_buffers(frame, options);
+    Json buffers = described_buffers(frame, request, options.inset, options.out, std::cout);
     const std::filesystem::path report = options.out / "passes.json";
     write_file_atomically(
-        report, passes_json(options, frame, savings, argument.load_steps, std::move(buffers)).dump(1) + "\n");
+        report,
+        passes_json(options.scene, request, frame, savings, argument.load_steps, std::move(buffers)).dump(1) +
+            "\n");
     print_times(frame, savings, argument.load_steps);
     std::cout.flush();
     std::printf("%s\n", report.string().c_str());

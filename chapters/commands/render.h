@@ -29,8 +29,12 @@ struct PreparedRender {
 };
 PreparedRender prepared_render(const RenderOptions& options);
 
+// Writes a frame's wanted buffers and its passes.json into a directory, as render() does, and prints nothing.
+void write_frame(const RenderOptions& options, const FrameRequest& request, const std::filesystem::path& out,
+                 const Frame& frame, const std::vector<LoadStep>& load_steps);
+
 // Writes OUT/NAME.npy and OUT/NAME.png for each wanted buffer and OUT/passes.json, and prints one line for
-// each. Throws InputError, UsageError, OutputError; the output directory is tried before anything is drawn.
+// each. Throws InputError, UsageError (for a history, which takes frames before this one, too), OutputError; the output directory is tried before anything is drawn.
 void render(const RenderOptions& options);
 
 }  // namespace crevice

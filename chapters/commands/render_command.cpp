@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "chapters/commands/commands.h"
+#include "chapters/commands/film.h"
 #include "chapters/commands/render.h"
 #include "chapters/commands/run_flags.h"
-#include "chapters/commands/turntable.h"
 #include "chapters/frame/frame_settings.h"
 #include "chapters/frame/presets.h"
 #include "chapters/terminal/parse.h"
@@ -18,11 +18,11 @@ namespace {
 // As they were typed.
 struct RenderWords {
     std::string scene, size = "1280x720", ao, ao_scale, only, repeat = "1", time = "0", out = "out";
-    std::optional<std::string> preset, frames;
+    std::optional<std::string> preset, frames, path;
     std::vector<std::string> params;
     CameraFlags camera;
     RunWords run;
-    bool inset = false, outside_files = false;
+    bool inset = false, frame_buffers = false, outside_files = false;
 };
 
 // Throws UsageError for a name that is no buffer, or none of the method's.
@@ -92,8 +92,12 @@ RenderOptions options_of(const RenderWords& words) {
 int run(const RenderWords& words) {
     const RenderOptions options = options_of(words);
     if (words.frames) {
-        render_turntable(options, frames_of("--frames", *words.frames), std::cout);
+        render_film(options, {frames_of("--frames", *words.frames), words.path, words.frame_buffers},
+                    std::cout);
     } else {
+        if (words.path || words.frame_buffers)
+            throw UsageError(std::string(words.path ? "--path" : "--frame-buffers") +
+                             ": there is one frame only; give --frames A-B, too");
         render(options);
     }
     return static_cast<int>(ExitCode::done);
@@ -121,9 +125,14 @@ Command add_render_command(CommandLine& program) {
     render.option("--time", words->time, "seconds that the scene's lights have been turning");
     render.flag("--inset", words->inset,
                 "the AO map over the lower right of lit.png, as the tutorials show it");
-    render.option(
-        "--frames", words->frames,
-        "A-B: a turntable of 36 frames a turn, as frame_NNNN.png and, with img2webp, turntable.webp");
+    render.option("--frames", words->frames,
+                  "A-B: a film of a moving camera, as frame_NNNN.png and, with img2webp, PATH.webp; --param "
+                  "history=N: AO over N frames");
+    render.option("--path", words->path,
+                  "the film's: turn (round the target, 36 frames), walk (through the scene, where it has "
+                  "one: then the default) or still");
+    render.flag("--frame-buffers", words->frame_buffers,
+                "every frame's buffers and passes.json, too, in frame_NNNN");
     render.flag("--outside-files", words->outside_files, kOutsideFilesMeaning);
     render.option("--out", words->out, "the directory for the files");
     return {render, [words] { return run(*words); }};

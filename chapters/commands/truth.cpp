@@ -142,7 +142,7 @@ void write_truth(const TruthOptions& options) {
     const References references = make_references(argument.scene, camera, request);
     const std::vector<std::string> warnings = warnings_of(references, request.rays.radius);
     for (const std::string& warning : warnings) std::cerr << options.scene << ": " << warning << "\n";
-    BufferWriter writer(options.out);
+    BufferWriter writer(options.out, std::cout);
     for (const NamedReference& r : named(references)) {
         const ReferenceImage& image = r.reference.image;
         if (image.mean.empty()) continue;

@@ -25,7 +25,7 @@ void BufferWriter::describe(const std::string& name, const Picture& picture, int
     if (components > 1) shape.push_back(components);
     described_[name] = {{"shape", shape}, {"min", s.min}, {"max", s.max}, {"mean", s.mean},
                         {"nan", s.nan},   {"inf", s.inf}, {"hash", hash}};
-    std::cout << path.string() << ": " << picture.mapping << "\n";
+    told_ << path.string() << ": " << picture.mapping << "\n";
 }
 
 }  // namespace crevice

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -12,9 +13,9 @@ namespace crevice {
 
 class BufferWriter {
  public:
-    explicit BufferWriter(std::filesystem::path out) : out_(std::move(out)) {}
+    BufferWriter(std::filesystem::path out, std::ostream& told) : out_(std::move(out)), told_(told) {}
 
-    // Writes both files and prints the picture's mapping. Throws OutputError.
+    // Writes both files and tells the picture's mapping. Throws OutputError.
     void write(const std::string& name, const Image<float>& buffer, const Picture& picture);
     void write(const std::string& name, const Image3& buffer, const Picture& picture);
 
@@ -25,6 +26,7 @@ class BufferWriter {
     void describe(const std::string& name, const Picture& picture, int components, const std::string& hash);
 
     std::filesystem::path out_;
+    std::ostream& told_;
     nlohmann::ordered_json described_ = nlohmann::ordered_json::object();
 };
 

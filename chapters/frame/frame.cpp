@@ -75,7 +75,8 @@ void fill_open_maps(Frame& frame, const FrameRequest& request) {
 
 }  // namespace
 
-Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest& request) {
+Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest& request,
+                   const AoHistory& last) {
     const FrameSettings& settings = request.settings;
     const Method& method = *request.method;
     const Needs needs = needs_of(scene, request.wanted, ao_work(method, settings),
@@ -111,6 +112,13 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
                     raw =
                         method.ao({scene, frame.camera, frame.gbuffer, rays ? &*rays : nullptr, baked.get()},
                                   settings.method.ao, request.run);
+                });
+            }
+            if (needs.ao && settings.history.longest > 1) {
+                stopwatch.time("history", [&] {
+                    frame.history = temporal_accumulation(raw.ao, raw.inputs, frame.camera, last,
+                                                          settings.history, request.run);
+                    raw.ao = frame.history.ao;
                 });
             }
             if (needs.blur) {

@@ -24,7 +24,7 @@ struct FrameRequest {
 struct Frame {
     Camera camera;  // as drawn: with the depth direction that the settings asked for
     GBuffer gbuffer;
-    Image<float> ao_raw, ao_blurred;  // empty when left out
+    Image<float> ao_raw, ao_blurred;  // empty when left out; raw: with its history
     Image3 bent_normal;               // AO map size; empty when neither asked for nor read by the light
     Image3 lit;                       // empty when left out
     std::vector<PassTime> passes;     // those that ran, and last the frame
@@ -32,8 +32,11 @@ struct Frame {
     FrameTiles tiles;
     std::vector<SkippedWork> skipped;
     std::vector<PrecisionLoss> precision;
+    AoHistory history;  // for the next frame; empty where the settings ask for none
 };
 
-Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest& request);
+// `last` is what the frame before left; empty for the first one.
+Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest& request,
+                   const AoHistory& last = {});
 
 }  // namespace crevice

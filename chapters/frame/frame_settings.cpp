@@ -13,7 +13,8 @@ namespace crevice {
 std::vector<Parameter<FrameSettings>> frame_parameters(const Method& method) {
     std::vector<Parameter<FrameSettings>> all = within<FrameSettings>(
         parameters_of(method), [](auto& settings) -> auto& { return settings.method; });
-    for (std::vector<Parameter<FrameSettings>> around : {buffer_parameters(), lit_parameters()}) {
+    for (std::vector<Parameter<FrameSettings>> around :
+         {buffer_parameters(), history_parameters(), lit_parameters()}) {
         for (Parameter<FrameSettings>& parameter : around) all.push_back(std::move(parameter));
     }
     return all;
@@ -42,6 +43,7 @@ FrameSettings settings_of(const Method& method, const std::vector<std::string>& 
         set_from_word(*found, settings, assignment.substr(equals + 1));
     }
     validate(method, settings.method);
+    validate(settings.history);
     return settings;
 }
 

@@ -7,6 +7,7 @@
 
 #include "rasterizer/draw/normal_depth.h"
 #include "ssao/ao_methods.h"
+#include "ssao/blur/temporal_accumulation.h"
 #include "ssao/light/ao_lookup.h"
 #include "ssao/light/deferred_point_light.h"
 #include "ssao/light/shade.h"
@@ -15,6 +16,7 @@ namespace crevice {
 
 struct FrameSettings {
     MethodSettings method;             // AO and its denoiser
+    TemporalSettings history = {};     // of the raw map, between these two
     NormalDepthSettings buffers = {};  // of the first pass
     ShadeSettings lit = {};            // of the second drawing
     AmbientSettings ambient = {};      // what it makes of the AO map
@@ -25,6 +27,7 @@ struct FrameSettings {
 
 // Of the passes before and after AO, whatever the method.
 std::vector<Parameter<FrameSettings>> buffer_parameters();
+std::vector<Parameter<FrameSettings>> history_parameters();
 std::vector<Parameter<FrameSettings>> lit_parameters();
 
 // Everything `--param` can set: the parameters of the method, its denoiser and the passes around them.

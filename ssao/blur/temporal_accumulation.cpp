@@ -148,7 +148,7 @@ AoHistory without_past(const Image<float>& ao, const AoInputs& inputs, const Cam
 }  // namespace
 
 void validate(const TemporalSettings& s) {
-    require_within("history", s.longest, 1, 4096);
+    require_within("history", s.longest, 1, kMostFramesOfHistory);
     require_within("history_depth", static_cast<double>(s.depth), 0, 1);
     require_within("history_normal", static_cast<double>(s.normal), -1, 1);
 }

@@ -8,9 +8,9 @@
 // Reach:  1 texel of this map and of the last frame's
 // Differs from the sources: positions in the last frame are rounded to 1/256 of a texel, as texture units do, so
 //         that a camera at rest mixes no texel with its neighbours. Depths are compared across the surface, not
-//         along the view, so that slanted surfaces keep their history. Things move with the camera alone: a scene is at
-//         rest, but occluders that come into view change the shade of what they stand beside, and the history goes on
-//         telling of the time before (a ghost), which only `longest` and `clamp` bound.
+//         along the view, so that slanted surfaces keep their history. Only the camera moves; the scene is at rest.
+//         Even so, an occluder that comes into view darkens what stands beside it, and the history goes on telling
+//         of the time before: a ghost, which only `longest` and `clamp` bound.
 // Cost:   about 300 operations and 24 scattered reads a texel, 9 more with the clamp.
 #pragma once
 
@@ -18,15 +18,16 @@
 
 namespace crevice {
 
+inline constexpr int kMostFramesOfHistory = 4096;
 struct TemporalSettings {
-    // [1, 4096]; at most so many frames count: a plain mean up to there, then each frame has 1 / longest of the
-    // whole and the past fades exponentially. 1: no history. More: less noise, longer ghosts.
+    // [1, kMostFramesOfHistory]; so many frames count at most: a plain mean up to there, then each new frame has
+    // 1 / longest of the whole and the past fades exponentially. 1: no history. More: less noise, longer ghosts.
     int longest = 1;
     // [0, 1], of the view depth: what lay further from the plane of a texel was another surface.
     float depth = 0.01f;
     // [-1, 1]; cosine: what faced another way was another surface.
     float normal = 0.8f;
-    // The history is limited to what this frame's nine texels around hold: no ghosts, but most of the noise stays.
+    // The history is held within what this frame's nine texels around show: no ghosts where the map is smooth.
     bool clamp = false;
 };
 
@@ -35,10 +36,9 @@ void validate(const TemporalSettings& settings);
 
 // What a frame leaves to the next one. All images are of the AO map's size.
 struct AoHistory {
-    Image<float> ao;  // accumulated accessibility
-    Image<float>
-        frames;     // how many frames are in it, this one included; between whole numbers where texels mix
-    Image3 normal;  // view space, unit or 0
+    Image<float> ao;      // accumulated accessibility
+    Image<float> frames;  // how many are in it, this one too; between whole numbers where texels mix
+    Image3 normal;        // view space, unit or 0
     Image<float> view_depth;
     ViewRays rays{glm::vec2(1), {}, true};  // of the picture
     Camera camera;

@@ -14,8 +14,14 @@ using namespace crevice;
 
 namespace {
 
+// Made once: it is large.
+const Scene& atrium() {
+    static const Scene scene = atrium_scene();
+    return scene;
+}
+
 Camera looking(glm::dvec3 eye, glm::dvec3 target) {
-    Camera camera = atrium_scene().camera;
+    Camera camera = atrium().camera;
     camera.eye = eye;
     camera.target = target;
     return camera;
@@ -41,7 +47,7 @@ SkyPixels sky_pixels(const Scene& scene, const Camera& camera, Size size) {
 }  // namespace
 
 TEST_CASE("atrium: as large as the Unity notes' scene, every material and every mesh is used") {
-    const Scene scene = atrium_scene();
+    const Scene& scene = atrium();
     CHECK(triangle_count(scene) >= 150000);
     check_bounds(world_bounds(scene), {-6.8, 0, -11.8}, {6.8, 8.5, 11.8}, 1e-6);
     std::set<int> meshes, materials;
@@ -64,7 +70,7 @@ TEST_CASE("atrium: as large as the Unity notes' scene, every material and every 
 }
 
 TEST_CASE("atrium: no instance is mirrored") {
-    const Scene scene = atrium_scene();
+    const Scene& scene = atrium();
     int mirrored = 0;
     for (const Instance& instance : scene.instances)
         mirrored += !(glm::determinant(glm::dmat3(glm::dmat4(instance.world_from_object))) > 0);
@@ -88,7 +94,7 @@ TEST_CASE("atrium: columns and arches alternate round the court") {
 }
 
 TEST_CASE("atrium: no gap shows the sky through walls, vaults and floors") {
-    const Scene scene = atrium_scene();
+    const Scene& scene = atrium();
     const struct {
         std::string what;
         glm::dvec3 eye, target;
@@ -108,7 +114,7 @@ TEST_CASE("atrium: no gap shows the sky through walls, vaults and floors") {
 }
 
 TEST_CASE("atrium: from the court one looks up into the sky, and never at the back of a solid thing") {
-    const Scene scene = atrium_scene();
+    const Scene& scene = atrium();
     CHECK(sky_pixels(scene, looking({0, 1.4, -4}, {0, 9, -3}), {160, 90}).count > 160 * 90 / 8);
     // Without cloth, leaves and chains nothing has two sides: back faces culled or not, the picture is the same
     // but for slivers at outlines.

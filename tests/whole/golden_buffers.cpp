@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "chapters/commands/difference_page.h"
+#include "chapters/commands/film.h"
 #include "chapters/frame/frame.h"
 #include "chapters/frame/presets.h"
 #include "chapters/study/references.h"
@@ -172,6 +173,28 @@ std::vector<GoldenBuffer> rendered_methods() {
     return buffers;
 }
 
+// The fourth frame of a turn, with what its AO took over from the three before.
+std::vector<GoldenBuffer> rendered_history() {
+    const Scene scene = find_builtin_scene("columns")->make(SceneDetail::surfaces);
+    FrameRequest request;
+    request.size = kGoldenSize;
+    request.method = &find_method("gtao");
+    request.wanted = {"ao_raw", "ao_blurred"};
+    const FrameSettings settings = settings_of(*request.method, {"history=8"}, scene.length_unit);
+    Frame frame;
+    for (int i = 0; i < 4; ++i) {
+        request.settings = settings;
+        request.settings.method = reseeded(*request.method, settings.method, i);
+        frame = render_frame(scene, turned_camera(scene.camera, i), request, frame.history);
+    }
+    const std::string command =
+        "render columns --ao gtao --param history=8 --frames 0-3 --frame-buffers --size 160x90 --only "
+        "ao_raw,ao_blurred";
+    return {{"history_of_columns", "ao_raw", command, planes_of(frame.ao_raw)},
+            {"history_of_columns", "ao_blurred", command, planes_of(frame.ao_blurred)},
+            {"history_of_columns", "frames", command, planes_of(frame.history.frames)}};
+}
+
 // The references, smaller: what they are made of is seen in few pixels.
 std::vector<GoldenBuffer> referenced_scenes() {
     std::vector<GoldenBuffer> buffers;
@@ -203,6 +226,7 @@ std::vector<GoldenBuffer> referenced_scenes() {
 std::vector<GoldenBuffer> golden_buffers() {
     std::vector<GoldenBuffer> buffers = rendered_scenes();
     for (GoldenBuffer& buffer : rendered_methods()) buffers.push_back(std::move(buffer));
+    for (GoldenBuffer& buffer : rendered_history()) buffers.push_back(std::move(buffer));
     for (GoldenBuffer& buffer : rendered_artifacts()) buffers.push_back(std::move(buffer));
     for (GoldenBuffer& buffer : referenced_scenes()) buffers.push_back(std::move(buffer));
     return buffers;

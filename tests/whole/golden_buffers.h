@@ -1,5 +1,6 @@
 // Every buffer that has a golden image: those of the frames of all built-in scenes (the presets'
-// among them), those of each artifact on purpose, and the scenes' references.
+// among them), those of each artifact on purpose, of a frame with a history, and
+// the scenes' references.
 #pragma once
 
 #include <filesystem>

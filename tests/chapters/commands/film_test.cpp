@@ -1,5 +1,5 @@
-// Presets, lights that turn with time, and the turntable.
-#include "chapters/commands/turntable.h"
+// Presets, lights that turn with time, and films.
+#include "chapters/commands/film.h"
 
 #include <cmath>
 
@@ -54,6 +54,24 @@ TEST_CASE("the turntable's camera keeps its distance and height, and is back aft
     }
 }
 
+TEST_CASE("a film's path is the one that was said, or the scene's walk, or a turn") {
+    const std::span<const WalkStop> none, walk = find_builtin_scene("atrium")->walk;
+    CHECK(path_of("--path", {}, none) == CameraPath::turn);
+    CHECK(path_of("--path", {}, walk) == CameraPath::walk);
+    for (const CameraPath path : {CameraPath::turn, CameraPath::walk, CameraPath::still})
+        CHECK(path_of("--path", path_name(path), walk) == path);
+    CHECK_THROWS_AS(path_of("--path", "walk", none), UsageError);
+    CHECK_THROWS_AS(path_of("--path", "round", walk), UsageError);
+    const Camera camera = find_builtin_scene("atrium")->make().camera;
+    const int frames = kFramesOfStop * static_cast<int>(walk.size());
+    CHECK(camera_on(CameraPath::still, camera, walk, 7).eye == camera.eye);
+    CHECK(camera_on(CameraPath::turn, camera, walk, 7).eye == turned_camera(camera, 7).eye);
+    CHECK(camera_on(CameraPath::walk, camera, walk, 0).eye == camera.eye);
+    CHECK(camera_on(CameraPath::walk, camera, walk, frames + 5).eye ==
+          camera_on(CameraPath::walk, camera, walk, 5).eye);
+    CHECK(camera_on(CameraPath::walk, camera, walk, 3 * kFramesOfStop).eye == walk[3].eye);
+}
+
 TEST_CASE("frames are written as A-B") {
     CHECK(frames_of("--frames", "3-17").first == 3);
     CHECK(frames_of("--frames", "3-17").last == 17);
@@ -81,8 +99,11 @@ TEST_CASE("render --preset, --time and --frames as a user meets them") {
     const auto says = [&](const std::string& words) {
         return crevice_says("render " + words + " --size 48x27 --out " + quoted(scratch / "out"));
     };
-    for (const char* words : {"", "--preset nobody", "columns --preset luna", "--preset luna --ao xjun",
-                              "columns --time x", "columns --time 1e9", "columns --frames 2-1"}) {
+    for (const char* words :
+         {"", "--preset nobody", "columns --preset luna", "--preset luna --ao xjun", "columns --time x",
+          "columns --time 1e9", "columns --frames 2-1", "columns --frames 0-1 --path walk",
+          "columns --path turn", "columns --frame-buffers", "columns --param history=4",
+          "atrium --frames 0-1 --path walk --eye 0,1,0", "columns --frames 0-1 --param history=0"}) {
         CAPTURE(words);
         const Outcome outcome = says(words);
         CAPTURE(outcome.text);
@@ -103,4 +124,40 @@ TEST_CASE("render --preset, --time and --frames as a user meets them") {
     CHECK(first.size() == Size{48, 27});
     CHECK(content_hash(first) != content_hash(read_png(scratch / "out" / "frame_0002.png").colour));
     CHECK(!std::filesystem::exists(scratch / "out" / "frame_0003.png"));
+}
+
+TEST_CASE(
+    "render --frames with a history: other seeds, less noise, every frame's buffers where they were asked "
+    "for") {
+    const ScratchDirectory scratch;
+    const auto map = [&](const std::string& words, int frame) {
+        const std::filesystem::path out = scratch / std::to_string(std::hash<std::string>()(words));
+        const Outcome film = crevice_says(
+            "render cornell --ao xjun --size 48x27 --path still --only ao_raw --frame-buffers --out " +
+            quoted(out) + " " + words);
+        CAPTURE(film.text);
+        REQUIRE(film.code == 0);
+        const std::string name = "frame_000" + std::to_string(frame);
+        CHECK(std::filesystem::exists(out / name / "passes.json"));
+        CHECK(std::filesystem::exists(out / (name + ".png")));
+        return read_npy(out / name / "ao_raw.npy").front();
+    };
+    const auto same = [](const Image<float>& a, const Image<float>& b) {
+        return content_hash(a) == content_hash(b);
+    };
+    // Without a history nothing changes from frame to frame of a camera at rest.
+    CHECK(same(map("--frames 0-2", 0), map("--frames 0-2", 2)));
+    const std::string seeded = "--frames 0-2 --param history=4";
+    CHECK(same(map(seeded, 0), map("--frames 0-0", 0)));
+    CHECK(!same(map(seeded, 0), map(seeded, 1)));
+    // The mean of two maps of two seeds.
+    const Image<float> first = map("--frames 0-0 --param seed=1", 0),
+                       second = map("--frames 0-0 --param seed=2", 0),
+                       both = map(seeded + " --param seed=1", 1);
+    int wrong = 0;
+    for (int y = 0; y < both.size.height; ++y) {
+        for (int x = 0; x < both.size.width; ++x)
+            wrong += !(std::abs(both.at(x, y) - 0.5f * (first.at(x, y) + second.at(x, y))) < 1e-6f);
+    }
+    CHECK(wrong == 0);
 }

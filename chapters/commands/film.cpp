@@ -1,0 +1,109 @@
+#include "chapters/commands/film.h"
+
+#include <cstdio>
+#include <ostream>
+#include <vector>
+
+#include "chapters/frame/demo_view.h"
+#include "chapters/terminal/child.h"
+#include "chapters/terminal/output_directory.h"
+#include "chapters/terminal/progress.h"
+#include "rasterizer/base/error.h"
+#include "scenes/builtin_scenes.h"
+
+namespace crevice {
+
+namespace {
+
+constexpr double kEncoderPatience_s = 120;
+
+// The buffer that is shown: the lit picture if it is wanted, else the first there is.
+Picture shown_picture(const Frame& frame, const WantedBuffers& wanted, bool inset) {
+    if (wanted.contains("lit")) return demo_view(frame, inset);
+    if (wanted.contains("ao_blurred")) return ao_picture(frame.ao_blurred);
+    if (wanted.contains("ao_raw")) return ao_picture(frame.ao_raw);
+    if (wanted.contains(kBentNormal)) return normal_picture(frame.bent_normal);
+    if (wanted.contains("normal")) return normal_picture(frame.gbuffer.normal);
+    if (wanted.contains("view_depth")) return view_depth_picture(frame.gbuffer.view_depth);
+    return ndc_depth_picture(ndc_depth(frame.gbuffer.depth), frame.camera.reversed_z);
+}
+
+std::string frame_name(int frame) {
+    char name[32];
+    std::snprintf(name, sizeof name, "frame_%04d", frame);
+    return name;
+}
+
+void encode(const std::vector<std::filesystem::path>& frames, const std::filesystem::path& film,
+            std::ostream& out) {
+    if (!in_path("img2webp")) {
+        out << "no img2webp here (Debian package webp): the frames stay apart\n";
+        return;
+    }
+    const std::string milliseconds = std::to_string(static_cast<int>(1000 * kFrame_s));
+    std::vector<std::string> words = {"-loop", "0", "-lossless", "-d", milliseconds};
+    for (const std::filesystem::path& frame : frames) words.push_back(frame.string());
+    words.insert(words.end(), {"-o", film.string()});
+    const ChildOutcome outcome = run_child({"img2webp", words, {}, kEncoderPatience_s});
+    if (outcome.exit_code != 0)
+        throw OutputError(film.string() + ": img2webp failed (" + outcome.output + "); the frames are there");
+    out << film.string() << "\n";
+}
+
+}  // namespace
+
+MethodSettings reseeded(const Method& method, const MethodSettings& settings, int frame) {
+    const std::optional<double> seed = value_of(method, settings, "seed");
+    if (!seed) return settings;
+    const auto next = static_cast<std::uint32_t>(*seed) + static_cast<std::uint32_t>(frame);
+    return with_value(method, settings, "seed", next);
+}
+
+namespace {
+
+// Who names a place of his own walks round that.
+CameraPath chosen_path(const std::optional<std::string>& word, std::span<const WalkStop> stops,
+                       const CameraFlags& camera) {
+    const bool own_place = camera.eye || camera.target;
+    if (own_place && !word) return CameraPath::turn;
+    const CameraPath path = path_of("--path", word, stops);
+    if (own_place && path == CameraPath::walk)
+        throw UsageError("--path walk: has places of its own; leave --eye and --target away");
+    return path;
+}
+
+}  // namespace
+
+void render_film(const RenderOptions& options, const FilmOptions& film, std::ostream& out) {
+    const BuiltinScene* const builtin = find_builtin_scene(options.scene);
+    const std::span<const WalkStop> stops = builtin != nullptr ? builtin->walk : std::span<const WalkStop>();
+    const CameraPath path = chosen_path(film.path, stops, options.camera);
+    PreparedRender prepared = prepared_render(options);
+    Scene& scene = prepared.argument.scene;
+    FrameRequest& request = prepared.request;
+    const FrameSettings settings = request.settings;
+    const bool has_history = settings.history.longest > 1;
+    try_output_directory(options.out);
+    const auto lights = scene.lights;  // at options.time_s
+    const auto [first, last] = film.frames;
+    std::vector<std::filesystem::path> pictures;
+    AoHistory history;
+    Progress progress("frames", last - first + 1);
+    for (int i = first; i <= last; ++i) {
+        scene.lights = lights;
+        if (path != CameraPath::still) scene.lights = lights_at(scene, i * kFrame_s);
+        if (has_history) request.settings.method = reseeded(*request.method, settings.method, i);
+        Frame frame = render_frame(scene, camera_on(path, prepared.camera, stops, i), request, history);
+        const std::string name = frame_name(i);
+        pictures.push_back(options.out / (name + ".png"));
+        write_picture(pictures.back(), shown_picture(frame, request.wanted, options.inset));
+        if (film.buffers)
+            write_frame(options, request, options.out / name, frame, prepared.argument.load_steps);
+        history = std::move(frame.history);
+        progress.advance();
+    }
+    out << pictures.front().string() << " ... " << pictures.back().filename().string() << "\n";
+    encode(pictures, options.out / (std::string(path_name(path)) + ".webp"), out);
+}
+
+}  // namespace crevice

@@ -1,0 +1,26 @@
+// `crevice render --frames A-B`: the camera on its way, a picture for each step.
+#pragma once
+
+#include <iosfwd>
+
+#include "chapters/commands/camera_path.h"
+#include "chapters/commands/render.h"
+
+namespace crevice {
+
+struct FilmOptions {
+    FrameRange frames;
+    std::optional<std::string> path;  // --path as it was typed
+    bool buffers = false;             // every frame's buffers and passes.json, too, in OUT/frame_NNNN
+};
+
+// The settings of a frame of a film with a history: as many seeds on as there were frames before, round and round where
+// they end. As they are where the method has no seed.
+MethodSettings reseeded(const Method& method, const MethodSettings& settings, int frame);
+
+// Writes OUT/frame_NNNN.png, the lit picture or the first of the buffers that were asked for, and OUT/PATH.webp where the
+// program img2webp (Debian package webp) is found; says so where it is not. With a history (--param history) each frame
+// has the next seed, and AO takes over what the frames before found. Throws as render().
+void render_film(const RenderOptions& options, const FilmOptions& film, std::ostream& out);
+
+}  // namespace crevice
