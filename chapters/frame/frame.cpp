@@ -158,8 +158,8 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
         });
     }
     frame.passes = stopwatch.summaries();
-    frame.precision = precision_account(scene, frame.camera, geometry, frame.gbuffer, raw.inputs, method,
-                                        settings, request.run);
+    frame.precision = precision_account(scene, frame.camera, geometry, frame.gbuffer, raw.inputs,
+                                        rays ? &*rays : nullptr, method, settings, request.run);
     frame.ao_raw = std::move(raw.ao);
     frame.tiles.ao = std::move(raw.tiles);
     frame.tiles.raster = raster_tiles(geometry, request.run);

@@ -11,6 +11,7 @@
 #include "rasterizer/draw/cutouts.h"
 #include "rasterizer/draw/depth_precision.h"
 #include "rasterizer/draw/visibility.h"
+#include "ssao/rays/ray_cast.h"
 
 namespace crevice {
 
@@ -132,8 +133,9 @@ std::string warning_of(std::size_t count, const std::string& what, const std::st
 
 std::vector<PrecisionLoss> precision_account(const Scene& scene, const Camera& camera,
                                              const ScreenGeometry& geometry, const GBuffer& gbuffer,
-                                             const AoInputs& inputs, const Method& method,
-                                             const FrameSettings& settings, const Run& run) {
+                                             const AoInputs& inputs, const RayScene* rays,
+                                             const Method& method, const FrameSettings& settings,
+                                             const Run& run) {
     std::vector<PrecisionLoss> account;
     const std::string finer_depth = settings.reversed_z || camera.projection == Projection::orthographic
                                         ? "give a larger --near or a smaller --far"
@@ -151,6 +153,8 @@ std::vector<PrecisionLoss> precision_account(const Scene& scene, const Camera& c
         "vertices are no finite numbers on their way to the screen, and their triangles are left out",
         "mend the file, or bring scene and camera to a smaller scale");
     account.push_back({"triangles_through_eye_plane", through_the_eye_plane(geometry), ""});
+    add("triangles_out_of_reach_of_rays", rays == nullptr ? 0 : rays->not_finite,
+        "triangles lie further than rays reach, 2^36 units, and block none", "scale the scene");
     if (!method.computes_ao() || inputs.view_depth.empty()) return account;
 
     const double radius = value_of(method, settings.method, "radius").value_or(1);

@@ -12,6 +12,7 @@ namespace crevice {
 
 struct FrameSettings;
 struct Method;
+struct RayScene;
 
 struct PrecisionLoss {
     const char* name;       // as passes.json has it
@@ -19,10 +20,12 @@ struct PrecisionLoss {
     std::string warning;    // one line with what to do; empty: worth a count, not a word
 };
 
-// Each kind once, those with count 0 too. `inputs` are those of the AO pass, empty where there was none.
+// Each kind once, those with count 0 too. `inputs` are those of the AO pass, empty where there was none, `rays` what it
+// cast, or null.
 std::vector<PrecisionLoss> precision_account(const Scene& scene, const Camera& camera,
                                              const ScreenGeometry& geometry, const GBuffer& gbuffer,
-                                             const AoInputs& inputs, const Method& method,
-                                             const FrameSettings& settings, const Run& run);
+                                             const AoInputs& inputs, const RayScene* rays,
+                                             const Method& method, const FrameSettings& settings,
+                                             const Run& run);
 
 }  // namespace crevice
