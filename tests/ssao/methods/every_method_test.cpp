@@ -218,28 +218,31 @@ TEST_CASE("every method: all lengths times a power of two leave the same bits") 
 
 TEST_CASE("every method: towards radius 0 everything is open, at 0 exactly where that is allowed") {
     for (const Method* method : computing_methods()) {
-        CAPTURE(std::string(method->name));
-        // At full size: at half size a texel at an edge may lie between pixels of two surfaces, however small
-        // the radius.
-        const auto darker_than = [&](float limit, double radius) {
-            const MethodSettings settings = with_value(*method, full_size(*method), "radius", radius);
-            const Image<float> ao = maps_of(*method, still_life(), kSize, settings).raw.ao;
-            int count = 0;
-            for (int y = 0; y < ao.size.height; ++y) {
-                for (int x = 0; x < ao.size.width; ++x) count += ao.at(x, y) < limit ? 1 : 0;
+        for (const double scale : {0.5, 1.0}) {
+            CAPTURE(std::string(method->name));
+            CAPTURE(scale);
+            const MethodSettings scaled_map = with_value(*method, defaults_of(*method), "ao_scale", scale);
+            const auto darker_than = [&](float limit, double radius) {
+                const MethodSettings settings = with_value(*method, scaled_map, "radius", radius);
+                const Image<float> ao = maps_of(*method, still_life(), kSize, settings).raw.ao;
+                int count = 0;
+                for (int y = 0; y < ao.size.height; ++y) {
+                    for (int x = 0; x < ao.size.width; ++x) count += ao.at(x, y) < limit ? 1 : 0;
+                }
+                return count;
+            };
+            bool zero_is_allowed = true;
+            try {
+                validate(*method, with_value(*method, scaled_map, "radius", 0));
+            } catch (const UsageError&) {
+                zero_is_allowed = false;
             }
-            return count;
-        };
-        bool zero_is_allowed = true;
-        try {
-            validate(*method, with_value(*method, defaults_of(*method), "radius", 0));
-        } catch (const UsageError&) {
-            zero_is_allowed = false;
+            if (zero_is_allowed) CHECK(darker_than(1, 0) == 0);
+            // One pixel's centre lies exactly where the box meets the floor: half of its rays are blocked, however
+            // short.
+            CHECK(darker_than(0.999f, 1e-5) <= (method->casts_rays ? 1 : 0));
+            CHECK(darker_than(0.9f, value_of(*method, scaled_map, "radius").value()) > 0);
         }
-        if (zero_is_allowed) CHECK(darker_than(1, 0) == 0);
-        // One pixel's centre lies exactly where the box meets the floor: half of its rays are blocked, however short.
-        CHECK(darker_than(0.999f, 1e-5) <= (method->casts_rays ? 1 : 0));
-        CHECK(darker_than(0.9f, value_of(*method, defaults_of(*method), "radius").value()) > 0);
     }
 }
 
