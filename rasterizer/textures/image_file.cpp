@@ -1,11 +1,13 @@
 #include "rasterizer/textures/image_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <new>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/file_bytes.h"
@@ -72,26 +74,30 @@ void check_size(Size size, const std::string& name, std::int64_t most_pixels) {
                      " pixels on a side and " + std::to_string(most_pixels) + " in all can be read here");
 }
 
-// What each of the 256 codes of a colour channel means.
-std::array<float, 256> meaning_of_codes(TextureEncoding encoding) {
-    std::array<float, 256> table{};
-    for (std::size_t code = 0; code < table.size(); ++code) {
-        const float value = static_cast<float>(code) / 255.0f;
+// What each of the codes of a colour channel of 8 or 16 bits means.
+template <class Code>
+std::vector<float> meaning_of_codes(TextureEncoding encoding) {
+    constexpr std::size_t kMost = std::numeric_limits<Code>::max();
+    std::vector<float> table(kMost + 1);
+    for (std::size_t code = 0; code <= kMost; ++code) {
+        const float value = static_cast<float>(code) / static_cast<float>(kMost);
         table[code] = encoding == TextureEncoding::srgb ? std::min(1.0f, linear_from_srgb(value)) : value;
     }
     return table;
 }
 
-DecodedImage image_from(const std::uint8_t* rgba, Size size, TextureEncoding encoding, bool has_alpha) {
-    const std::array<float, 256> meaning = meaning_of_codes(encoding);
+template <class Code>
+DecodedImage image_from(const Code* rgba, Size size, TextureEncoding encoding, bool has_alpha) {
+    constexpr Code kMost = std::numeric_limits<Code>::max();
+    const std::vector<float> meaning = meaning_of_codes<Code>(encoding);
     DecodedImage image{Image3(size, glm::vec3(0)), has_alpha ? Image<float>(size, 1.0f) : Image<float>()};
     bool opaque = true;
     for (int y = 0; y < size.height; ++y) {
         for (int x = 0; x < size.width; ++x, rgba += 4) {
             image.colour.set(x, y, {meaning[rgba[0]], meaning[rgba[1]], meaning[rgba[2]]});
             if (!has_alpha) continue;
-            image.alpha.at(x, y) = static_cast<float>(rgba[3]) / 255.0f;
-            opaque = opaque && rgba[3] == 255;
+            image.alpha.at(x, y) = static_cast<float>(rgba[3]) / static_cast<float>(kMost);
+            opaque = opaque && rgba[3] == kMost;
         }
     }
     if (opaque) image.alpha = {};
@@ -140,13 +146,21 @@ bool is_linear_png(std::string_view bytes) {
     return bytes.substr(0, bytes.find("IDAT")).find(kGammaOfOne) != std::string_view::npos;
 }
 
-DecodedImage decode_with_stb(const std::string& bytes, const std::string& name, TextureEncoding encoding,
-                             std::int64_t most_pixels) {
-    StbInfo info = checked_info(bytes, name, most_pixels);
-    const StbPixels<stbi_uc> pixels(stbi_load_from_memory(encoded(bytes), length(bytes), &info.size.width,
-                                                          &info.size.height, &info.channels, STBI_rgb_alpha));
+template <class Code, class Load>
+DecodedImage loaded_with(const Load& load, const std::string& bytes, const std::string& name, StbInfo info,
+                         TextureEncoding encoding) {
+    const StbPixels<Code> pixels(load(encoded(bytes), length(bytes), &info.size.width, &info.size.height,
+                                      &info.channels, STBI_rgb_alpha));
     if (!pixels) fail_damaged(name, stbi_failure_reason());
     return image_from(pixels.get(), info.size, encoding, info.channels == 2 || info.channels == 4);
+}
+
+DecodedImage decode_with_stb(const std::string& bytes, const std::string& name, TextureEncoding encoding,
+                             std::int64_t most_pixels) {
+    const StbInfo info = checked_info(bytes, name, most_pixels);
+    return stbi_is_16_bit_from_memory(encoded(bytes), length(bytes)) != 0
+               ? loaded_with<stbi_us>(stbi_load_16_from_memory, bytes, name, info, encoding)
+               : loaded_with<stbi_uc>(stbi_load_from_memory, bytes, name, info, encoding);
 }
 
 }  // namespace
@@ -199,27 +213,8 @@ ImageCodes read_png(const std::filesystem::path& path) {
         throw InputError(name + ": this is not a PNG picture" + (kind.empty() ? "" : " (" + kind + ")") +
                          "; convert it to PNG");
     }
-    StbInfo info = checked_info(bytes, name, kMaxTexturePixels);
-    const StbPixels<stbi_us> pixels(stbi_load_16_from_memory(
-        encoded(bytes), length(bytes), &info.size.width, &info.size.height, &info.channels, STBI_rgb_alpha));
-    if (!pixels) fail_damaged(name, stbi_failure_reason());
-    const bool has_alpha = info.channels == 2 || info.channels == 4;
-    ImageCodes codes{
-        Image3(info.size, glm::vec3(0)), has_alpha ? Image<float>(info.size, 1.0f) : Image<float>(),
-        stbi_is_16_bit_from_memory(encoded(bytes), length(bytes)) != 0 ? 16 : 8, is_linear_png(bytes)};
-    const stbi_us* rgba = pixels.get();
-    // stb repeats the byte of an 8-bit code, so that k / 255 = 257 k / 65535.
-    const auto value = [&](stbi_us code) {
-        return codes.bits == 16 ? static_cast<float>(code) / 65535.0f
-                                : static_cast<float>(code >> 8) / 255.0f;
-    };
-    for (int y = 0; y < info.size.height; ++y) {
-        for (int x = 0; x < info.size.width; ++x, rgba += 4) {
-            codes.colour.set(x, y, {value(rgba[0]), value(rgba[1]), value(rgba[2])});
-            if (has_alpha) codes.alpha.at(x, y) = value(rgba[3]);
-        }
-    }
-    return codes;
+    DecodedImage image = decode_image(bytes, name, TextureEncoding::linear);
+    return {std::move(image.colour), std::move(image.alpha), is_linear_png(bytes)};
 }
 
 }  // namespace crevice

@@ -24,8 +24,8 @@ inline constexpr int kMaxTextureSide = 16384;
 // Decoded and with its mip levels a picture takes 21 bytes a pixel, and while it is decoded three times that.
 inline constexpr std::int64_t kMaxTexturePixels = std::int64_t{1} << 26;
 
-// The picture in the bytes of a PNG, JPEG or TGA file, 8 bits a channel (16 of a PNG are cut to 8). Apple's PNG
-// variant, CgBI, is read too. Alpha is kept where a file has it (of a TGA: where its header counts alpha bits).
+// The picture in the bytes of a PNG, JPEG or TGA file, 8 or 16 bits a channel. Apple's PNG variant, CgBI, is read
+// too. Alpha is kept where a file has it (of a TGA: where its header counts alpha bits).
 // Throws InputError naming the file when it is damaged, of another kind (which is named where it is known), or
 // beyond one of the limits above; nothing of its size is allocated before.
 DecodedImage decode_image(const std::string& bytes, const std::string& name, TextureEncoding encoding,
@@ -43,8 +43,7 @@ bool may_have_alpha(const std::string& bytes);
 // A picture's own codes.
 struct ImageCodes {
     Image3 colour;        // k / 255, or k / 65535 where the file has 16 bits a channel
-    Image<float> alpha;   // likewise; empty where the file has none
-    int bits = 8;         // 8 or 16
+    Image<float> alpha;   // likewise; empty where all of it is 1
     bool linear = false;  // the file says that its codes are proportional to light (a gAMA chunk of 1)
 };
 // Of a PNG. Throws InputError as load_image does, and when it is no PNG.

@@ -102,14 +102,12 @@ TEST_CASE("may_have_alpha: told by the header") {
 
 TEST_CASE("read_png: the file's own codes, 8 bits or 16, and its alpha") {
     const ImageCodes grey = codes_of(png_file({2, 1}, {.colour_type = 0, .bits = 16}, "\x64\0\x64\xc8"s));
-    CHECK(grey.bits == 16);
     CHECK(grey.colour.at(0, 0) == glm::vec3(25600.0f / 65535));
     CHECK(grey.colour.at(1, 0) == glm::vec3(25800.0f / 65535));
     CHECK(grey.alpha.empty());
     CHECK_FALSE(grey.linear);
     const ImageCodes rgba =
         codes_of(png_file({1, 1}, {.chunks = png_chunk("gAMA", "\0\1\x86\xa0"s)}, "\1\2\3\4"));
-    CHECK(rgba.bits == 8);
     CHECK(rgba.colour.at(0, 0) == glm::vec3(1, 2, 3) / 255.0f);
     CHECK(rgba.alpha.at(0, 0) == 4.0f / 255);
     CHECK(rgba.linear);
@@ -144,4 +142,13 @@ TEST_CASE("decode_image: a PNG with far more data than its pixels need is refuse
     const std::string bomb =
         png_file({1, 1}, {.colour_type = 0, .chunks = png_chunk("IDAT", std::string(1 << 17, '\0'))}, "\1");
     CHECK(error_of(bomb).find("t.png: the picture is damaged (PNG, more data than its pixels need)") == 0);
+}
+
+TEST_CASE("decode_image: all 16 bits of a channel count") {
+    const std::string grey = png_file({2, 1}, {.colour_type = 0, .bits = 16}, "\x64\0\x64\xc8"s);
+    const DecodedImage data = decode_image(grey, "a.png", TextureEncoding::linear);
+    CHECK(data.colour.at(0, 0) == glm::vec3(25600.0f / 65535));
+    CHECK(data.colour.at(1, 0) == glm::vec3(25800.0f / 65535));
+    const DecodedImage light = decode_image(grey, "a.png", TextureEncoding::srgb);
+    CHECK(light.colour.at(1, 0).x == linear_from_srgb(25800.0f / 65535));
 }
