@@ -27,7 +27,7 @@ void add_statue(Scene& scene, const Run& run) {
     const Profile plinth = {{0.0, 1.50},  {0.52, 1.50}, {0.56, 1.47}, {0.56, 1.42}, {0.48, 1.34},
                             {0.44, 1.22}, {0.42, 0.72}, {0.47, 0.64}, {0.56, 0.60}, {0.56, 0.50},
                             {0.72, 0.50}, {0.72, 0.32}, {0.92, 0.32}, {0.92, 0.09}};
-    const Profile neck = {{0.20, 0.30}, {0.20, 0.22}, {0.24, 0.12}, {0.33, 0.05}, {0.36, 0.0}};
+    const Profile neck = {{0.18, 0.58}, {0.20, 0.22}, {0.24, 0.12}, {0.33, 0.05}, {0.36, 0.0}};
     const auto add = [&scene](Mesh mesh, int material, glm::dvec3 at, double scale) {
         const int index = add_mesh(scene, with_material(std::move(mesh), material));
         scene.instances.push_back(placed(index, at, scale * glm::dmat3(1)));

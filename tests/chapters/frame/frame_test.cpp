@@ -203,3 +203,28 @@ TEST_CASE("frame: every stored format and depth direction gives finite AO near t
         }
     }
 }
+
+TEST_CASE("frame: with a history every method's second frame is the mean of two seeds, at rest") {
+    const Scene scene = still_life();
+    for (const Method& method : ao_methods()) {
+        if (!method.computes_ao()) continue;
+        CAPTURE(std::string(method.name));
+        FrameRequest request = request_for(method.name, {48, 32});
+        request.wanted = {"ao_raw"};
+        const auto map_of = [&](double seed, int longest, const AoHistory& last) {
+            FrameRequest seeded = request;
+            seeded.settings.method = with_value(method, request.settings.method, "seed", seed);
+            seeded.settings.history.longest = longest;
+            return render_frame(scene, scene.camera, seeded, last);
+        };
+        const Image<float> first = map_of(1, 1, {}).ao_raw, second = map_of(2, 1, {}).ao_raw;
+        const Frame before = map_of(1, 2, {}), after = map_of(2, 2, before.history);
+        CHECK(content_hash(before.ao_raw) == content_hash(first));
+        CHECK(content_hash(after.history.ao) == content_hash(after.ao_raw));
+        CHECK(pixels_against(first.size, [&](int x, int y) {
+                  const float mean = 0.5f * (first.at(x, y) + second.at(x, y));
+                  return std::fabs(after.ao_raw.at(x, y) - mean) < 1e-6f;
+              }) == "");
+        CHECK(map_of(2, 1, before.history).history.empty());  // nothing is kept that nobody asked for
+    }
+}
