@@ -9,8 +9,10 @@
 
 namespace crevice {
 
-// A scene is stretched when at most this share of its vertices makes it this many times as large as the others do.
-inline constexpr double kOutlierShare = 0.005, kOutlierStretch = 20;
+// A scene is stretched when so few vertices make it so many times as large as all others do. A ground larger than what
+// stands on it has four.
+inline constexpr int kMostOutliers = 2;
+inline constexpr double kOutlierStretch = 20;
 
 struct OutlierVertex {
     glm::dvec3 p_world = glm::dvec3(0);  // the one farthest from the middle of the others
