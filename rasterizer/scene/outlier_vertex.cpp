@@ -58,9 +58,7 @@ std::optional<OutlierVertex> outlier_vertex(const Scene& scene) {
     const auto nearer = [&](const glm::dvec3& a, const glm::dvec3& b) {
         return glm::distance(a, middle) < glm::distance(b, middle);
     };
-    const auto outliers =
-        static_cast<std::ptrdiff_t>(std::max(1.0, kOutlierShare * static_cast<double>(positions.size())));
-    const auto first_outlier = positions.end() - outliers;
+    const auto first_outlier = positions.end() - kMostOutliers;
     std::nth_element(positions.begin(), first_outlier, positions.end(), nearer);
     const double others = diagonal_of(std::span(positions.begin(), first_outlier));
     if (!(others > 0) || !(all > kOutlierStretch * others)) return std::nullopt;
