@@ -2,14 +2,17 @@
 
 #include <algorithm>
 
+#include <glm/common.hpp>
+
 #include "rasterizer/base/float_text.h"
 #include "rasterizer/obj/obj_origin.h"
 
 namespace crevice {
 namespace {
 
-constexpr glm::vec3 kUncoloured(-1);  // until all are known; white then
-constexpr float kByteColours = 255;   // what 1 is where colours are written as bytes
+constexpr glm::vec3 kUncoloured(-1);    // until all are known; white then
+constexpr float kByteColours = 255;     // what 1 is where colours are written as bytes
+constexpr float kSlightlyAboveOne = 2;  // up to here they are none: rounding, or light
 
 // Homogeneous ones divided by w.
 glm::dvec3 exact_position(const ObjPlace& place, std::string_view rest) {
@@ -64,10 +67,10 @@ void ObjVertices::finish_colours(const std::string& name, std::vector<std::strin
         warnings.push_back(where + "a vertex colour of the file is out of range; give 0 to 1, drawn without");
     } else if (highest > 1) {
         warnings.push_back(where + "vertex colours are above 1 (the highest is " + shortest_text(highest) +
-                           "); taken as 0 to 255");
+                           "); " + (highest > kSlightlyAboveOne ? "taken as 0 to 255" : "cut at 1"));
     }
-    const float full = highest > 1 ? kByteColours : 1;
-    for (glm::vec3& c : colours) c = c == kUncoloured ? glm::vec3(1) : c / full;
+    const float full = highest > kSlightlyAboveOne ? kByteColours : 1;
+    for (glm::vec3& c : colours) c = c == kUncoloured ? glm::vec3(1) : glm::min(c / full, glm::vec3(1));
 }
 
 }  // namespace crevice

@@ -82,6 +82,9 @@ TEST_CASE("vertex colours: read as linear, bytes brought to 1, absent ones white
     CHECK(mesh_of(bytes).colours == Colours{{1, 0, 0}, {0, 0.2f, 0}, glm::vec3(1)});
     CHECK(has_warning(bytes.report,
                       "a.obj:1: vertex colours are above 1 (the highest is 255); taken as 0 to 255"));
+    const LoadedObj rounded = load_text("v 0 0 0 1.000001 0 0\nv 1 0 0 0 .5 0\nv 0 1 0\nf 1 2 3\n");
+    CHECK(mesh_of(rounded).colours == Colours{{1, 0, 0}, {0, .5f, 0}, glm::vec3(1)});
+    CHECK(has_warning(rounded.report, "cut at 1"));
     const LoadedObj wild = load_text("v 0 0 0 nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     CHECK(mesh_of(wild).colours.empty());
     CHECK(has_warning(wild.report, "a.obj:1: a vertex colour of the file is out of range"));
