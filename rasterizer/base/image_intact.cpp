@@ -59,10 +59,10 @@ std::uint32_t byte_or_zero(std::string_view bytes, std::size_t at) {
     return at < bytes.size() ? byte_at(bytes, at) : 0;
 }
 
-// Whether the Huffman tables of a DHT segment whose length stands at `at` have at most 256 codes each. stb_image
-// (2.27) does not ask, and writes behind its own tables.
+// Whether the Huffman tables of a DHT segment whose length stands at `at` have at most 255 codes each; no encoder uses
+// more than about 200. stb_image (2.27) writes behind its own tables from 257 on, and takes the 256th for none.
 bool huffman_tables_fit(std::string_view bytes, std::size_t at) {
-    constexpr std::uint32_t kMostCodes = 256, kLengths = 16;
+    constexpr std::uint32_t kMostCodes = 255, kLengths = 16;
     const std::size_t end = at + (byte_or_zero(bytes, at) << 8 | byte_or_zero(bytes, at + 1));
     for (at += 2; at < end;) {
         std::uint32_t codes = 0;
@@ -74,22 +74,26 @@ bool huffman_tables_fit(std::string_view bytes, std::size_t at) {
 }
 
 // The segments up to the first scan; and behind it, where coded data never look like one, all that look like tables.
-bool jpeg_tables_fit(std::string_view bytes) {
+std::string damage_in_jpeg_tables(std::string_view bytes) {
     constexpr unsigned char kTables = 0xc4, kScan = 0xda;
+    const std::string too_many = "JPEG, a Huffman table of more than 255 codes";
+    bool has_tables = false;
     std::size_t at = 2;
     while (at < bytes.size()) {
         at = bytes.find('\xff', at);
         while (at < bytes.size() && byte_at(bytes, at) == 0xff) ++at;
-        if (at >= bytes.size()) return true;
+        if (at >= bytes.size()) break;
         const std::uint32_t marker = byte_at(bytes, at++);
-        if (marker == kTables && !huffman_tables_fit(bytes, at)) return false;
+        if (marker == kTables && !huffman_tables_fit(bytes, at)) return too_many;
         if (marker == kScan) break;
+        has_tables = has_tables || marker == kTables;
         at += byte_or_zero(bytes, at) << 8 | byte_or_zero(bytes, at + 1);
     }
+    if (!has_tables) return "JPEG, no Huffman table before its first scan";
     for (at = bytes.find("\xff\xc4", at); at != std::string_view::npos; at = bytes.find("\xff\xc4", at + 1)) {
-        if (!huffman_tables_fit(bytes, at + 2)) return false;
+        if (!huffman_tables_fit(bytes, at + 2)) return too_many;
     }
-    return true;
+    return {};
 }
 
 // An end marker inside the header belongs to a thumbnail, so the last one has to follow the last start of a
@@ -97,8 +101,7 @@ bool jpeg_tables_fit(std::string_view bytes) {
 std::string damage_in_jpeg(std::string_view bytes) {
     const std::size_t scan = bytes.rfind("\xff\xda"), end = bytes.rfind("\xff\xd9");
     const bool whole = scan != std::string_view::npos && end != std::string_view::npos && scan < end;
-    if (!whole) return "JPEG, cut short";
-    return jpeg_tables_fit(bytes) ? "" : "JPEG, a Huffman table of more than 256 codes";
+    return whole ? damage_in_jpeg_tables(bytes) : "JPEG, cut short";
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 namespace crevice {
 
-// What is wrong with the bytes of a PNG (chunk lengths and check sums) or JPEG (end marker, size of its tables) file, or nothing
+// What is wrong with the bytes of a PNG (chunk lengths and check sums) or JPEG (end marker, Huffman tables) file, or nothing
 // ("") when it is whole, or of another kind.
 std::string damage_in_image(std::string_view bytes);
 

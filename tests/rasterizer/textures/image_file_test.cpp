@@ -121,21 +121,33 @@ TEST_CASE("decode_image: a picture beyond the limit given is refused") {
                          doctest::Contains("out of range (2 x 2)"), InputError);
 }
 
-TEST_CASE("decode_image: a JPEG whose Huffman table has more codes than there are is refused") {
-    // The counts of codes by length; 257 codes are one too many, before the first scan and behind it.
+TEST_CASE("decode_image: a JPEG whose Huffman table has more codes than any encoder uses is refused") {
+    // The counts of codes by length; tables before the first scan and behind it.
     const auto tables = [](int codes) {
         std::string counts(16, '\0');
-        counts[14] = static_cast<char>(codes > 255 ? 255 : codes);
-        counts[15] = static_cast<char>(codes > 255 ? codes - 255 : 0);
+        counts[14] = static_cast<char>(codes > 200 ? 200 : codes);
+        counts[15] = static_cast<char>(codes > 200 ? codes - 200 : 0);
         return "\xff\xc4" + big_endian_bytes(static_cast<std::uint32_t>(2 + 17 + codes), 2) + '\0' + counts +
                std::string(static_cast<std::size_t>(codes), '\1');
     };
     const std::string scan = "\xff\xda\0\x08\1\1\0\0\x3f\0"s, end = "\xff\xd9", start = "\xff\xd8";
-    CHECK(error_of(start + tables(257) + scan + end).find("a Huffman table of more than 256 codes") !=
+    for (const int codes : {256, 257}) {
+        CAPTURE(codes);
+        for (const std::string& file :
+             {start + tables(codes) + scan + end, start + tables(1) + scan + tables(codes) + end}) {
+            CHECK(error_of(file).find("a Huffman table of more than 255 codes") != std::string::npos);
+        }
+    }
+    CHECK(error_of(start + tables(255) + scan + end).find("Huffman") == std::string::npos);
+}
+
+TEST_CASE("decode_image: a JPEG that defines no tables is refused") {
+    // Size 8 x 8, grey; a scan without any DHT.
+    const std::string frame = "\xff\xc0\0\x0b\x08\0\x08\0\x08\1\1\x11\0"s;
+    const std::string scan = "\xff\xda\0\x08\1\1\0\0\x3f\0\x3f\x12\x34\x56"s;
+    CHECK(error_of("\xff\xd8" + frame + scan + "\xff\xd9")
+              .find("the picture is damaged (JPEG, no Huffman table before its first scan)") !=
           std::string::npos);
-    CHECK(error_of(start + scan + tables(257) + end).find("a Huffman table of more than 256 codes") !=
-          std::string::npos);
-    CHECK(error_of(start + tables(256) + scan + end).find("Huffman") == std::string::npos);
 }
 
 TEST_CASE("decode_image: a PNG with far more data than its pixels need is refused before it is inflated") {
