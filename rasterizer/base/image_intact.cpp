@@ -59,8 +59,9 @@ std::uint32_t byte_or_zero(std::string_view bytes, std::size_t at) {
     return at < bytes.size() ? byte_at(bytes, at) : 0;
 }
 
-// Whether the Huffman tables of a DHT segment whose length stands at `at` have at most 255 codes each; no encoder uses
-// more than about 200. stb_image (2.27) writes behind its own tables from 257 on, and takes the 256th for none.
+// Whether the Huffman tables of a DHT segment whose length stands at `at` have at most 255 codes each; no
+// encoder uses more than about 200. stb_image (2.27) writes behind its own tables from 257 on, and takes the
+// 256th for none.
 bool huffman_tables_fit(std::string_view bytes, std::size_t at) {
     constexpr std::uint32_t kMostCodes = 255, kLengths = 16;
     const std::size_t end = at + (byte_or_zero(bytes, at) << 8 | byte_or_zero(bytes, at + 1));
@@ -73,7 +74,8 @@ bool huffman_tables_fit(std::string_view bytes, std::size_t at) {
     return true;
 }
 
-// The segments up to the first scan; and behind it, where coded data never look like one, all that look like tables.
+// The segments up to the first scan; and behind it, where coded data never look like one, all that look like
+// tables.
 std::string damage_in_jpeg_tables(std::string_view bytes) {
     constexpr unsigned char kTables = 0xc4, kScan = 0xda;
     const std::string too_many = "JPEG, a Huffman table of more than 255 codes";

@@ -8,8 +8,8 @@
 
 namespace crevice {
 
-// What is wrong with the bytes of a PNG (chunk lengths and check sums) or JPEG (end marker, Huffman tables) file, or nothing
-// ("") when it is whole, or of another kind.
+// What is wrong with the bytes of a PNG (chunk lengths and check sums) or JPEG (end marker, Huffman tables)
+// file, or nothing ("") when it is whole, or of another kind.
 std::string damage_in_image(std::string_view bytes);
 
 // How many bytes of coded pixels a PNG that is whole has in its IDAT chunks.

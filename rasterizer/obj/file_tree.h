@@ -20,9 +20,9 @@ class FileTree {
     // Throws InputError when the OBJ's directory cannot be read.
     FileTree(const std::filesystem::path& obj_path, bool outside_allowed);
 
-    // The regular file or directory `name`, seen from `base` or else from the OBJ's directory. Many files have
-    // absolute paths of the machine that they were made on: where there is nothing at the place written, or
-    // it may not be read, the last part of the name is looked for in both directories.
+    // The regular file or directory `name`, seen from `base` or else from the OBJ's directory. Many files
+    // have absolute paths of the machine that they were made on: where there is nothing at the place written,
+    // or it may not be read, the last part of the name is looked for in both directories.
     FoundFile find(const std::string& name, const std::filesystem::path& base) const;
 
     // The directory of the OBJ, as its path shows it.

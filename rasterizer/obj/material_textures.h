@@ -20,8 +20,8 @@ struct TexcoordMap {
     friend bool operator==(const TexcoordMap&, const TexcoordMap&) = default;
 };
 
-// All pictures of an OBJ together: 6 GB when they are decoded and have their mip levels. Less where that would be more
-// than half of the machine's memory.
+// All pictures of an OBJ together: 6 GB when they are decoded and have their mip levels. Less where that
+// would be more than half of the machine's memory.
 inline constexpr std::int64_t kMaxTexturePixelsOfObj = std::int64_t{1} << 28;
 
 // From this alpha on a texel is there (glTF's default, too).
@@ -32,14 +32,14 @@ inline constexpr float kBumpHeight = 0.01f;
 
 // Each picture is read once, whatever number of materials shows it.
 //   map_Kd        colours; where it has alpha, texels below kCutoutAlpha are cut out
-//   map_d         cut-outs: its alpha where it has some, else its luminance, or the channel that -imfchan names.
-//                 The map_Kd itself is asked for its alpha alone
+//   map_d         cut-outs: its alpha where it has some, else its luminance, or the channel that -imfchan
+//                 names. The map_Kd itself is asked for its alpha alone
 //   norm, map_Kn  normals: red along +u, green along +v of the file, which points up; -bm steepens them
 //   bump          the same where the picture holds normals, else heights, of which normals are made
 //   disp          normals where it holds them; heights are not drawn
 //   map_Ks        its mean colour, which multiplies Ks
-// Without want_surfaces only what cuts out is read: it is part of a shape. What cannot be read, lies outside the
-// OBJ's directory or would be wholly cut out is a warning, and drawn without.
+// Without want_surfaces only what cuts out is read: it is part of a shape. What cannot be read, lies outside
+// the OBJ's directory or would be wholly cut out is a warning, and drawn without.
 class MaterialTextures {
  public:
     MaterialTextures(const FileTree& tree, bool want_surfaces);

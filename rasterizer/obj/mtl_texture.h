@@ -30,9 +30,9 @@ struct MtlNotes {
     std::vector<std::string> not_drawn;  // statements and options that mean something and are not drawn
 };
 
-// `rest` is what follows the keyword. Options may stand before the file's name or behind it, and -s, -o and -t
-// take one, two or three numbers. Quotes around the name are taken off. An option that has no effect (`-mm 0
-// 1`) is passed over; one that has and is not drawn here goes to the notes.
+// `rest` is what follows the keyword. Options may stand before the file's name or behind it, and -s, -o and
+// -t take one, two or three numbers. Quotes around the name are taken off. An option that has no effect (`-mm
+// 0 1`) is passed over; one that has and is not drawn here goes to the notes.
 MtlTexture read_texture(std::string_view keyword, std::string_view rest, std::size_t line, MtlNotes& notes);
 
 }  // namespace crevice

@@ -1,8 +1,8 @@
 // OBJ files (with MTL and textures) as scenes.
 //
-// A file's text is first looked over and its numbers read (obj_prescan), its faces are then read by tinyobjloader
-// (obj_parse), cut into triangles (obj_triangles), and made a mesh (obj_mesh); its materials come from MTL files
-// (mtl_read, obj_materials) and their pictures (material_textures).
+// A file's text is first looked over and its numbers read (obj_prescan), its faces are then read by
+// tinyobjloader (obj_parse), cut into triangles (obj_triangles), and made a mesh (obj_mesh); its materials
+// come from MTL files (mtl_read, obj_materials) and their pictures (material_textures).
 #pragma once
 
 #include <cstdint>
@@ -42,12 +42,13 @@ struct LoadedObj {
 
 // One mesh and one identity instance, two-sided; a part is a run of faces of one material, in file order. The
 // file's right-handed coordinates become the lab's: z is negated for positions and normals and the winding
-// reversed; v of texture coordinates is flipped. Lengths are the file's; coordinates, too, less Scene::origin.
-// Materials see obj_materials.h, normals vertex_normals.h. Vertex colours multiply the material's, and faces without
-// a material show them as they are. The lights are those of Luna's scene, the camera is framing_camera()'s. What could
-// not be drawn as the file says is in the report; a file whose every face was dropped is a scene without
-// triangles. Throws InputError when the file is missing, no regular file, too large (for memory, too), no OBJ, or has a number
-// or an index that is not one ("path:line: ..."); UsageError for an option out of range.
+// reversed; v of texture coordinates is flipped. Lengths are the file's; coordinates, too, less
+// Scene::origin. Materials see obj_materials.h, normals vertex_normals.h. Vertex colours multiply the
+// material's, and faces without a material show them as they are. The lights are those of Luna's scene, the
+// camera is framing_camera()'s. What could not be drawn as the file says is in the report; a file whose every
+// face was dropped is a scene without triangles. Throws InputError when the file is missing, no regular file,
+// too large (for memory, too), no OBJ, or has a number or an index that is not one ("path:line: ...");
+// UsageError for an option out of range.
 LoadedObj load_obj(const std::filesystem::path& path, const ObjOptions& options = {});
 
 }  // namespace crevice

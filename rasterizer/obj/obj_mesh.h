@@ -25,8 +25,8 @@ struct ObjMeshMaterials {
 
 // Vertices stand in order of first use, one for each distinct position, texture coordinate and normal.
 // Corners without a normal get a generated one (see vertex_normals.h; the faces of one smoothing group share
-// it), those without texture coordinates (0, 0) in file space; when no corner has any, or want_texcoords is false,
-// the mesh has none. A part is a run of faces of one material.
+// it), those without texture coordinates (0, 0) in file space; when no corner has any, or want_texcoords is
+// false, the mesh has none. A part is a run of faces of one material.
 ObjMesh build_obj_mesh(const ObjPrescan& prescan, const ObjFaces& faces, const ObjTriangles& triangles,
                        const ObjMeshMaterials& materials, bool want_texcoords, double crease_angle_rad);
 

@@ -9,12 +9,13 @@
 
 namespace crevice {
 
-// Whether positions lie so far from the origin for their extent that float rounds away more than eight of its 24
-// bits of them, or all. Those that no face uses (`used`, one a position) or that are not finite have no say.
+// Whether positions lie so far from the origin for their extent that float rounds away more than eight of its
+// 24 bits of them, or all. Those that no face uses (`used`, one a position) or that are not finite have no
+// say.
 bool lie_far(std::span<const glm::vec3> positions, const std::vector<bool>& used);
 
-// A point in the middle of positions. Its coordinates are multiples of a power of two above their extent, so that
-// subtracting it in double changes no digit. 0 when they have no extent.
+// A point in the middle of positions. Its coordinates are multiples of a power of two above their extent, so
+// that subtracting it in double changes no digit. 0 when they have no extent.
 glm::dvec3 near_origin(std::span<const glm::dvec3> positions, const std::vector<bool>& used);
 
 // What is said of it.

@@ -24,8 +24,8 @@ namespace crevice {
 inline constexpr std::uint32_t kFlatShaded = 0;     // `s off`: the face's own
 inline constexpr std::uint32_t kNoSmoothing = ~0u;  // before any `s`: all faces of this kind
 
-// Where a face stands in the file: its line, how many of each the file had listed before it, from which negative
-// indices count back, and what `s` and `usemtl` said last.
+// Where a face stands in the file: its line, how many of each the file had listed before it, from which
+// negative indices count back, and what `s` and `usemtl` said last.
 struct FaceOrigin {
     std::uint32_t line = 0;
     std::int32_t positions = 0, texcoords = 0, normals = 0;
@@ -56,10 +56,10 @@ struct ObjPrescan {
     ObjReport report;  // too_few_corners, too_many_corners, ignored_statements, warnings on vertices
 };
 
-// Lines end in LF, CRLF or CR; a backslash at the end joins a line to the next; NUL counts as a blank; keywords
-// are known in capitals, too. `text` is UTF-8, `name`
-// the path for messages. Throws InputError "name:line: ..." at the first number or index that is not one, at a
-// v, vt or vn with too few or too many numbers, and at a text that is no OBJ.
+// Lines end in LF, CRLF or CR; a backslash at the end joins a line to the next; NUL counts as a blank;
+// keywords are known in capitals, too. `text` is UTF-8, `name` the path for messages. Throws InputError
+// "name:line: ..." at the first number or index that is not one, at a v, vt or vn with too few or too many
+// numbers, and at a text that is no OBJ.
 ObjPrescan prescan_obj(std::string_view text, const std::string& name);
 
 }  // namespace crevice

@@ -115,8 +115,8 @@ struct Builder {
         use_face_normal(face, reversed ? -geometric : geometric);
     }
 
-    // Gives the normal of the face to corners whose own is useless, and to those without one where the face is
-    // shaded flat.
+    // Gives the normal of the face to corners whose own is useless, and to those without one where the face
+    // is shaded flat.
     void use_face_normal(const ObjFace& face, glm::dvec3 geometric) {
         // Where the outline crosses itself so that its areas cancel, the face has no normal: one is
         // generated.

@@ -29,8 +29,8 @@ struct ObjTriangles {
 
 // Faces that cannot be drawn are dropped and tallied, polygons cut by clipping ears, a convex quad along its
 // first and third corner. A face wound against its own normals (it faces away from their sum) is turned
-// round; a normal that is zero or not finite is replaced by the normal of the face, and so is an absent one of a face
-// that is shaded flat (`s off`).
+// round; a normal that is zero or not finite is replaced by the normal of the face, and so is an absent one
+// of a face that is shaded flat (`s off`).
 ObjTriangles triangulate_obj(const ObjPrescan& prescan, const ObjFaces& faces, ObjReport report);
 
 }  // namespace crevice

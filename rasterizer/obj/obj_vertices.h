@@ -22,9 +22,9 @@ struct ObjVertices {
     // nothing here. Throws InputError at what is no number and at other counts.
     void add(const ObjPlace& place, std::string_view rest);
 
-    // Reads positions again, in double, where float loses the shape of what is far from the origin, and subtracts one
-    // near to those that faces use (`used`, one a position). `text` is that of the whole file. What was done is added
-    // to `warnings`.
+    // Reads positions again, in double, where float loses the shape of what is far from the origin, and
+    // subtracts one near to those that faces use (`used`, one a position). `text` is that of the whole file.
+    // What was done is added to `warnings`.
     void recentre(std::string_view text, const std::string& name, const std::vector<bool>& used,
                   std::vector<std::string>& warnings);
     // Brings colours to [0, 1], at the end of the file. What was done is added to `warnings`.

@@ -20,7 +20,8 @@ struct ObjText {
     void begin_line(const char* keyword) { text += keyword; }
     void end_line() { text += '\n'; }
 
-    // One number of a line. `index` tells it from others when it is not finite, counted from 1 as in the file.
+    // One number of a line. `index` tells it from others when it is not finite, counted from 1 as in the
+    // file.
     template <class Number>
     void add(const char* keyword, std::size_t index, Number value) {
         if (!std::isfinite(value))

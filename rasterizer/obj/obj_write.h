@@ -17,10 +17,10 @@ namespace crevice {
 // The text of the file. Each line of `comment` comes first, as a comment. `colours`: one a position, or none;
 // linear, written as they are. Normals and texture coordinates are written where the mesh has them. Numbers
 // are the shortest that read back to the same float, whatever the machine's language; only texture
-// coordinates, whose v is 1 - v in the file, may come back off by 2^-25. `origin`, world space, is added to all
-// positions, in double: Scene::origin brings them back to where their own file has them. Materials and parts are not
-// written.
-// Throws InputError naming the first number that is not finite, and when the colours are not one a position.
+// coordinates, whose v is 1 - v in the file, may come back off by 2^-25. `origin`, world space, is added to
+// all positions, in double: Scene::origin brings them back to where their own file has them. Materials and
+// parts are not written. Throws InputError naming the first number that is not finite, and when the colours
+// are not one a position.
 std::string obj_text(const Mesh& mesh, std::span<const glm::vec3> colours = {}, std::string_view comment = {},
                      const glm::dvec3& origin = glm::dvec3(0));
 

@@ -13,7 +13,8 @@ glm::vec3 colour_of_normal(Vec3<float> steep) {
     return 0.5f * glm::vec3(n.x, n.y, n.z) + 0.5f;
 }
 
-// The texels on both sides of `at` texels (a centre lies at .5), and how far it is from the first to the second.
+// The texels on both sides of `at` texels (a centre lies at .5), and how far it is from the first to the
+// second.
 struct Between {
     int first, second;
     float share;

@@ -19,7 +19,8 @@ bool holds_normals(const Image3& data);
 // times as steep.
 Image3 normals_with_green_down(Image3 data, float steepness);
 
-// The normals of a height map that repeats itself and rises by `rise` widths of the picture from black to white.
+// The normals of a height map that repeats itself and rises by `rise` widths of the picture from black to
+// white.
 Image3 normals_of_heights(const Image<float>& heights, float rise);
 
 }  // namespace crevice

@@ -109,8 +109,8 @@ DecodedImage image_from(const Code* rgba, Size size, TextureEncoding encoding, b
     return image;
 }
 
-// Deflate can blow a byte up to a thousand, and stb_image inflates all there is before it looks at the size. What is
-// hardly compressible needs little more than its pixels, of at most eight bytes.
+// Deflate can blow a byte up to a thousand, and stb_image inflates all there is before it looks at the size.
+// What is hardly compressible needs little more than its pixels, of at most eight bytes.
 bool has_more_data_than_pixels(const std::string& bytes, Size size) {
     constexpr std::size_t kSlack = std::size_t{1} << 16;
     const std::size_t row_bytes = 8 * static_cast<std::size_t>(size.width) + 1;

@@ -24,9 +24,9 @@ inline constexpr int kMaxTextureSide = 16384;
 // Decoded and with its mip levels a picture takes 21 bytes a pixel, and while it is decoded three times that.
 inline constexpr std::int64_t kMaxTexturePixels = std::int64_t{1} << 26;
 
-// The picture in the bytes of a PNG, JPEG or TGA file, 8 or 16 bits a channel. Apple's PNG variant, CgBI, is read
-// too. Alpha is kept where a file has it (of a TGA: where its header counts alpha bits).
-// Throws InputError naming the file when it is damaged, of another kind (which is named where it is known), or
+// The picture in the bytes of a PNG, JPEG or TGA file, 8 or 16 bits a channel. Apple's PNG variant, CgBI, is
+// read too. Alpha is kept where a file has it (of a TGA: where its header counts alpha bits). Throws
+// InputError naming the file when it is damaged, of another kind (which is named where it is known), or
 // beyond one of the limits above; nothing of its size is allocated before.
 DecodedImage decode_image(const std::string& bytes, const std::string& name, TextureEncoding encoding,
                           std::int64_t most_pixels = kMaxTexturePixels);

@@ -1,5 +1,5 @@
-// What the fuzz targets share: every file NAME_fuzz.cpp is a program of libFuzzer that gives the bytes it makes up to
-// one reader. A reader may refuse them with an Error; anything else that happens is a finding.
+// What the fuzz targets share: every file NAME_fuzz.cpp is a program of libFuzzer that gives the bytes it
+// makes up to one reader. A reader may refuse them with an Error; anything else that happens is a finding.
 #pragma once
 
 #include <cstddef>

@@ -44,8 +44,8 @@ inline std::string zlib_stream(const std::string& content) {
     return std::string("\x78\x01", 2) + stored_block(content) + big_endian_bytes(b << 16 | a, 4);
 }
 
-// What a PNG is made of: 0 grey, 2 RGB, 3 palette, 4 grey with alpha, 6 RGBA; bits a channel; chunks before the
-// pixels.
+// What a PNG is made of: 0 grey, 2 RGB, 3 palette, 4 grey with alpha, 6 RGBA; bits a channel; chunks before
+// the pixels.
 struct PngKind {
     int colour_type = 6, bits = 8;
     std::string chunks = {};
@@ -69,8 +69,8 @@ inline std::string png_file(Size size, const PngKind& kind, const std::string& s
            png_chunk("IDAT", kind.apple ? stored_block(rows) : zlib_stream(rows)) + png_chunk("IEND", "");
 }
 
-// The header of a TGA without palette. `type`: 2 colours, 3 grey, 10 and 11 the same run-length coded. Bits 4 and 5
-// of the descriptor: from the right, from the top; bits 0 to 3: alpha bits.
+// The header of a TGA without palette. `type`: 2 colours, 3 grey, 10 and 11 the same run-length coded. Bits 4
+// and 5 of the descriptor: from the right, from the top; bits 0 to 3: alpha bits.
 inline std::string tga_header(int type, Size size, int bits, int descriptor) {
     std::string header(18, '\0');
     header[2] = static_cast<char>(type);
@@ -83,8 +83,8 @@ inline std::string tga_header(int type, Size size, int bits, int descriptor) {
     return header;
 }
 
-// The same with a palette of `entries` colours of `entry_bits`, the first of which has the number `first`. `type`: 1,
-// or 9 run-length coded.
+// The same with a palette of `entries` colours of `entry_bits`, the first of which has the number `first`.
+// `type`: 1, or 9 run-length coded.
 inline std::string palette_tga_header(int type, Size size, int bits, int descriptor, int first, int entries,
                                       int entry_bits) {
     std::string header = tga_header(type, size, bits, descriptor);
