@@ -21,7 +21,7 @@ struct BenchMethodsOptions {
     std::optional<std::filesystem::path> out;    // the directory for bench_methods.html, CSV and JSON, if any
 };
 
-inline constexpr const char* kSideBySideScenes[] = {"columns", "columns_luna", "cornell", "fence"};
+inline constexpr const char* kSideBySideScenes[] = {"columns", "columns_luna", "cornell", "fence", "atrium"};
 
 // Each method with its defaults and the radius of methods_study.h. Returns 0. Throws UsageError, InputError (a scene
 // without triangles), OutputError.

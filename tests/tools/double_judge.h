@@ -17,6 +17,7 @@ struct JudgedPixel {
     bool surface = false;
     double view_depth = 0;  // where the eye's ray through the pixel's centre meets the triangle's plane
     double slant = 0;       // cosine between that ray and the plane's normal
+    double reach = 0;       // how far the triangle's farthest corner is from the eye
 };
 
 class DoubleJudge {
@@ -41,6 +42,8 @@ class DoubleJudge {
                 glm::dvec3(glm::dmat4(instance.world_from_object) * glm::dvec4(mesh.positions[vertex], 1)) -
                 camera_.eye;
         }
+        const double reach =
+            std::fmax(glm::length(corner[0]), std::fmax(glm::length(corner[1]), glm::length(corner[2])));
         const glm::dvec3 n = glm::normalize(glm::cross(corner[1] - corner[0], corner[2] - corner[0]));
         const double v = 1 - (2 * y + 1.0) / geometry_.size.height,
                      u = (2 * x + 1.0) / geometry_.size.width - 1;
@@ -49,12 +52,12 @@ class DoubleJudge {
             const double half = 0.5 * camera_.ortho_height;
             const glm::dvec3 from = u * half * aspect * right_ + v * half * up_;
             return {true, glm::dot(n, corner[0] - from) / glm::dot(n, forward_),
-                    std::fabs(glm::dot(n, forward_))};
+                    std::fabs(glm::dot(n, forward_)), reach};
         }
         const double half = std::tan(0.5 * camera_.fov_y_rad);
         const glm::dvec3 sight = forward_ + u * half * aspect * right_ + v * half * up_;
         return {true, glm::dot(n, corner[0]) / glm::dot(n, sight),
-                std::fabs(glm::dot(n, glm::normalize(sight)))};
+                std::fabs(glm::dot(n, glm::normalize(sight))), reach};
     }
 
  private:

@@ -15,10 +15,10 @@ namespace {
 
 constexpr Size kSize = {160, 90};
 
-// In half steps of a float, the errors that are inherent left out: at a slant the depth changes by more than the position
-// does.
+// In half steps of a float of the triangle's farthest corner, whose rounding its plane has everywhere; at a slant the depth
+// changes by more than the position does.
 double steps_off(float view_depth, const JudgedPixel& right) {
-    return std::fabs(static_cast<double>(view_depth) / right.view_depth - 1) * right.slant * 0x1p24;
+    return std::fabs(static_cast<double>(view_depth) - right.view_depth) * right.slant * 0x1p24 / right.reach;
 }
 
 }  // namespace

@@ -85,7 +85,8 @@ class TexelReference {
         const bool usable = std::fabs(slope) > 0.05 && carried > 0;
         const double shift = glm::length(ray_) * std::fabs(carried - first.z);
         const double magnified = glm::length(first.n) * (glm::length(first.p) + shift) / std::fabs(slope);
-        return {first.n, 0, usable ? carried : first.z, usable ? magnified : 0};
+        // Not behind what the depth map shows there.
+        return {first.n, 0, std::fmin(usable ? carried : first.z, mean().z), usable ? magnified : 0};
     }
 
  private:
