@@ -57,7 +57,7 @@ Material chain() {
 }
 
 std::vector<Material> materials(const Dress& worn) {
-    const glm::vec3 white(1), matt(0.04f);
+    const glm::vec3 matt(0.04f);
     const auto of = [](const char* name, glm::vec3 specular, double roughness, const Surface& surface,
                        glm::vec3 mean) {
         return covered(book_material(name, glm::vec3(1), specular, roughness), surface, mean, kLunaSampler);
