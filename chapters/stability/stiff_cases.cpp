@@ -75,10 +75,10 @@ void add_depths(CaseList& list) {
                      {std::string("depth_") + format + "_" + number(near_plane) + "_" + number(far_plane),
                       std::string("a plane at 60 degrees, depths in ") + format + " from " +
                           number(near_plane) + " to " + number(far_plane),
-                      Answer::open, [=] {
+                      Answer::open, [format, nearest = near_plane, farthest = far_plane] {
                           StiffView view = tilted_plane_view(60);
-                          view.camera.near_plane = near_plane;
-                          view.camera.far_plane = far_plane;
+                          view.camera.near_plane = nearest;
+                          view.camera.far_plane = farthest;
                           view.params = {std::string("depth_format=") + format};
                           return view;
                       }});
