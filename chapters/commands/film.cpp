@@ -50,17 +50,6 @@ void encode(const std::vector<std::filesystem::path>& frames, const std::filesys
     out << film.string() << "\n";
 }
 
-}  // namespace
-
-MethodSettings reseeded(const Method& method, const MethodSettings& settings, int frame) {
-    const std::optional<double> seed = value_of(method, settings, "seed");
-    if (!seed) return settings;
-    const auto next = static_cast<std::uint32_t>(*seed) + static_cast<std::uint32_t>(frame);
-    return with_value(method, settings, "seed", next);
-}
-
-namespace {
-
 // Who names a place of his own walks round that.
 CameraPath chosen_path(const std::optional<std::string>& word, std::span<const WalkStop> stops,
                        const CameraFlags& camera) {

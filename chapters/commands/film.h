@@ -14,10 +14,6 @@ struct FilmOptions {
     bool buffers = false;             // every frame's buffers and passes.json, too, in OUT/frame_NNNN
 };
 
-// The settings of a frame of a film with a history: as many seeds on as there were frames before, round and round where
-// they end. As they are where the method has no seed.
-MethodSettings reseeded(const Method& method, const MethodSettings& settings, int frame);
-
 // Writes OUT/frame_NNNN.png, the lit picture or the first of the buffers that were asked for, and OUT/PATH.webp where the
 // program img2webp (Debian package webp) is found; says so where it is not. With a history (--param history) each frame
 // has the next seed, and AO takes over what the frames before found. Throws as render().

@@ -47,6 +47,13 @@ FrameSettings settings_of(const Method& method, const std::vector<std::string>& 
     return settings;
 }
 
+MethodSettings reseeded(const Method& method, const MethodSettings& settings, int frame) {
+    const std::optional<double> seed = value_of(method, settings, "seed");
+    if (!seed) return settings;
+    const auto next = static_cast<std::uint32_t>(*seed) + static_cast<std::uint32_t>(frame);
+    return with_value(method, settings, "seed", next);
+}
+
 void print_methods(std::ostream& out) {
     constexpr int kNames = 12;
     for (const Method& method : ao_methods()) {

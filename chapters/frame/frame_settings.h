@@ -39,6 +39,10 @@ std::vector<Parameter<FrameSettings>> frame_parameters(const Method& method);
 FrameSettings settings_of(const Method& method, const std::vector<std::string>& assignments = {},
                           float length_unit = 1);
 
+// The settings of a frame of a film with a history: as many seeds on as there were frames before, round and round where
+// they end. As they are where the method has no seed.
+MethodSettings reseeded(const Method& method, const MethodSettings& settings, int frame);
+
 void print_methods(std::ostream& out);
 void print_parameters(std::ostream& out, const Method& method);
 

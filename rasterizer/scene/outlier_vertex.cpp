@@ -60,7 +60,7 @@ std::optional<OutlierVertex> outlier_vertex(const Scene& scene) {
     };
     const auto first_outlier = positions.end() - kMostOutliers;
     std::nth_element(positions.begin(), first_outlier, positions.end(), nearer);
-    const double others = diagonal_of(std::span(positions.begin(), first_outlier));
+    const double others = diagonal_of(std::span(positions).first(positions.size() - kMostOutliers));
     if (!(others > 0) || !(all > kOutlierStretch * others)) return std::nullopt;
     return OutlierVertex{*std::max_element(first_outlier, positions.end(), nearer), all / others};
 }
