@@ -87,9 +87,10 @@ bool shows_something(const GBuffer& gbuffer) {
 }
 
 std::size_t vertices_not_finite(const ScreenGeometry& geometry) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(geometry.vertices.projected,
-                              [](const ProjectedVertex& v) { return (v.outside & kNotANumber) != 0; }));
+    std::size_t count = 0;
+    for (const ProjectedVertex& v : geometry.vertices.projected)
+        count += (v.outside & kNotANumber) != 0 ? 1 : 0;
+    return count;
 }
 
 // Triangles that reach behind the eye and are cut at the near plane.
@@ -104,7 +105,7 @@ std::size_t through_the_eye_plane(const ScreenGeometry& geometry) {
             const auto behind = [&](std::uint32_t vertex) {
                 return (geometry.vertices.projected[vertex].outside & kOutsideEye) != 0;
             };
-            count += std::ranges::any_of(t.vertex, behind) ? 1 : 0;
+            count += std::any_of(t.vertex.begin(), t.vertex.end(), behind) ? 1 : 0;
         }
     }
     return count;
