@@ -28,14 +28,16 @@ constexpr double kShortestSquared = 0x1p-42, kLongestSquared = 0x1p42;
 struct Tolerance {
     std::string name;
     double length;
+    std::string larger;  // what makes it larger
 };
 Tolerance tolerance_of(const Method& method, const MethodSettings& settings) {
     for (const Parameter<MethodSettings>& p : parameters_of(method)) {
         const bool named = p.name == "epsilon" || p.name == "bias";
-        if (named && p.unit == kSceneUnit && p.get(settings) > 0) return {p.name, p.get(settings)};
+        if (named && p.unit == kSceneUnit && p.get(settings) > 0)
+            return {p.name, p.get(settings), "--param " + p.name};
     }
     const double radius = value_of(method, settings, "radius").value_or(0);
-    return {"radius / 64", radius * kHarmlessShare};
+    return {"radius / 64", radius * kHarmlessShare, "--param radius"};
 }
 
 std::string in_brackets(const Tolerance& tolerance) {
@@ -177,7 +179,7 @@ std::vector<PrecisionLoss> precision_account(const Scene& scene, const Camera& c
     add("texels_of_coarse_positions",
         texels_beyond(inputs, tolerance.length / static_cast<double>(kViewDepthRounding)),
         "AO texels see rounding larger than " + in_brackets(tolerance),
-        "bring the camera nearer, or give a larger --param radius and " + tolerance.name);
+        "bring the camera nearer, or give a larger " + tolerance.larger);
     add("vertices_far_from_origin", vertices_far_from_origin(scene, tolerance.length),
         "vertices have coordinates whose steps are larger than " + in_brackets(tolerance),
         "move the scene nearer to its origin before it is written");

@@ -8,8 +8,12 @@ std::vector<Parameter<BlurSettings>> blur_parameters() {
     using S = BlurSettings;
     return {
         whole("blur_iterations", 0, 64, "times horizontal and vertical; 0: no blur", &S::iterations),
-        choice<S, BlurWeights>("blur_weights", "the flat weights of X_Jun or the Gaussian of Luna",
-                               &S::weights, {{"xjun", kXjunBlurWeights}, {"luna", kLunaBlurWeights}}),
+        choice<S, BlurWeights>("blur_weights",
+                               "X_Jun's, flat; Luna's Gaussian; those that even out a pattern of 8x8 texels",
+                               &S::weights,
+                               {{"xjun", kXjunBlurWeights},
+                                {"luna", kLunaBlurWeights},
+                                {"interleaved", kInterleavedBlurWeights}}),
         number("blur_normal", "[-1, 1]", "cosine", "neighbours whose normals agree less do not count",
                &S::normal_threshold),
         number("blur_depth", "[0, inf)", kSceneUnit, "neighbours whose depth differs more do not count",

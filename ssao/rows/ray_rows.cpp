@@ -147,8 +147,10 @@ Method vertex_bake_row() {
 }
 
 Method crevice_row() {
+    BlurSettings even_out = kRayBlur;
+    even_out.weights = kInterleavedBlurWeights;
     Method row = ray_row({.samples = 2, .pattern = RayPattern::interleaved, .ao_scale = 1},
-                         bilateral_denoiser(kRayBlur));
+                         bilateral_denoiser(even_out));
     row.name = "crevice";
     row.title = "two rays a pixel, interleaved over 8x8, denoised along planes";
     row.source = "this lab, after Keller & Heidrich 2001";
