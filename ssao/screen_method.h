@@ -46,18 +46,42 @@ AoInputs inputs_of(const ScreenMethod<S>& m, const AoView& view, const S& settin
     return ao_inputs(view.gbuffer, view.camera, m.fetch(settings), run);
 }
 
+// A row with its settings, their parameters and their check.
 template <class S>
-Method row_of(const ScreenMethod<S>& m, Denoiser denoiser) {
+Method row_with(const S& defaults, const std::vector<Parameter<S>>& parameters) {
     Method row;
-    row.name = m.name;
-    row.title = m.title;
-    row.source = m.source;
-    row.defaults = AnySettings::of(m.defaults);
-    std::vector<Parameter<S>> parameters = m.parameters;
-    for (Parameter<S>& common : common_parameters<S>()) parameters.push_back(std::move(common));
+    row.defaults = AnySettings::of(defaults);
     row.parameters = within<AnySettings>(
         parameters, [](auto& settings) -> auto& { return settings.template as<S>(); });
     row.validate = [](const AnySettings& s) { validate(s.as<S>()); };
+    return row;
+}
+
+// Method::limit of a method that makes its inputs by inputs_of(view, settings, run), and of these its map by
+// map_of(view, inputs, settings, run): over seeds, with the contrast taken of their mean.
+template <class S, class InputsOf, class MapOf>
+auto limit_over_seeds(InputsOf inputs_of, MapOf map_of) {
+    return [=](const AoView& view, const AnySettings& s, int seeds, const Run& run,
+               const std::function<void(long long)>& on_progress) {
+        const AoInputs inputs = inputs_of(view, s.as<S>(), run);
+        S drawn = s.as<S>();
+        drawn.exponent = 1;
+        return seed_limit(inputs.view_depth, s.as<S>().exponent, seeds, run, on_progress,
+                          [&](std::uint32_t seed) {
+                              drawn.seed = seed;
+                              return map_of(view, inputs, drawn, run).ao;
+                          });
+    };
+}
+
+template <class S>
+Method row_of(const ScreenMethod<S>& m, Denoiser denoiser) {
+    std::vector<Parameter<S>> parameters = m.parameters;
+    for (Parameter<S>& common : common_parameters<S>()) parameters.push_back(std::move(common));
+    Method row = row_with(m.defaults, parameters);
+    row.name = m.name;
+    row.title = m.title;
+    row.source = m.source;
     row.reads_normals = m.reads_normals;
     row.samples_to_try = m.samples_to_try;
     row.reach_px = [m](const AoInputs& inputs, const AnySettings& s, double view_depth) {
@@ -74,17 +98,10 @@ Method row_of(const ScreenMethod<S>& m, Denoiser denoiser) {
             return m.bent_normals(inputs, s.as<S>(), run);
         };
     }
-    row.limit = [m](const AoView& view, const AnySettings& s, int seeds, const Run& run,
-                    const std::function<void(long long)>& on_progress) {
-        const AoInputs inputs = inputs_of(m, view, s.as<S>(), run);
-        S drawn = s.as<S>();
-        drawn.exponent = 1;
-        return seed_limit(inputs.view_depth, s.as<S>().exponent, seeds, run, on_progress,
-                          [&](std::uint32_t seed) {
-                              drawn.seed = seed;
-                              return m.ao(inputs, drawn, run).ao;
-                          });
-    };
+    row.limit = limit_over_seeds<S>([m](const AoView& view, const S& settings,
+                                        const Run& run) { return inputs_of(m, view, settings, run); },
+                                    [m](const AoView&, const AoInputs& inputs, const S& settings,
+                                        const Run& run) { return m.ao(inputs, settings, run); });
     row.question = [m](const AnySettings& s) { return m.question(s.as<S>()); };
     row.explain = [m](const AoView&, const RawAo& raw, const AnySettings& s, int x, int y) {
         return m.explain(raw.inputs, s.as<S>(), x, y);

@@ -30,9 +30,7 @@ float with_exponent(float open, float exponent) {
 
 void validate(const VertexBakeSettings& s) {
     require_within("samples", s.samples, 1, kMostSamples);
-    require_radius(s.radius);
-    require_within("exponent", s.exponent, 0, 64);
-    ao_map_size({1, 1}, s.ao_scale);  // which refuses what is no scale
+    require_common(s);
 }
 
 VertexAo baked_vertices(const Scene& scene, const RayScene& rays, const VertexBakeSettings& settings,

@@ -6,14 +6,12 @@ namespace crevice {
 
 void validate(const GtaoSettings& s) {
     validate_slice_samples(s.samples);
-    require_radius(s.radius);
     require_within("radius_multiplier", s.radius_multiplier, 0.3, 3);
     require_within("falloff", s.falloff, 0, 1);
     require_within("step_power", s.step_power, 1, 3);
     require_within("thickness", s.thickness, 0, 0.7);
     require_within("level_offset", s.level_offset, 2, 30);
-    require_within("exponent", s.exponent, 0, 64);
-    ao_map_size({1, 1}, s.ao_scale);  // which refuses what is no scale
+    require_common(s);
 }
 
 AoMap gtao(const AoInputs& inputs, const GtaoSettings& settings, const Run& run) {

@@ -110,10 +110,8 @@ struct HbaoKernel {
 
 void validate(const HbaoSettings& s) {
     validate_screen_rays(s.samples, s.steps);
-    require_radius(s.radius);
     require_within("bias", s.bias, 0, 89.9);
-    require_within("exponent", s.exponent, 0, 64);
-    ao_map_size({1, 1}, s.ao_scale);  // which refuses what is no scale
+    require_common(s);
 }
 
 AoMap hbao(const AoInputs& inputs, const HbaoSettings& settings, const Run& run) {

@@ -138,10 +138,8 @@ struct HbaoPlusKernel {
 
 void validate(const HbaoPlusSettings& s) {
     validate_screen_rays(s.samples, s.steps);
-    require_radius(s.radius);
     require_within("bias", s.bias, 0, 0.9);
-    require_within("exponent", s.exponent, 0, 64);
-    ao_map_size({1, 1}, s.ao_scale);  // which refuses what is no scale
+    require_common(s);
 }
 
 HbaoPlusSettings spelt_out(HbaoPlusSettings settings) {

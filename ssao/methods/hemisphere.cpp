@@ -80,10 +80,8 @@ struct HemisphereKernel {
 
 void validate(const HemisphereSettings& s) {
     require_within("samples", s.samples, 1, 256);
-    require_radius(s.radius);
     require_length("bias", s.bias);
-    require_within("exponent", s.exponent, 0, 64);
-    ao_map_size({1, 1}, s.ao_scale);  // which refuses what is no scale
+    require_common(s);
 }
 
 HemisphereSettings spelt_out(HemisphereSettings s) {

@@ -71,11 +71,9 @@ void validate(const MsvoSettings& s) {
     if (s.samples < kMsvoTaps || s.samples > kMsvoScales * kMsvoTaps || s.samples % kMsvoTaps != 0)
         throw UsageError("samples: must be 36, 72, 108 or 144 (" + std::to_string(s.samples) +
                          "); choose another number");
-    require_radius(s.radius);
     require_within("intensity", s.intensity, 0, 4);
     require_within("thickness", s.thickness, 1, 10);
-    require_within("exponent", s.exponent, 0, 64);
-    ao_map_size({1, 1}, s.ao_scale);  // which refuses what is no scale
+    require_common(s);
 }
 
 AoMap msvo(const AoInputs& inputs, const MsvoSettings& settings, const Run& run) {

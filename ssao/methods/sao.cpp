@@ -127,13 +127,11 @@ struct SaoKernel {
 void validate(const SaoSettings& s) {
     require_within("samples", s.samples, 1, 64);
     require_within("turns", s.turns, 1, 64);
-    require_radius(s.radius);
     require_within("intensity", s.intensity, 0, 64);
     require_within("bias", s.bias, 0, 1);
     require_within("epsilon", s.epsilon, 1e-8, 1);
     require_within("levels", s.levels, 0, kPyramidLevels - 1);
-    require_within("exponent", s.exponent, 0, 64);
-    ao_map_size({1, 1}, s.ao_scale);  // which refuses what is no scale
+    require_common(s);
 }
 
 AoMap sao(const AoInputs& inputs, const SaoSettings& settings, const Run& run) {

@@ -1,6 +1,8 @@
 // What settings are refused with: UsageError "MEMBER: must lie in RANGE (value); choose another value".
 #pragma once
 
+#include "ssao/inputs/ao_inputs.h"
+
 namespace crevice {
 
 // A length in [0, inf), scene units.
@@ -11,5 +13,13 @@ inline constexpr double kLargestRadius = 1e15;
 inline constexpr float kSmallestRadius = 1e-30f;
 void require_radius(double value);
 void require_within(const char* member, double value, double lowest, double highest);
+
+// The members that the settings of nearly every method have.
+template <class S>
+void require_common(const S& settings) {
+    require_radius(settings.radius);
+    require_within("exponent", settings.exponent, 0, 64);
+    ao_map_size({1, 1}, settings.ao_scale);  // which refuses what is no scale
+}
 
 }  // namespace crevice

@@ -93,11 +93,9 @@ struct UnityKernel {
 
 void validate(const UnitySettings& s) {
     require_within("samples", s.samples, 1, 64);
-    require_radius(s.radius);
     require_length("range", s.range);
     require_within("bias", s.bias, 0, 1);
-    require_within("exponent", s.exponent, 0, 64);
-    ao_map_size({1, 1}, s.ao_scale);  // which refuses what is no scale
+    require_common(s);
 }
 
 UnitySettings spelt_out(UnitySettings s) {

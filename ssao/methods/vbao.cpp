@@ -133,10 +133,8 @@ struct VbaoKernel {
 
 void validate(const VbaoSettings& s) {
     validate_slice_samples(s.samples);
-    require_radius(s.radius);
     require_length("thickness", s.thickness);
-    require_within("exponent", s.exponent, 0, 64);
-    ao_map_size({1, 1}, s.ao_scale);  // which refuses what is no scale
+    require_common(s);
 }
 
 AoMap vbao(const AoInputs& inputs, const VbaoSettings& settings, const Run& run) {

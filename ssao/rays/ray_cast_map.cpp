@@ -226,9 +226,7 @@ struct TileCaster {
 
 void validate(const RayMapSettings& s) {
     require_within("samples", s.samples, 1, kMostSamples);
-    require_radius(s.radius);
-    require_within("exponent", s.exponent, 0, 64);
-    ao_map_size({1, 1}, s.ao_scale);  // which refuses what is no scale
+    require_common(s);
 }
 
 AoMap ray_cast_map(const RayScene& scene, const Camera& camera, const GBuffer& gbuffer,

@@ -35,42 +35,31 @@ AoQuestion ray_question(const AnySettings& settings) {
 // What ray_cast and crevice have in common: they differ in their defaults and their denoiser.
 Method ray_row(const RayMapSettings& defaults, Denoiser denoiser) {
     using S = RayMapSettings;
-    const auto inputs_of = [](const AoView& view, const AnySettings& s, const Run& run) {
-        return ao_inputs(view.gbuffer, view.camera, pixel_fetch(s.as<S>()), run);
+    const auto inputs_of = [](const AoView& view, const S& s, const Run& run) {
+        return ao_inputs(view.gbuffer, view.camera, pixel_fetch(s), run);
     };
-    Method row;
-    row.defaults = AnySettings::of(defaults);
+    const auto map_of = [](const AoView& view, const AoInputs& inputs, const S& s, const Run& run) {
+        return ray_cast_map(*view.rays, view.camera, view.gbuffer, inputs, s, run);
+    };
     std::vector<Parameter<S>> parameters =
         ray_parameters<S>("rays a texel; fewer is faster and noisier", 256);
     parameters.push_back(choice<S, RayPattern>(
         "pattern", "interleaved: the texels of an 8x8 square share one set of rays", &S::pattern,
         {{"independent", RayPattern::independent}, {"interleaved", RayPattern::interleaved}}));
-    row.parameters = within<AnySettings>(
-        parameters, [](auto& settings) -> auto& { return settings.template as<S>(); });
-    row.validate = [](const AnySettings& s) { validate(s.as<S>()); };
+    Method row = row_with(defaults, parameters);
     row.samples_to_try = {1, 2, 4, 8, 16};
     row.casts_rays = true;
     row.reach_px = [](const AoInputs& inputs, const AnySettings& s, double view_depth) {
         constexpr double kNearestOfFour = 2;
         return length_px(inputs, s.as<S>().radius, view_depth) + kNearestOfFour;
     };
-    row.ao = [inputs_of](const AoView& view, const AnySettings& s, const Run& run) {
-        AoInputs inputs = inputs_of(view, s, run);
-        AoMap map = ray_cast_map(*view.rays, view.camera, view.gbuffer, inputs, s.as<S>(), run);
+    row.ao = [=](const AoView& view, const AnySettings& s, const Run& run) {
+        AoInputs inputs = inputs_of(view, s.as<S>(), run);
+        AoMap map = map_of(view, inputs, s.as<S>(), run);
         return RawAo{std::move(map.ao), std::move(map.tiles), std::move(inputs)};
     };
     row.denoiser = std::move(denoiser);
-    row.limit = [inputs_of](const AoView& view, const AnySettings& s, int seeds, const Run& run,
-                            const std::function<void(long long)>& on_progress) {
-        const AoInputs inputs = inputs_of(view, s, run);
-        S drawn = s.as<S>();
-        drawn.exponent = 1;
-        return seed_limit(
-            inputs.view_depth, s.as<S>().exponent, seeds, run, on_progress, [&](std::uint32_t seed) {
-                drawn.seed = seed;
-                return ray_cast_map(*view.rays, view.camera, view.gbuffer, inputs, drawn, run).ao;
-            });
-    };
+    row.limit = limit_over_seeds<S>(inputs_of, map_of);
     row.question = ray_question<S>;
     row.explain = [](const AoView& view, const RawAo& raw, const AnySettings& s, int x, int y) {
         return explain_ray_cast_map(*view.rays, view.camera, view.gbuffer, raw.inputs, s.as<S>(), x, y);
@@ -90,23 +79,21 @@ Method ray_cast_row() {
 
 Method vertex_bake_row() {
     using S = VertexBakeSettings;
-    const auto inputs_of = [](const AoView& view, const AnySettings& s, const Run& run) {
-        return depth_inputs(view.gbuffer, view.camera, s.as<S>().ao_scale, run);
+    const auto inputs_of = [](const AoView& view, const S& s, const Run& run) {
+        return depth_inputs(view.gbuffer, view.camera, s.ao_scale, run);
     };
-    // The bake of the view, or one made for the occasion.
-    const auto shown = [](const AoView& view, const AnySettings& s, const Run& run, const auto& show) {
-        if (view.baked != nullptr) return show(*view.baked);
-        return show(baked_vertices(view.scene, *view.rays, s.as<S>(), run));
+    // Of the view's bake, or of one made for the occasion.
+    const auto map_of = [](const AoView& view, const AoInputs& inputs, const S& s, const Run& run) {
+        const auto shown = [&](const VertexAo& baked) {
+            return vertex_bake(view.scene, view.camera, *view.rays, inputs, baked, s, run);
+        };
+        return view.baked != nullptr ? shown(*view.baked)
+                                     : shown(baked_vertices(view.scene, *view.rays, s, run));
     };
-    Method row;
+    Method row = row_with(S{}, ray_parameters<S>("rays a vertex; fewer is faster and noisier", 1 << 16));
     row.name = "vertex_bake";
     row.title = "rays once at each vertex, interpolated over the triangles";
     row.source = "Luna, section on ray casting";
-    row.defaults = AnySettings::of(S{});
-    row.parameters = within<AnySettings>(
-        ray_parameters<S>("rays a vertex; fewer is faster and noisier", 1 << 16),
-        [](auto& settings) -> auto& { return settings.template as<S>(); });
-    row.validate = [](const AnySettings& s) { validate(s.as<S>()); };
     row.samples_to_try = {16, 64, 256};
     row.reads_normals = false;
     row.casts_rays = true;
@@ -118,30 +105,24 @@ Method vertex_bake_row() {
         return std::make_shared<const VertexAo>(baked_vertices(scene, rays, s.as<S>(), run));
     };
     row.ao = [=](const AoView& view, const AnySettings& s, const Run& run) {
-        AoInputs inputs = inputs_of(view, s, run);
-        AoMap map = shown(view, s, run, [&](const VertexAo& baked) {
-            return vertex_bake(view.scene, view.camera, *view.rays, inputs, baked, s.as<S>(), run);
-        });
+        AoInputs inputs = inputs_of(view, s.as<S>(), run);
+        AoMap map = map_of(view, inputs, s.as<S>(), run);
         return RawAo{std::move(map.ao), std::move(map.tiles), std::move(inputs)};
     };
-    row.limit = [=](const AoView& view, const AnySettings& s, int seeds, const Run& run,
-                    const std::function<void(long long)>& on_progress) {
-        const AoInputs inputs = inputs_of(view, s, run);
-        S drawn = s.as<S>();
-        drawn.exponent = 1;
-        return seed_limit(
-            inputs.view_depth, s.as<S>().exponent, seeds, run, on_progress, [&](std::uint32_t seed) {
-                drawn.seed = seed;
-                const VertexAo baked = baked_vertices(view.scene, *view.rays, drawn, run);
-                return vertex_bake(view.scene, view.camera, *view.rays, inputs, baked, drawn, run).ao;
-            });
-    };
+    // Each seed has a bake of its own.
+    row.limit =
+        limit_over_seeds<S>(inputs_of, [=](AoView view, const AoInputs& inputs, const S& s, const Run& run) {
+            view.baked = nullptr;
+            return map_of(view, inputs, s, run);
+        });
     row.question = ray_question<S>;
-    row.explain = [=](const AoView& view, const RawAo& raw, const AnySettings& s, int x, int y) {
-        return shown(view, s, {}, [&](const VertexAo& baked) {
+    row.explain = [](const AoView& view, const RawAo& raw, const AnySettings& s, int x, int y) {
+        const auto explained = [&](const VertexAo& baked) {
             return explain_vertex_bake(view.scene, view.camera, *view.rays, raw.inputs, baked, s.as<S>(), x,
                                        y);
-        });
+        };
+        return view.baked != nullptr ? explained(*view.baked)
+                                     : explained(baked_vertices(view.scene, *view.rays, s.as<S>()));
     };
     return row;
 }
