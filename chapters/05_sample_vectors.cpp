@@ -101,7 +101,7 @@ void show_all_mirrored(Notebook& book, const Vectors& offsets, const RandomMap& 
 
 // What vectors that are not unit do to the picture, at a column's foot.
 void show_raw_vectors(Notebook& book) {
-    const SwitchedView view = column_foot(book.size());
+    const SwitchedView view = column_foot(book);
     std::vector<Image<float>> pictures;
     std::vector<double> noise;
     for (const char* kind : {"unit", "raw"}) {

@@ -1,15 +1,11 @@
-// Question: when does a point r in front of p count as an occluder of p, and how much?
-//
-// The one idea: two factors. How far r is in front of p in depth, on a curve that starts at epsilon and fades
-// out; and dp, the cosine between the normal and the way to r, which is 0 for a neighbour in the same plane.
-//
+// %% setup tags=["setup"]
 // Source: X_Jun, "Finding potential occluders", "The occlusion test" and exercise 3; Luna, Ssao.hlsl.
-// Look for: dz and dp in the table, which must both be large; the bare plane that shades itself without dp.
 // Run: crevice chapter 06
-#include <algorithm>
 #include <cmath>
 
+#include "chapters/diagrams/depth_section.h"
 #include "chapters/notebook/chapter.h"
+#include "chapters/props/surface_mean.h"
 #include "chapters/props/switched_ao.h"
 #include "chapters/terminal/number_text.h"
 #include "scenes/builtin_scenes.h"
@@ -22,177 +18,329 @@ namespace crevice {
 namespace {
 
 std::string text(float value) { return decimal_text(static_cast<double>(value), 3); }
-std::string text(Vec3<float> a) { return text(a.x) + " " + text(a.y) + " " + text(a.z); }
+std::string text(glm::vec3 v) { return text(v.x) + ", " + text(v.y) + ", " + text(v.z); }
 
-// Occlusion, up to 1, over dz from 0 to 2.5 scene units.
-Picture curves(const LunaKernel& red, const LunaKernel& blue) {
-    Image3 canvas({500, 100}, glm::vec3(1));
-    for (int i = 0; i < 500 * 100; ++i) {
-        const float dz = static_cast<float>(i % 500) / 200, level = 1 - static_cast<float>(i / 500) / 100;
-        const float r = level <= red.occlusion(dz) ? 0.4f : 0, b = level <= blue.occlusion(dz) ? 0.4f : 0;
-        canvas.set(i % 500, i / 500, {1 - b, 1 - r - b, 1 - r});
+PlotCurve occlusion_curve(const std::string& name, const LunaKernel& kernel) {
+    PlotCurve curve{name, {}, {}, {}, {}, PlotStyle::smooth};
+    for (int i = -100; i <= 500; ++i) {
+        const float dz = static_cast<float>(i) / 200;
+        curve.x.push_back(static_cast<double>(dz));
+        curve.y.push_back(static_cast<double>(kernel.occlusion(dz)));
     }
-    return colour_picture(canvas);
+    return curve;
 }
 
-// Sample i of texel (x, y), step by step.
-struct Sample {
-    Vec3<float> p, q, r;
-    float dz, dp, occlusion;
-};
-Sample sample_of(const LunaKernel& kernel, const RandomMap& map, int x, int y, std::size_t i) {
-    const AoInputs& in = kernel.inputs;
-    const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(in.size().width);
-    const float v = (static_cast<float>(y) + 0.5f) / static_cast<float>(in.size().height);
-    const Vec3<float> p = in.rays.p_view(u, v, in.view_depth.at(x, y));
-    const Vec3<float> n = spread<float>(in.normal.at(x, y));
-    const Vec3<float> o = spread<float>(kernel.offsets[i]), random = kernel.random_vector(map, u, v);
-    const Vec3<float> d = o - 2 * dot(o, random) * random;
-    const Vec3<float> q = p + (dot(d, n) < 0 ? -kernel.settings.radius : kernel.settings.radius) * d;
-    const float r_z = kernel.depth_at(in.rays.p_screen(q, 1 / q.z));
-    const Vec3<float> r = in.rays.at_depth(q, 1 / q.z, r_z), to_r = r - p;
-    const float cosine = dot(n, to_r) / std::sqrt(dot(to_r, to_r));
-    return {p, q, r, p.z - r_z, cosine > 0 ? cosine : 0, kernel.occlusion(p.z - r_z, p.z)};
-}
-
-void tell_one_texel(Notebook& book, const LunaKernel& kernel, const Image<float>& ao) {
-    const auto darkest = std::min_element(ao.pixels.begin(), ao.pixels.end()) - ao.pixels.begin();
-    const int x = static_cast<int>(darkest) % ao.stride, y = static_cast<int>(darkest) / ao.stride;
-    const RandomMap map = random_map(kernel.settings.seed);
-    std::vector<std::vector<std::string>> rows;
-    float sum = 0;
-    for (std::size_t i = 0; i < kCubeVectors; ++i) {
-        const Sample s = sample_of(kernel, map, x, y, i);
-        sum += s.dp * s.occlusion;
-        rows.push_back({text(s.q), text(s.r), text(s.dz), text(s.dp), text(s.occlusion)});
+// The sample that takes most, and one whose r lies behind p.
+std::size_t strongest(const Explanation& texel) {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < texel.samples.size(); ++i) {
+        if (texel.samples[i].contribution > texel.samples[best].contribution) best = i;
     }
-    book.text("Darkest, at a column's foot, is `(" + std::to_string(x) + ", " + std::to_string(y) + ")`, " +
-              "`p = " + text(sample_of(kernel, map, x, y, 0).p) + "` in view space.");
-    book.table({"q (x y z)", "r (x y z)", "dz = p_z - r_z", "dp", "occlusion(dz)"}, rows);
-    const float told = power(1 - sum / kCubeVectors, kernel.settings.exponent);
-    book.check("1 - the mean of dp * occlusion, to the power 4, is what the pass computes",
-               std::fabs(told - ao.at(x, y)) < 1e-6f, "mean " + text(sum / kCubeVectors) + ", " + text(told));
+    return best;
+}
+std::size_t farthest_behind(const Explanation& texel) {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < texel.samples.size(); ++i) {
+        if (texel.samples[i].dz < texel.samples[best].dz) best = i;
+    }
+    return best;
 }
 
-// Exercise 3 of X_Jun: without dp.
-void remove_dp(Notebook& book, const SwitchedView& view) {
+// A level floor without anything on it, seen from three units above.
+Scene bare_floor() {
     Scene scene = empty_scene();
     scene.instances = {placed(add_mesh(scene, grid_mesh(400, 400, 2, 2)), {0, 0, 0})};
     scene.camera.eye = {0, 3, -4};
-    const GBuffer gbuffer = normal_depth(scene, scene.camera, book.size());
-    LunaSettings settings = kLunaSettings;
-    const AoInputs inputs = ao_inputs(gbuffer, scene.camera, luna_fetch(settings));
-    const Image<float> with = luna_occlusion(inputs, settings, {}).ao;
-    settings.self_occlusion_test = false;
-    const Image<float> without = luna_occlusion(inputs, settings, {}).ao;
-    const Words no_dp = {"self_occlusion_test=false"};
-    book.show_row(
-        "Exercise 3: a bare plane, with dp and without, where it occludes itself; and the columns, " +
-            view.command(no_dp) + ": every slope is shaded, and the contacts drown.",
-        {{"plane", ao_picture(with)},
-         {"plane_without_dp", ao_picture(without)},
-         {"ao_without_dp", ao_picture(view.ao(no_dp).raw)}});
-    book.check("with dp every texel of the plane is open", buffer_statistics(with).min > 0.99f);
-    const double mean = buffer_statistics(without).mean;
-    book.check("without dp it is not", mean < 0.7, "mean " + decimal_text(mean, 4));
+    return scene;
 }
 
-// The mean over texels that show a surface.
-double mean_access(const SwitchedAo& ao) {
-    double sum = 0, count = 0;
-    for (int y = 0; y < ao.raw.size.height; ++y) {
-        for (int x = 0; x < ao.raw.size.width; ++x) {
-            if (std::isinf(ao.inputs.view_depth.at(x, y))) continue;
-            sum += static_cast<double>(ao.raw.at(x, y));
-            count += 1;
-        }
-    }
-    return sum / count;
-}
-
-// One number of the occlusion function at a time, with the tutorial's in the middle.
-void turn_the_numbers(Notebook& book, const SwitchedView& view) {
-    const auto row = [&](const std::string& caption, const std::vector<Words>& variants) {
-        std::vector<Notebook::Named> pictures;
-        std::vector<double> means;
-        for (const Words& words : variants) {
-            const SwitchedAo ao = view.ao(words);
-            std::string name = words.front();
-            for (char& c : name) c = c == '=' || c == '.' ? '_' : c;
-            pictures.push_back({name, ao_picture(ao.raw)});
-            means.push_back(mean_access(ao));
-        }
-        book.show_row(caption + " (" + view.command(variants.front()) + " and so on)", pictures);
-        return means;
-    };
-    const auto epsilon = row("Epsilon 0, .05 and .5: noise on level stone, contact shade, none left.",
-                             {{"epsilon=0"}, {"epsilon=0.05"}, {"epsilon=0.5"}});
-    book.check("a larger epsilon only ever opens", epsilon[0] < epsilon[1] && epsilon[1] < epsilon[2],
-               "means " + decimal_text(epsilon[0], 4) + ", " + decimal_text(epsilon[1], 4) + ", " +
-                   decimal_text(epsilon[2], 4));
-    const auto fade = row("Fade end 1 (Luna), 2 (X_Jun), and no range check: halos grow.",
-                          {{"fade_end=1"}, {"fade_end=2"}, {"fade_end=1e30"}});
-    book.check("a wider range only ever closes; without one, columns shade the ground far behind them",
-               fade[0] > fade[1] && fade[1] > fade[2],
-               "means " + decimal_text(fade[0], 4) + ", " + decimal_text(fade[1], 4) + ", " +
-                   decimal_text(fade[2], 4));
-}
-
-// HLSL's sign(0) is 0. It takes a normal along an axis and vectors that stay where they are.
-void look_along_the_surface(Notebook& book, const AoInputs& inputs) {
-    const Vec3<float> p = {0, 0, 10}, n = {0, 0, -1};
-    const auto moved = [&](SignOfZero sign, std::size_t i) {
-        const LunaKernel kernel(inputs, {.random_vectors = RandomVectors::none, .sign_of_zero = sign});
-        const Vec3<float> way = kernel.sample_point(p, n, Vec3<float>{0, 0, 0}, kernel.offsets[i]) - p;
-        return dot(way, way) > 0;
-    };
-    int plus = 0, zero = 0;
+// How many of the 14 samples leave p, facing a wall along an axis, where no random vector turns them.
+int samples_that_move(const AoInputs& inputs, SignOfZero sign) {
+    const LunaKernel kernel(inputs, {.random_vectors = RandomVectors::none, .sign_of_zero = sign});
+    const Vec3<float> p = {0, 0, 10}, n = {0, 0, -1}, unturned = {0, 0, 0};
+    int moved = 0;
     for (std::size_t i = 0; i < kCubeVectors; ++i) {
-        plus += moved(SignOfZero::plus, i);
-        zero += moved(SignOfZero::zero, i);
+        const Vec3<float> way = kernel.sample_point(p, n, unturned, kernel.offsets[i]) - p;
+        moved += dot(way, way) > 0 ? 1 : 0;
     }
-    book.check("facing a wall, 4 of 14 unmirrored samples have sign 0 and fall onto their own texel",
-               plus == kCubeVectors && zero == kCubeVectors - 4,
-               std::to_string(plus) + " and " + std::to_string(zero) + " of 14 move");
-    const SwitchedView wall("cornell", book.size());
-    const Words plain = {"random_vectors=none"}, trap = {plain[0], "sign_of_zero=zero"};
-    const Image<float> cured = wall.ao(plain).raw, trapped = wall.ao(trap).raw;
-    book.show_row("Without random vectors: sign(0) = 1; sign(0) = 0, " + wall.command(trap) + "; 0 minus 1.",
-                  {{"sign_plus", ao_picture(cured)},
-                   {"sign_zero", ao_picture(trapped)},
-                   {"sign_difference", difference_picture(difference_of(trapped, cured))}});
+    return moved;
 }
 
+// clang-format off: cells stand at the margin, where notebooks look for them.
 void occlusion_test(Notebook& book) {
-    book.text(R"(
-        # 06 The occlusion test
 
-        q is a point near p. The depth map tells the first surface r on the eye's ray through q, and p loses
+// %% question [markdown]
+// # The occlusion test
+//
+// Look at the foot of the column below. Stone and floor meet there, and the corner between them ought to be dark: from a
+// point on the floor, the column hides a large part of the surroundings. All that we have of the scene is the picture on
+// the right, the *depth map*. How does one read off a depth map that something stands in the way?
 
-            dp * occlusion(p_z - r_z)      with  dp = max(0, n . (r - p) / |r - p|)
-    )");
-    const SwitchedView view = column_foot(book.size());
-    const SwitchedAo shown = view.ao();
-    const LunaKernel xjun(shown.inputs, kXjunSettings), luna(shown.inputs, kLunaSettings);
-    book.show("curves", curves(xjun, luna), "occlusion(dz), dz to 2.5: X_Jun all, Luna violet only.");
-    book.show("ao", ao_picture(shown.raw), "X_Jun's AO: dark where something near stands in front.");
-    tell_one_texel(book, xjun, shown.raw);
-    remove_dp(book, view);
-    turn_the_numbers(book, view);
-    look_along_the_surface(book, shown.inputs);
-    book.try_it({
-        "Add `\"radius=2\"` to `fade_end=1e30`: the halos are as wide as the radius.",
-        "Set the plane's `eye` to `{0, 30, -4}`: right below the eye dz stays under epsilon: no need of dp.",
-        "In `tell_one_texel`, add up `s.occlusion` alone: the texel of exercise 3.",
-    });
-    book.errata({
-        "*X_Jun, prose:* r occludes q. It occludes **p**; q only says where to look (table).",
-        "*X_Jun, prose:* p is the intersection with the eye's ray. r is; the ray goes through **q**.",
-        "*X_Jun, prose:* |p_z - r_z|. The shader's is signed: what lies behind p does not occlude it.",
-        "*Luna, prose:* |q - r| is tested against epsilon. The shader tests p_z - r_z.",
-        "*X_Jun:* fade start may equal fade end in its demo: 0 / 0. Here that is a step.",
-        "*X_Jun, shader comment:* depth(q) is too close to depth(p). It tests depth(r).",
-    });
+// %% start
+const SwitchedView view = column_foot(book);
+const SwitchedAo shown = view.ao();
+book.show_row({{"normals", normal_picture(shown.gbuffer.normal), "The normals of the first pass."},
+               {"depth", view_depth_picture(shown.gbuffer.view_depth), "Its view depth: the nearer, the lighter."}});
+
+// %% idea [markdown]
+// ## The idea
+//
+// **Step a short way off the surface, look up what the depth map shows there, and ask whether that thing stands in front
+// of where you started.**
+//
+// Chapter 05 has made the steps: fourteen vectors of at most the length *radius*, all turned to the side of the surface
+// that the normal $n$ points to. Adding one of them to the point $p$ of the texel gives a point $q$ in the air beside the
+// surface. Whether $q$ itself is inside of something we cannot know, for the depth map only holds the first surface along
+// each of the eye's rays. So we ask for that surface: the eye's ray through $q$ meets it at a point that we call $r$.
+
+// %% numbers_of_one_texel
+const Texel at = followed_texel(shown.inputs.size());
+const Explanation texel = view.explanation(shown, at.x, at.y);
+const double radius = static_cast<double>(shown.settings.radius);
+const std::size_t blocked = strongest(texel), free = farthest_behind(texel);
+book.number("x", std::to_string(at.x));
+book.number("y", std::to_string(at.y));
+book.number("p", text(texel.p_view));
+book.number("n", text(texel.n_view));
+book.number("q", text(texel.samples[blocked].q_view));
+book.number("r", text(texel.samples[blocked].r_view));
+book.number("r_z", text(texel.samples[blocked].r_view.z));
+book.number("q_z", text(texel.samples[blocked].q_view.z));
+book.number("dz", text(texel.samples[blocked].dz));
+book.number("dp", text(texel.samples[blocked].dp));
+book.number("occlusion", text(texel.samples[blocked].weight));
+book.number("taken", text(texel.samples[blocked].contribution));
+book.number("free_dz", text(texel.samples[free].dz));
+book.draw("occluded_sample",
+          sample_diagram(shown.inputs, at.x, at.y, texel, blocked, radius, "One sample that is occluded"),
+          "A cut through the depth buffer at texel ({x}, {y}), drawn from its own numbers. The eye looks from the left. "
+          "The hatching is what the depth buffer does not know: whatever lies behind the first surface. The dotted circle "
+          "is the radius around p; q lies behind the column's surface, so r, where the eye's ray through q meets "
+          "that surface, is in front of p.");
+
+// %% where_r_is [markdown]
+// ## Where r is
+//
+// The points on the eye's ray through $q$ are the multiples of $q$, because the eye is the origin of view space. The one
+// whose depth is $r_z$, the depth that the depth map shows at the place of $q$ on the screen, is
+//
+// $$ r = \frac{r_z}{q_z}\, q $$
+//
+// To look the depth map up, $q$ must be put on the screen: divide by its depth and scale by the half height of the view,
+// $\tan(fov_y / 2)$, and its aspect $a$. The texture coordinates run from 0 to 1, $v$ downwards:
+//
+// $$ u = \frac12 + \frac{q_x}{2\, q_z\, a \tan(fov_y/2)}, \qquad v = \frac12 - \frac{q_y}{2\, q_z \tan(fov_y/2)} $$
+//
+// At our texel $p = ({{p}})$ and, for the sample of the figure, $q = ({{q}})$. The depth map shows
+// $r_z = {{r_z}}$ there, so $r = ({{r}})$.
+
+// %% two_factors [markdown]
+// ## How much r takes from p
+//
+// Two things must be true for $r$ to block light from $p$.
+//
+// **It stands in front, but not far in front.** We compare depths only: $dz = p_z - r_z$. Where $dz$ is negative, $r$ lies
+// behind $p$ and cannot be in the way. Where it is hardly positive, the difference may be rounding, or the floor itself a
+// little further on: nothing below *epsilon* counts. And where it is large, $r$ is something in the foreground that happens
+// to overlap $p$ on the screen and is nowhere near it: the occlusion fades out between *fade start* and *fade end*. This is
+// the *range check* of many tutorials:
+//
+// $$ \mathrm{occlusion}(dz) = \begin{cases} 0 & dz \le \varepsilon \\ \mathrm{saturate}\left(\dfrac{fade_{end} - dz}{fade_{end} - fade_{start}}\right) & dz > \varepsilon \end{cases} $$
+//
+// **It lies over p, not beside it.** Light that reaches a surface at a grazing angle contributes little, and a neighbour in
+// the same plane blocks nothing at all. The cosine between the normal and the way to $r$ says how squarely $r$ faces $p$:
+//
+// $$ dp = \max\left(0,\; n \cdot \frac{r - p}{|r - p|}\right) $$
+//
+// What the sample takes from $p$ is the product $dp \cdot \mathrm{occlusion}(dz)$.
+
+// %% curves
+const LunaKernel xjun(shown.inputs, kXjunSettings), luna(shown.inputs, kLunaSettings);
+book.plot("curves",
+          {"How much an occluder counts", {"dz = p_z - r_z, scene units"}, {"occlusion(dz)"},
+           {occlusion_curve("X_Jun", xjun), occlusion_curve("Luna", luna)},
+           {{static_cast<double>(kXjunSettings.epsilon), "epsilon"},
+            {static_cast<double>(kXjunSettings.fade_start), "fade start"},
+            {static_cast<double>(kLunaSettings.fade_end), "fade end (Luna)"},
+            {static_cast<double>(kXjunSettings.fade_end), "fade end (X_Jun)"}}},
+          "The occlusion function of both tutorials. They differ in one number: X_Jun lets occluders count twice as far "
+          "away.");
+
+// %% the_code [markdown]
+// ## The code
+//
+// The kernel of this lab does exactly that. `F` is a `float`, or several of them side by side; `select(condition, a, b)` is
+// `condition ? a : b` for each. The test for $q_z$ says whether $q$ is in front of the eye at all: what is not cannot be
+// projected, and counts nothing. It still counts in the fourteen by which the sum is divided.
+
+// %% kernel_occlusion tags=["setup"]
+book.listing("ssao/methods/luna_occlusion.h", "occlusion",
+             "The second factor. `nearest_occluder` is epsilon, or what the rounding of a float makes of it far away.");
+book.listing("ssao/methods/luna_occlusion.h", "facing",
+             "The first factor, dp. Where r and p are the same point, the way between them has no direction: 0/0 in the "
+             "tutorials' shaders. Here such a sample counts nothing.");
+book.listing("ssao/methods/luna_occlusion.h", "sample", "One sample from beginning to end.");
+
+// %% fourteen [markdown]
+// ## One texel, sample by sample
+//
+// Here are all fourteen samples of texel $({{x}}, {{y}})$, whose normal is $n = ({{n}})$. Read the table by its two
+// factors: a sample takes something only where both are large.
+
+// %% table_of_samples
+std::vector<std::vector<std::string>> rows;
+float sum = 0;
+for (const ExplainedSample& sample : texel.samples) {
+    sum += sample.contribution;
+    rows.push_back({text(sample.q_view), text(sample.r_view.z), text(sample.dz), text(sample.dp), text(sample.weight),
+                    text(sample.contribution), sample.verdict});
+}
+book.table({"q (x, y, z)", "r_z", "dz", "dp", "occlusion", "takes", "because"}, rows);
+book.number("sum", text(sum));
+book.number("mean", text(sum / kCubeVectors));
+book.number("access", text(1 - sum / kCubeVectors));
+book.number("ao", text(shown.raw.at(at.x, at.y)));
+book.check("All fourteen together take {sum}, on average {mean}. One minus that, {access}, raised to the power 4 for "
+           "contrast, is {ao}: exactly the value of the texel in the AO map.",
+           texel.value_of_sum(sum) == shown.raw.at(at.x, at.y));
+book.draw("open_sample", sample_diagram(shown.inputs, at.x, at.y, texel, free, radius, "One sample that is open"),
+          "A sample of the same texel that meets nothing: r lies {free_dz} in front of p, that is, behind it. "
+          "Something may well be at q, but not according to the depth map.");
+
+// %% picture [markdown]
+// ## The picture it makes
+//
+// Do this at every texel, and the corner is dark. The grain comes from the random turn of the fourteen vectors; chapter 07
+// looks at it, and chapter 08 blurs it away.
+
+// %% raw_ao
+book.show("ao", ao_picture(shown.raw),
+          "Accessibility after the test, half the picture's size. The floor darkens towards the column; the column's lit "
+          "side and the open floor stay white.");
+
+// %% without_dp_text [markdown]
+// ## What can go wrong
+//
+// **Without dp, every slope occludes itself.** On a tilted plane one half of the neighbours is nearer to the eye, so the
+// test on $dz$ alone takes them for occluders, although a plane hides nothing from itself. The factor $dp$ is 0 for all of
+// them.
+
+// %% without_dp
+const Scene floor_scene = bare_floor();
+LunaSettings settings = kLunaSettings;
+const AoInputs floor_inputs =
+    ao_inputs(normal_depth(floor_scene, floor_scene.camera, book.size()), floor_scene.camera, luna_fetch(settings));
+const Image<float> floor_with = luna_occlusion(floor_inputs, settings, {}).ao;
+settings.self_occlusion_test = false;
+const Image<float> floor_without = luna_occlusion(floor_inputs, settings, {}).ao;
+const Words no_dp = {"self_occlusion_test=false"};
+book.number("floor_without", buffer_statistics(floor_without).mean, 3);
+book.compare({"plane_without_dp", ao_picture(floor_without), "A bare floor, judged by dz alone."},
+             {"plane", ao_picture(floor_with), "The same with dp: open everywhere."});
+book.check("With dp no texel of the bare floor is darkened; without it, their mean falls to {floor_without}.",
+           buffer_statistics(floor_with).min > 0.99f && buffer_statistics(floor_without).mean < 0.7);
+book.compare({"ao_without_dp", ao_picture(view.ao(no_dp).raw), "The columns without dp (" + view.command(no_dp) + ")."},
+             {"ao_with_dp", ao_picture(shown.raw), "With it: the shade at the column's foot stands out again."});
+
+// %% epsilon_text [markdown]
+// **Epsilon too small, and stone is dirty; too large, and contact shade is gone.** A floor seen at a slant fills a texel
+// with more than one depth; below the size of that error, $dz$ means nothing.
+
+// %% epsilon
+std::vector<Notebook::Named> by_epsilon;
+std::vector<double> epsilon_means;
+for (const auto& [value, caption] : {std::pair{"0", "epsilon = 0"}, std::pair{"0.05", "epsilon = 0.05, the tutorials'"},
+                                     std::pair{"0.5", "epsilon = 0.5, as large as the radius: none is left"}}) {
+    const SwitchedAo ao = view.ao({std::string("epsilon=") + value});
+    by_epsilon.push_back({"epsilon_" + std::to_string(by_epsilon.size()), ao_picture(ao.raw), caption});
+    epsilon_means.push_back(mean_over_surfaces(ao.raw, ao.inputs));
+}
+book.show_row(by_epsilon);
+book.number("epsilon_0", epsilon_means[0], 4);
+book.number("epsilon_1", epsilon_means[1], 4);
+book.number("epsilon_2", epsilon_means[2], 4);
+book.check("A larger epsilon only ever opens: the mean over the surfaces goes from {epsilon_0} to {epsilon_1} to "
+           "{epsilon_2}.",
+           epsilon_means[0] < epsilon_means[1] && epsilon_means[1] < epsilon_means[2]);
+
+// %% fade_text [markdown]
+// **Without the range check, things cast shade on what is far behind them.** A column in the foreground overlaps the house
+// behind it on the screen, and darkens it along its outline: a *halo*.
+
+// %% fade
+std::vector<Notebook::Named> by_fade;
+std::vector<double> fade_means;
+const SwitchedView whole(book, "columns");
+for (const auto& [value, caption] : {std::pair{"1", "fade end = 1, Luna's"}, std::pair{"2", "fade end = 2, X_Jun's"},
+                                     std::pair{"1e30", "no range check: a halo round every column"}}) {
+    const SwitchedAo ao = whole.ao({std::string("fade_end=") + value});
+    by_fade.push_back({"fade_" + std::to_string(by_fade.size()), ao_picture(ao.raw), caption});
+    fade_means.push_back(mean_over_surfaces(ao.raw, ao.inputs));
+}
+book.show_row(by_fade);
+book.number("fade_0", fade_means[0], 4);
+book.number("fade_1", fade_means[1], 4);
+book.number("fade_2", fade_means[2], 4);
+book.check("A wider range only ever closes: {fade_0}, {fade_1}, {fade_2}.",
+           fade_means[0] > fade_means[1] && fade_means[1] > fade_means[2]);
+
+// %% sign_text [markdown]
+// **HLSL's sign(0) is 0.** The tutorials turn a vector to the side of the normal by multiplying it with
+// `sign(dot(offset, n))`. A vector that lies exactly in the surface has the sign 0, and its sample falls onto $p$ itself. It
+// takes a wall along an axis and vectors that no random turn has moved, but then it is four samples of fourteen.
+
+// %% sign_of_zero
+const int plus = samples_that_move(shown.inputs, SignOfZero::plus);
+const int zero = samples_that_move(shown.inputs, SignOfZero::zero);
+const SwitchedView wall(book, "cornell");
+const Words plain = {"random_vectors=none"}, trap = {plain[0], "sign_of_zero=zero"};
+const Image<float> cured = wall.ao(plain).raw, trapped = wall.ao(trap).raw;
+book.number("samples_zero", std::to_string(zero));
+book.compare({"sign_zero", ao_picture(trapped), "sign(0) = 0 (" + wall.command(trap) + ")."},
+             {"sign_plus", ao_picture(cured), "sign(0) = 1: all fourteen samples leave p."});
+book.check("Facing a wall, only {samples_zero} of the 14 unturned samples leave p where sign(0) is 0; all do where it is 1.",
+           plus == kCubeVectors && zero == kCubeVectors - 4);
+
+// %% exercises [markdown]
+// ## Exercises
+//
+// 1. Run `crevice chapter 06 --cell raw_ao --param radius=1`. What happens to the shade, and what to the grain?
+// 2. Why does a level floor right below the eye need neither $dp$ nor epsilon?
+// 3. (X_Jun's third) Take $dp$ out of the shader. Which surfaces stay white, and why these?
+// 4. Instead of $dz$, compare distances: $|p| - |r|$. Where does that change the picture?
+//
+// <details><summary>Answers</summary>
+//
+// 1. The shade reaches twice as far, and the same fourteen samples now cover four times the area on the screen: the grain
+//    gets coarser.
+// 2. Seen straight from above, all of the floor has the same view depth: $dz$ is 0 for every neighbour, and 0 is not above
+//    any epsilon.
+// 3. Those that face the eye squarely, for the reason of exercise 2. Every other plane has a half that is nearer to the
+//    eye.
+// 4. At the rim of the picture. $|p| = p_z / \cos\alpha$ with the angle $\alpha$ between the ray and the viewing direction:
+//    two points of one depth have different distances there, and a wall that faces the eye would shade itself.
+//
+// </details>
+
+// %% errata [markdown]
+// <details><summary>Errata of the tutorials</summary>
+//
+// - *X_Jun, prose:* r occludes q. It occludes **p**; q only says where to look. The table above adds up what is taken
+//   from p.
+// - *X_Jun, prose:* p is where the eye's ray meets the surface. That is r; the ray goes through **q**.
+// - *X_Jun, prose:* the test is on $|p_z - r_z|$. The shader's difference has its sign: what lies behind p does not occlude it.
+// - *Luna, prose:* $|q - r|$ is compared with epsilon. The shader compares $p_z - r_z$.
+// - *X_Jun:* its demo allows fade start to equal fade end, which divides 0 by 0. Here that is a step.
+// - *X_Jun, comment in the shader:* the sample is rejected if depth(q) is too close to depth(p). The code tests depth(r).
+//
+// </details>
+//
+// ## Where to go on
+//
+// The test has been made; chapter 07 sets it to work at every texel and asks what fourteen samples are worth. Chapter 11
+// shows what no test of this kind can know, because the depth map does not hold it.
+
+// %% end tags=["setup"]
 }
 
 const Chapter kChapter("06", "occlusion_test", "The occlusion test", occlusion_test);

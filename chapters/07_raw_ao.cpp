@@ -82,7 +82,7 @@ double likeness_of_neighbours(const Image<float>& error) {
 
 // Bands without random vectors, and what the blur of chapter 08 makes of bands and of grain.
 void bands_and_grain(Notebook& book) {
-    const SwitchedView view = column_foot(book.size());
+    const SwitchedView view = column_foot(book);
     const SwitchedAo grain = view.ao(), bands = view.ao({"random_vectors=none"});
     const Image<float> limit = luna_limit(grain.inputs, grain.settings, kSeeds).mean;
     const Image<float> band_error = difference_of(bands.raw, limit),
@@ -127,7 +127,7 @@ void texels_and_pixels(Notebook& book, const SwitchedView& view) {
     book.check("on average half size is about as dark as full size", std::fabs(mean) < 0.03,
                decimal_text(mean, 4));
 
-    const SwitchedView walls("cornell", book.size());
+    const SwitchedView walls(book, "cornell");
     const Image<float> exact = walls.ao().raw, off = walls.ao({"texel_centre=off"}).raw;
     book.show_row("A room: the point at the texel's centre; a pixel's half a pixel off, " +
                       walls.command({"texel_centre=off"}) + "; off minus exact.",
@@ -165,7 +165,8 @@ void sky_in_a_half(Notebook& book, const SwitchedView& view) {
 void beyond_the_border(Notebook& book) {
     Camera camera = find_builtin_scene("columns")->make().camera;
     camera.eye = {-4.6, -1.4, -2.6}, camera.target = {-3.9, -2.8, 0};
-    const SwitchedView view("columns", book.size(), camera, "--eye -4.6,-1.4,-2.6 --target -3.9,-2.8,0");
+    SwitchedView view(book, "columns");
+    view.look(camera, "--eye -4.6,-1.4,-2.6 --target -3.9,-2.8,0");
     const Image<float> far = view.ao().blurred, edge = view.ao({"border=edge"}).blurred,
                        wrap = view.ao({"border=wrap"}).blurred;
     book.show_row("Beyond the picture: nothing; its last pixel, " + view.command({"border=edge"}) +
@@ -193,7 +194,7 @@ void raw_ao(Notebook& book) {
 
             access = 1 - (1/14) sum of dp * occlusion(dz)          AO = access ^ exponent
     )");
-    const SwitchedView view("columns", book.size());
+    const SwitchedView view(book, "columns");
     const SwitchedAo shown = view.ao({"seed=" + std::to_string(book.seed())});
     both_tutorials(book, shown.raw, shown.inputs);
     sample_counts(book, shown.inputs);

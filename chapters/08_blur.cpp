@@ -134,7 +134,7 @@ void blur(Notebook& book) {
         Over 5 texels to each side, horizontally, then vertically; X_Jun does both four times. Normals and
         depths stay the same meanwhile, so this lab decides only once which neighbours count.
     )");
-    const SwitchedView view("columns", book.size());
+    const SwitchedView view(book, "columns");
     const Words seed = {"seed=" + std::to_string(book.seed())};
     std::vector<Notebook::Named> pictures;
     SwitchedAo bilateral;

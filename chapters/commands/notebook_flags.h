@@ -1,8 +1,9 @@
-// The flags of whatever runs chapters: --out --size --seed --step --quiet.
+// The flags of whatever runs chapters: --out --size --seed --scene --param --cell --lang --step --quiet.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "chapters/notebook/notebook.h"
 #include "chapters/terminal/command_line.h"
@@ -11,7 +12,8 @@ namespace crevice {
 
 // As they were typed.
 struct NotebookWords {
-    std::string out = "out", seed = "1";
+    std::string out = "out", seed = "1", scene, cell, language = "both";
+    std::vector<std::string> parameters;
     std::optional<std::string> size;
     bool step = false, quiet = false;
 };

@@ -1,9 +1,14 @@
 #include "chapters/commands/run_chapters.h"
 
+#include <algorithm>
 #include <exception>
+#include <fstream>
 #include <iostream>
+#include <iterator>
+#include <optional>
 
-#include "chapters/notebook/notebook_page.h"
+#include "chapters/notebook/book_index.h"
+#include "chapters/notebook/chapter_page.h"
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/write_file.h"
 
@@ -11,18 +16,73 @@ namespace crevice {
 
 namespace {
 
-NotebookSection run_chapter(const Chapter& chapter, const NotebookOptions& options) {
-    Notebook book(options, chapter.name());
+// The number of failed checks that a chapter's page on disk tells of; nothing where there is no page.
+std::optional<int> failed_checks_on_page(const Chapter& chapter, const NotebookOptions& options) {
+    const std::filesystem::path page = options.out / (chapter.name() + ".html");
+    if (!std::filesystem::exists(page)) return std::nullopt;
+    std::ifstream stream(page, std::ios::binary);
+    const int failed = failed_checks_in({std::istreambuf_iterator<char>(stream), {}});
+    return failed < 0 ? std::nullopt : std::optional(failed);
+}
+
+// What the contents list: the chapters that have a page, and those that are about to get one.
+std::vector<BookEntry> book_entries(std::span<const Chapter* const> running, const NotebookOptions& options) {
+    std::vector<BookEntry> entries;
+    for (const Chapter* chapter : all_chapters()) {
+        const auto on_page = failed_checks_on_page(*chapter, options);
+        const bool runs = std::find(running.begin(), running.end(), chapter) != running.end();
+        if (on_page || runs) entries.push_back({chapter->name(), chapter->book_title(), on_page.value_or(0)});
+    }
+    return entries;
+}
+
+void write_page(const Chapter& chapter, const Notebook& book, std::span<const Chapter* const> running) {
+    const NotebookOptions& options = book.options();
+    const ChapterPage page = {chapter.name(), chapter.book_title(), book.file(), book.failed_checks()};
+    write_file_atomically(options.out / (chapter.name() + ".html"),
+                          chapter_page(page, book.cells(), book_entries(running, options), options.language));
+    book.write_files();
+}
+
+// Runs the chapter's function to its end. Its mistakes are failed checks of its own; a reader's wish to leave passes
+// through, and so does a disk that is full.
+void run_to_end(const Chapter& chapter, Notebook& book) {
+    const std::string claim = "chapter " + chapter.name() + " runs to its end";
     try {
         chapter.run(book);
+        book.finish();
+        const bool empty = std::all_of(book.cells().begin(), book.cells().end(),
+                                       [](const NotebookCell& cell) { return cell.outputs.empty(); });
+        if (empty) book.fail("chapter " + chapter.name() + " writes something", "");
+    } catch (const OutputError&) {
+        throw;
     } catch (const std::exception& error) {
-        book.check("chapter " + chapter.name() + " runs to its end", false, error.what());
+        book.fail(claim, error.what());
     }
-    if (book.cells().empty()) book.check("chapter " + chapter.name() + " writes something", false);
-    book.write_files();
-    std::cout << chapter.name() << ": " << book.checks() - book.failed_checks() << " of " << book.checks()
-              << " checks hold\n";
-    return {chapter.name(), chapter.title, book.html(), book.failed_checks()};
+}
+
+// Returns the number of failed checks. A reader who steps through may set a parameter: then everything up to the cell
+// where that happened runs again in silence. Of one cell alone, and of a chapter that was left, there is no page.
+int run_chapter(const Chapter& chapter, NotebookOptions options, std::span<const Chapter* const> running) {
+    for (;;) {
+        Notebook book(options, chapter.source());
+        try {
+            run_to_end(chapter, book);
+            if (options.cell.empty()) write_page(chapter, book, running);
+        } catch (const LeaveChapter& wish) {
+            if (wish.why == LeaveChapter::Why::run_again) {
+                options.words.push_back(wish.word);
+                options.silent_until = wish.cell;
+                continue;
+            }
+        }
+        if (options.cell.empty())
+            std::cout << chapter.name() << ": " << book.checks() - book.failed_checks() << " of "
+                      << book.checks() << " checks hold\n";
+        // What a chapter claims, it claims of its own scenes and parameters.
+        const bool changed = !options.words.empty() || !options.scene.empty();
+        return changed ? 0 : book.failed_checks();
+    }
 }
 
 }  // namespace
@@ -40,23 +100,19 @@ std::vector<const Chapter*> chosen_chapters(const std::string& which) {
 }
 
 int run_chapters(std::span<const Chapter* const> chapters, const NotebookOptions& options) {
-    std::vector<NotebookSection> sections;
     int failed_checks = 0;
+    std::string failed;
     for (const Chapter* chapter : chapters) {
-        sections.push_back(run_chapter(*chapter, options));
-        failed_checks += sections.back().failed_checks;
+        const int failed_here = run_chapter(*chapter, options, chapters);
+        if (failed_here > 0) failed += " " + chapter->name() + " (" + std::to_string(failed_here) + ")";
+        failed_checks += failed_here;
     }
-    const std::filesystem::path page = options.out / "index.html";
-    write_file_atomically(page, notebook_page(sections));
-    if (failed_checks > 0) {
-        std::cout << "failed:";
-        for (const NotebookSection& section : sections) {
-            if (section.failed_checks > 0)
-                std::cout << " " << section.name << " (" << section.failed_checks << ")";
-        }
-        std::cout << "\n";
+    if (!failed.empty()) std::cout << "failed:" << failed << "\n";
+    if (options.cell.empty()) {
+        const std::filesystem::path page = options.out / "index.html";
+        write_file_atomically(page, book_index(book_entries({}, options), options.language));
+        std::cout << page.string() << std::endl;
     }
-    std::cout << page.string() << std::endl;
     return static_cast<int>(failed_checks > 0 ? ExitCode::check_failed : ExitCode::done);
 }
 

@@ -1,42 +1,86 @@
-// What a notebook is made of, in order. The writers (terminal, HTML, Markdown, Jupyter) all read these cells.
+// What a notebook is made of: the cells of a chapter's source in their order, each with what it put out when it ran.
+// The writers (terminal, HTML, Markdown, Jupyter) all read these.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "rasterizer/base/image.h"
+#include "chapters/notebook/code_listing.h"
+#include "chapters/notebook/percent_format.h"
+#include "chapters/notebook/picture.h"
 
 namespace crevice {
 
-struct TextCell {
-    enum class Kind { plain, aside };  // an aside (Try, Errata) stands in a box
-    Kind kind = Kind::plain;
-    std::string markdown;
+enum class BookLanguage { en, zh, both };
+
+// A text in the languages of the book; `zh` is empty where it has not been translated.
+struct BookText {
+    std::string en, zh;
+
+    // The one to be read in this language, English where there is no other.
+    const std::string& in(BookLanguage language) const {
+        return language == BookLanguage::zh && !zh.empty() ? zh : en;
+    }
+    bool empty() const { return en.empty(); }
 };
 
 struct NotebookPicture {
     std::string name;  // the file is NAME.png
-    Size size;
-    std::string about;  // mapping and statistics, one line
-    std::string png;    // the file's bytes
+    Picture picture;
+    std::string png;   // the file's bytes
+    BookText caption;  // Markdown, one sentence or two; may be empty
 };
-struct PictureCell {
-    std::string caption;                    // plain text, may be empty
-    std::vector<NotebookPicture> pictures;  // side by side
+struct PictureOutput {
+    enum class Layout {
+        row,   // side by side, or one alone
+        pair,  // two of one size, one on the other behind a slider
+    };
+    Layout layout = Layout::row;
+    std::vector<NotebookPicture> pictures;
+    BookText caption;  // of all together; Markdown, may be empty
 };
 
-struct TableCell {
-    std::vector<std::string> header;             // plain text
-    std::vector<std::vector<std::string>> rows;  // each as long as the header
+// A diagram or a plot.
+struct DrawingOutput {
+    std::string name;  // the file is NAME.svg
+    BookText svg;      // an <svg> that takes the page's colours
+    BookText caption;  // Markdown
 };
 
-struct CheckCell {
-    std::string claim;
+struct TableOutput {
+    std::vector<BookText> header;             // plain text
+    std::vector<std::vector<BookText>> rows;  // each as long as the header
+    BookText caption;                         // Markdown, may be empty
+};
+
+struct CheckOutput {
+    BookText claim;  // Markdown, a whole sentence
     bool ok = false;
     std::string detail;  // the numbers behind it, may be empty
 };
 
-using Cell = std::variant<TextCell, PictureCell, TableCell, CheckCell>;
+struct TextOutput {
+    std::string markdown;
+    bool aside = false;
+};
+
+struct ListingOutput {
+    CodeListing listing;
+    BookText caption;  // Markdown, may be empty
+};
+
+// Whether every cell of a table's column reads as a number, so that it is set flush right.
+bool is_numeric_column(const TableOutput& table, std::size_t column);
+
+using Output =
+    std::variant<PictureOutput, DrawingOutput, TableOutput, CheckOutput, ListingOutput, TextOutput>;
+
+struct NotebookCell {
+    SourceCell source;
+    BookText prose;  // of a prose cell: Markdown with its numbers filled in
+    std::vector<Output> outputs;
+};
 
 }  // namespace crevice

@@ -23,9 +23,13 @@ struct Chapter {
     const char* number;           // two digits
     const char* topic;            // snake_case
     const char* title;            // plain text
-    void (*run)(Notebook& book);  // writes the whole notebook
+    void (*run)(Notebook& book);  // puts out what its cells show
 
     std::string name() const { return std::string(number) + "_" + topic; }
+    // Its cells and its translation, as they are part of the program. Throws UsageError for a source in another form.
+    ChapterSource source() const;
+    // The title, and its translation where there is one.
+    BookText book_title() const;
 };
 
 // Every chapter of this program, by number.

@@ -12,6 +12,9 @@ namespace crevice {
 // `text` with & < > " as entities.
 std::string escape_html(std::string_view text);
 
+// And back.
+std::string unescape_html(std::string_view html);
+
 // RFC 4648, with padding, without line breaks.
 std::string base64(std::string_view bytes);
 
@@ -21,7 +24,16 @@ inline constexpr int kMinShownWidth = 320;
 std::string image_element(std::string_view png, Size size, std::string_view alt,
                           std::string_view classes = "");
 
+// What a page has beyond its body.
+struct PageParts {
+    std::string head = "";        // further HTML for <head>
+    std::string language = "en";  // shown first
+    bool script = false;          // page.js: languages, pictures that enlarge and tell their values, sliders
+    bool mathematics = false;     // KaTeX, for <x-equation>
+    bool code = false;            // highlight.js, for <code class="language-cpp">
+};
+
 // A whole page. `title` is plain text, `body` HTML.
-std::string html_page(std::string_view title, std::string_view body);
+std::string html_page(std::string_view title, std::string_view body, const PageParts& parts = {});
 
 }  // namespace crevice

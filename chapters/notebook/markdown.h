@@ -6,8 +6,9 @@
 
 namespace crevice {
 
-// CommonMark with tables; raw HTML in it is shown, not obeyed. Throws InputError if the text cannot be
-// parsed.
+// CommonMark with tables, and $mathematics$ as <x-equation>, which page.js sets. A line that begins with <details>,
+// <summary> or </details> folds what stands between; tags inside a line are shown, not obeyed. Throws InputError if the
+// text cannot be parsed.
 std::string html_from_markdown(std::string_view markdown);
 
 }  // namespace crevice

@@ -1,21 +1,27 @@
 #include "chapters/notebook/notebook.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <iostream>
-#include <sstream>
 #include <utility>
 
 #include <unistd.h>
 
-#include "chapters/notebook/notebook_page.h"
-#include "chapters/notebook/notebook_text.h"
+#include "chapters/notebook/embedded_files.h"
+#include "chapters/notebook/jupyter.h"
+#include "chapters/notebook/markdown_text.h"
+#include "chapters/notebook/step_through.h"
+#include "chapters/notebook/svg.h"
+#include "chapters/notebook/terminal_picture.h"
+#include "chapters/notebook/terminal_text.h"
+#include "chapters/terminal/number_text.h"
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/image_io.h"
 
 namespace crevice {
 
 namespace {
+
+constexpr int kPreviewColumns = 64;
 
 bool is_file_name(const std::string& name) {
     const auto allowed = [](char c) {
@@ -24,45 +30,31 @@ bool is_file_name(const std::string& name) {
     return !name.empty() && std::all_of(name.begin(), name.end(), allowed);
 }
 
-// Without the empty lines around it and the indentation that all its lines share.
-std::string unindented(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);) {
-        line.erase(line.find_last_not_of(" \t") + 1);
-        lines.push_back(line);
-    }
-    std::size_t shared = std::string::npos;
-    for (const std::string& line : lines) {
-        if (!line.empty()) shared = std::min(shared, line.find_first_not_of(' '));
-    }
-    std::string result;
-    for (const std::string& line : lines) {
-        if (!line.empty()) result += line.substr(shared);
-        if (!result.empty()) result += '\n';
-    }
-    while (result.ends_with("\n\n")) result.pop_back();
-    return result;
-}
-
-std::string numbered(const std::string& heading, const std::vector<std::string>& items) {
-    std::string markdown = "**" + heading + "**\n\n";
-    for (std::size_t i = 0; i < items.size(); ++i) markdown += std::to_string(i + 1) + ". " + items[i] + "\n";
-    return markdown;
-}
-
-// Terminal colours only where a person looks: not in a pipe, not in a file.
-bool wants_colour(const std::ostream& terminal) {
-    return &terminal == &std::cout && isatty(STDOUT_FILENO) == 1;
+std::string_view embedded_source(const std::string& file) {
+    const auto source = embedded_file(file);
+    if (!source)
+        throw UsageError(file + ": not a file that the program contains; give its path in the repository");
+    return *source;
 }
 
 }  // namespace
 
-Notebook::Notebook(NotebookOptions options, std::string name)
-    : Notebook(std::move(options), std::move(name), std::cout) {}
+Notebook::Notebook(NotebookOptions options, ChapterSource source)
+    : Notebook(std::move(options), std::move(source), std::cout, std::cin) {}
 
-Notebook::Notebook(NotebookOptions options, std::string name, std::ostream& terminal)
-    : options_(std::move(options)), name_(std::move(name)), terminal_(terminal) {
+Notebook::Notebook(NotebookOptions options, ChapterSource source, std::ostream& terminal,
+                   std::istream& answers)
+    : options_(std::move(options)), source_(std::move(source)), terminal_(terminal), answers_(answers) {
+    for (const SourceCell& cell : source_.cells) cells_.push_back({cell, {}, {}});
+    target_ = cells_.size();
+    std::string known;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+        if (cells_[i].source.name == options_.cell) target_ = i;
+        if (cells_[i].source.kind != SourceCell::Kind::prose) known += " " + cells_[i].source.name;
+    }
+    if (!options_.cell.empty() && target_ == cells_.size())
+        throw UsageError("--cell: " + name() + " has no such cell (" + options_.cell + "); give one of" +
+                         known);
     std::error_code error;
     std::filesystem::create_directories(directory(), error);
     if (error) {
@@ -71,87 +63,235 @@ Notebook::Notebook(NotebookOptions options, std::string name, std::ostream& term
     }
 }
 
-void Notebook::add(Cell cell, const std::string& terminal_note) {
-    const CheckCell* check = std::get_if<CheckCell>(&cell);
-    if (!options_.quiet || (check != nullptr && !check->ok)) {
-        terminal_ << terminal_text(cell, directory(), wants_colour(terminal_)) << terminal_note << std::flush;
+// Colours and previews only where a person looks: not in a pipe, not in a file.
+bool Notebook::wants_colour() const { return &terminal_ == &std::cout && isatty(STDOUT_FILENO) == 1; }
+
+void Notebook::number(const std::string& name, double value, int decimals) {
+    number(name, decimal_text(value, decimals));
+}
+
+void Notebook::number(const std::string& name, const std::string& text) {
+    if (!numbers_.emplace(name, text).second)
+        throw UsageError(source_.name + ": two numbers have one name (" + name + "); rename one");
+}
+
+BookText Notebook::text_of(const std::string& english) const {
+    const auto chinese = source_.chinese.texts.find(english);
+    return {with_numbers(english, numbers_),
+            chinese == source_.chinese.texts.end() ? "" : with_numbers(chinese->second, numbers_)};
+}
+
+// ---- from cell to cell ----------------------------------------------------------------------------------------------
+
+std::size_t Notebook::cell_at(int line) const {
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+        const SourceCell& cell = cells_[i].source;
+        if (line < cell.first_line || line > cell.last_line) continue;
+        if (cell.kind == SourceCell::Kind::prose || i + 1 < reached_)
+            throw UsageError(source_.file + ":" + std::to_string(line) + ": an output of the cell " +
+                             cell.name +
+                             ", which is over; return what there is to show, and show it where it belongs");
+        return i;
     }
-    cells_.push_back(std::move(cell));
-    if (options_.step && isatty(STDIN_FILENO) == 1) {
-        terminal_ << "[Enter] " << std::flush;
-        std::string line;
-        if (!std::getline(std::cin, line)) options_.step = false;
+    throw UsageError(source_.file + ":" + std::to_string(line) +
+                     ": an output from outside the cells of the chapter");
+}
+
+void Notebook::say(const std::string& text) {
+    if (!options_.quiet && options_.silent_until.empty()) terminal_ << text << std::flush;
+}
+
+void Notebook::ask(std::size_t next) {
+    if (!options_.step || !options_.silent_until.empty()) return;
+    const StepAnswer answer = asked(cells_, answers_, terminal_);
+    const std::string here = cells_[std::min(next, cells_.size()) - 1].source.name;
+    switch (answer.kind) {
+        case StepAnswer::Kind::go_on: break;
+        case StepAnswer::Kind::never_ask: options_.step = false; break;
+        case StepAnswer::Kind::quit: throw LeaveChapter{LeaveChapter::Why::quit};
+        case StepAnswer::Kind::run_again: throw LeaveChapter{LeaveChapter::Why::run_again, answer.word, here};
     }
 }
 
-NotebookPicture Notebook::store(const std::string& name, const Picture& picture) {
-    if (!is_file_name(name)) {
-        throw UsageError(name_ + ": not a picture name (" + name + "); use a-z, 0-9, _ and -");
+// Cells up to this one begin, and those before it end; the number of cells is the end of the chapter.
+void Notebook::go_to(std::size_t cell) {
+    if (cell > target_) throw LeaveChapter{};
+    for (; reached_ <= cell; ++reached_) {
+        if (reached_ > 0 && !cells_[reached_ - 1].outputs.empty()) ask(reached_);
+        if (reached_ == cells_.size()) return;
+        NotebookCell& begun = cells_[reached_];
+        if (begun.source.name == options_.silent_until) options_.silent_until.clear();
+        if (begun.source.kind != SourceCell::Kind::prose || !options_.cell.empty()) continue;
+        const auto chinese = source_.chinese.cells.find(begun.source.name);
+        const bool translated =
+            chinese != source_.chinese.cells.end() && chinese->second.hash == text_hash(begun.source.text);
+        begun.prose = {with_numbers(begun.source.text, numbers_),
+                       translated ? with_numbers(chinese->second.chinese, numbers_) : ""};
+        say(terminal_prose(begun.prose.in(options_.language), wants_colour()));
     }
-    if (!picture_names_.insert(name).second) {
-        throw UsageError(name_ + ": two pictures have one name (" + name + "); rename one");
+}
+
+void Notebook::finish() { go_to(cells_.size()); }
+
+void Notebook::fail(const std::string& claim, const std::string& detail) {
+    ++checks_;
+    ++failed_checks_;
+    put(CheckOutput{{claim, ""}, false, detail});
+}
+
+// Whether what is put out at this line is kept, once its cell has begun.
+bool Notebook::begins(int line) {
+    const std::size_t cell = cell_at(line);
+    go_to(cell);
+    return options_.cell.empty() || cell == target_;
+}
+
+// ---- outputs --------------------------------------------------------------------------------------------------------
+
+void Notebook::put(Output output, const std::string& terminal_note) {
+    const auto* check = std::get_if<CheckOutput>(&output);
+    const std::string text =
+        terminal_text(output, {directory(), options_.language, wants_colour()}) + terminal_note;
+    if (check != nullptr && !check->ok && options_.quiet) {
+        terminal_ << text << std::flush;
+    } else {
+        say(text);
     }
-    NotebookPicture stored;
-    stored.name = name;
-    stored.size = picture.size;
-    stored.about = picture.mapping + ". " + statistics_text(picture.statistics);
-    stored.png = png_bytes(picture.size, picture.channels, picture.pixels);
-    write_file_atomically(directory() / (name + ".png"), stored.png);
+    const auto* pictures = std::get_if<PictureOutput>(&output);
+    if (pictures != nullptr && wants_colour()) {
+        for (const NotebookPicture& shown : pictures->pictures)
+            say(terminal_picture(shown.picture, kPreviewColumns));
+    }
+    cells_[reached_ == 0 ? 0 : reached_ - 1].outputs.push_back(std::move(output));
+}
+
+void Notebook::claim_name(const std::string& name) {
+    if (!is_file_name(name))
+        throw UsageError(source_.name + ": not a picture name (" + name + "); use a-z, 0-9, _ and -");
+    if (!names_.insert(name).second)
+        throw UsageError(source_.name + ": two pictures have one name (" + name + "); rename one");
+}
+
+NotebookPicture Notebook::store(const Named& named) {
+    claim_name(named.name);
+    NotebookPicture stored{named.name, named.picture,
+                           png_bytes(named.picture.size, named.picture.channels, named.picture.pixels),
+                           text_of(named.caption)};
+    write_file_atomically(directory() / (named.name + ".png"), stored.png);
+    // For the notebooks, whose cells go on computing with what a cell of the chapter has shown.
+    if (!options_.cell.empty() && !named.picture.values.empty())
+        write_file_atomically(directory() / (named.name + ".npy"), npy_bytes(named.picture.values));
     return stored;
 }
 
-void Notebook::text(const std::string& markdown) {
-    add(TextCell{TextCell::Kind::plain, unindented(markdown)});
-}
-
 void Notebook::show(const std::string& name, const Picture& picture, const std::string& caption,
-                    std::optional<double> wall_ms) {
-    std::string note;
-    if (wall_ms) {
-        char text[48];
-        std::snprintf(text, sizeof text, "    %.2f ms\n", *wall_ms);
-        note = text;
-    }
-    add(PictureCell{caption, {store(name, picture)}}, note);
+                    std::optional<double> wall_ms, int line) {
+    if (!begins(line)) return;
+    put(PictureOutput{PictureOutput::Layout::row, {store({name, picture, caption})}, {}},
+        wall_ms ? "    " + decimal_text(*wall_ms, 2) + " ms\n" : "");
 }
 
-void Notebook::show_row(const std::string& caption, const std::vector<Named>& pictures) {
-    PictureCell cell{caption, {}};
-    for (const Named& named : pictures) cell.pictures.push_back(store(named.name, named.picture));
-    add(std::move(cell));
+void Notebook::show_row(const std::vector<Named>& pictures, const std::string& caption, int line) {
+    if (!begins(line)) return;
+    PictureOutput output{PictureOutput::Layout::row, {}, text_of(caption)};
+    for (const Named& named : pictures) output.pictures.push_back(store(named));
+    put(std::move(output));
+}
+
+void Notebook::compare(const Named& before, const Named& after, const std::string& caption, int line) {
+    if (!begins(line)) return;
+    if (before.picture.size != after.picture.size)
+        throw UsageError(source_.name + ": two sizes behind one slider (" + size_text(before.picture.size) +
+                         ", " + size_text(after.picture.size) + "); make them equal");
+    put(PictureOutput{PictureOutput::Layout::pair, {store(before), store(after)}, text_of(caption)});
+}
+
+void Notebook::draw(const std::string& name, const std::string& svg, const std::string& caption, int line) {
+    if (!begins(line)) return;
+    claim_name(name);
+    write_file_atomically(directory() / (name + ".svg"), standalone_svg(svg));
+    const auto& known = source_.chinese.texts;
+    const bool translated = !known.empty();
+    const auto chinese = [&known](const std::string& words) {
+        const auto found = known.find(words);
+        return found == known.end() ? words : found->second;
+    };
+    put(DrawingOutput{name, {svg, translated ? with_words(svg, chinese) : ""}, text_of(caption)});
+}
+
+void Notebook::plot(const std::string& name, const Plot& plot, const std::string& caption, int line) {
+    draw(name, plot_svg(plot), caption, line);
 }
 
 void Notebook::table(const std::vector<std::string>& header,
-                     const std::vector<std::vector<std::string>>& rows) {
+                     const std::vector<std::vector<std::string>>& rows, const std::string& caption,
+                     int line) {
+    if (!begins(line)) return;
+    const auto texts_of = [this](const std::vector<std::string>& words) {
+        std::vector<BookText> texts;
+        for (const std::string& word : words) texts.push_back(text_of(word));
+        return texts;
+    };
+    TableOutput table{texts_of(header), {}, text_of(caption)};
     for (const auto& row : rows) {
-        if (row.size() != header.size()) {
-            throw UsageError(name_ + ": a table row of another length (" + std::to_string(row.size()) +
+        if (row.size() != header.size())
+            throw UsageError(source_.name + ": a table row of another length (" + std::to_string(row.size()) +
                              " cells for " + std::to_string(header.size()) + " columns); fill it up");
-        }
+        table.rows.push_back(texts_of(row));
     }
-    add(TableCell{header, rows});
+    put(std::move(table));
 }
 
-bool Notebook::check(const std::string& claim, bool ok, const std::string& detail) {
+bool Notebook::check(const std::string& claim, bool ok, const std::string& detail, int line) {
+    if (!begins(line)) return ok;
     ++checks_;
     if (!ok) ++failed_checks_;
-    add(CheckCell{claim, ok, detail});
+    put(CheckOutput{text_of(claim), ok, detail});
     return ok;
 }
 
-void Notebook::try_it(const std::vector<std::string>& edits) {
-    add(TextCell{TextCell::Kind::aside, numbered("Try:", edits)});
+void Notebook::listing(const std::string& file, const std::string& symbol, const std::string& caption,
+                       int line) {
+    if (!begins(line)) return;
+    put(ListingOutput{code_listing(embedded_source(file), file, symbol), text_of(caption)});
 }
 
-void Notebook::errata(const std::vector<std::string>& items) {
-    add(TextCell{TextCell::Kind::aside, numbered("Errata of the tutorial:", items)});
+void Notebook::listing_part(const std::string& file, const std::string& symbol, const std::string& from,
+                            const std::string& to, const std::string& caption, int line) {
+    if (!begins(line)) return;
+    put(ListingOutput{part_of(code_listing(embedded_source(file), file, symbol), from, to),
+                      text_of(caption)});
 }
-
-std::string Notebook::html() const { return html_from_cells(cells_); }
 
 void Notebook::write_files() const {
-    write_file_atomically(directory() / (name_ + ".md"), markdown_from_cells(cells_));
-    write_file_atomically(directory() / (name_ + ".ipynb"), jupyter_from_cells(cells_, name_));
+    const auto write = [this](const std::string& stem, BookLanguage language) {
+        write_file_atomically(directory() / (stem + ".md"), markdown_from_cells(cells_, language));
+        write_file_atomically(directory() / (stem + ".ipynb"), jupyter_from_cells(cells_, name(), language));
+    };
+    const bool translated = !source_.chinese.cells.empty();
+    if (options_.language != BookLanguage::zh || !translated) write(name(), BookLanguage::en);
+    if (options_.language != BookLanguage::en && translated) write(name() + ".zh", BookLanguage::zh);
+}
+
+// ---- chapters that are not cells yet --------------------------------------------------------------------------------
+
+void Notebook::text(const std::string& markdown, int line) {
+    if (!begins(line)) return;
+    put(TextOutput{markdown});
+}
+
+void Notebook::try_it(const std::vector<std::string>& edits, int line) {
+    if (!begins(line)) return;
+    std::string markdown = "**Try:**\n\n";
+    for (std::size_t i = 0; i < edits.size(); ++i) markdown += std::to_string(i + 1) + ". " + edits[i] + "\n";
+    put(TextOutput{markdown, true});
+}
+
+void Notebook::errata(const std::vector<std::string>& items, int line) {
+    if (!begins(line)) return;
+    std::string markdown = "**Errata of the tutorial:**\n\n";
+    for (std::size_t i = 0; i < items.size(); ++i) markdown += std::to_string(i + 1) + ". " + items[i] + "\n";
+    put(TextOutput{markdown, true});
 }
 
 }  // namespace crevice

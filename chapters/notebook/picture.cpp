@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <utility>
 
 #include "chapters/terminal/number_text.h"
@@ -27,7 +28,7 @@ std::uint8_t byte_of(float value) {
 // colour_at(x, y) for every pixel.
 template <class ColourAt>
 Picture rgb_picture(Size size, std::string mapping, const BufferStatistics& statistics, ColourAt colour_at) {
-    Picture picture{size, 3, {}, std::move(mapping), statistics};
+    Picture picture{size, 3, {}, std::move(mapping), statistics, {}};
     picture.pixels.reserve(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) * 3);
     for (int y = 0; y < size.height; ++y) {
         for (int x = 0; x < size.width; ++x) {
@@ -44,13 +45,15 @@ Picture grey_or_magenta(const Image<float>& image, std::string mapping, GreyOf g
     const BufferStatistics statistics = buffer_statistics(image);
     if (statistics.nan > 0) {
         mapping += "; NaN magenta";
-        return rgb_picture(size, std::move(mapping), statistics, [&](int x, int y) {
+        Picture picture = rgb_picture(size, std::move(mapping), statistics, [&](int x, int y) {
             const float value = image.at(x, y);
             const float grey = std::isnan(value) ? 0 : grey_of(value);
             return std::isnan(value) ? kMagenta : Rgb{grey, grey, grey};
         });
+        picture.values = planes_of(image);
+        return picture;
     }
-    Picture picture{size, 1, {}, std::move(mapping), statistics};
+    Picture picture{size, 1, {}, std::move(mapping), statistics, planes_of(image)};
     picture.pixels.reserve(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
     for (int y = 0; y < size.height; ++y) {
         for (int x = 0; x < size.width; ++x) picture.pixels.push_back(byte_of(grey_of(image.at(x, y))));
@@ -77,12 +80,14 @@ std::string difference_mapping(float scale, const char* which) {
 
 Picture normal_picture(const Image3& normals) {
     const std::string mapping = "normal: RGB = n / 2 + 1/2; background black";
-    return rgb_picture(normals.size(), mapping, buffer_statistics(normals), [&](int x, int y) {
+    Picture picture = rgb_picture(normals.size(), mapping, buffer_statistics(normals), [&](int x, int y) {
         const glm::vec3 n = normals.at(x, y);
         if (any_nan(n)) return kMagenta;
         if (n == glm::vec3(0)) return Rgb{0, 0, 0};
         return Rgb{n.x * 0.5f + 0.5f, n.y * 0.5f + 0.5f, n.z * 0.5f + 0.5f};
     });
+    picture.values = planes_of(normals);
+    return picture;
 }
 
 Picture view_depth_picture(const Image<float>& view_depth) {
@@ -137,22 +142,27 @@ Picture colour_picture(const Image3& colours) {
 
 Picture difference_picture(const Image<float>& difference, float scale) {
     const std::string mapping = difference_mapping(scale, "");
-    return rgb_picture(difference.size, mapping, buffer_statistics(difference), [&](int x, int y) {
+    Picture picture = rgb_picture(difference.size, mapping, buffer_statistics(difference), [&](int x, int y) {
         const float value = difference.at(x, y);
         return std::isnan(value) ? kMagenta : diverging(value, scale);
     });
+    picture.values = planes_of(difference);
+    return picture;
 }
 
 Picture difference_picture(const Image3& difference, float scale) {
     const std::string mapping = difference_mapping(scale, "; the component farthest from 0");
-    return rgb_picture(difference.size(), mapping, buffer_statistics(difference), [&](int x, int y) {
-        const glm::vec3 d = difference.at(x, y);
-        if (any_nan(d)) return kMagenta;
-        float farthest = d.x;
-        if (std::fabs(d.y) > std::fabs(farthest)) farthest = d.y;
-        if (std::fabs(d.z) > std::fabs(farthest)) farthest = d.z;
-        return diverging(farthest, scale);
-    });
+    Picture picture =
+        rgb_picture(difference.size(), mapping, buffer_statistics(difference), [&](int x, int y) {
+            const glm::vec3 d = difference.at(x, y);
+            if (any_nan(d)) return kMagenta;
+            float farthest = d.x;
+            if (std::fabs(d.y) > std::fabs(farthest)) farthest = d.y;
+            if (std::fabs(d.z) > std::fabs(farthest)) farthest = d.z;
+            return diverging(farthest, scale);
+        });
+    picture.values = planes_of(difference);
+    return picture;
 }
 
 Picture mask_picture(const Image<float>& mask) {
@@ -183,6 +193,26 @@ std::string statistics_text(const BufferStatistics& statistics) {
     if (statistics.nan > 0) line += ", " + std::to_string(statistics.nan) + " NaN";
     if (statistics.inf > 0) line += ", " + std::to_string(statistics.inf) + " infinite";
     return line;
+}
+
+std::string values_png(const Planes& values) {
+    const Size size = values.front().size;
+    const std::size_t pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+    std::vector<std::uint8_t> bytes(pixels * sizeof(float) * values.size());
+    for (std::size_t c = 0; c < values.size(); ++c) {
+        for (int y = 0; y < size.height; ++y) {
+            for (int x = 0; x < size.width; ++x) {
+                std::uint8_t of_value[sizeof(float)];
+                std::memcpy(of_value, &values[c].at(x, y), sizeof(float));
+                const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
+                                          static_cast<std::size_t>(x);
+                for (std::size_t byte = 0; byte < sizeof(float); ++byte)
+                    bytes[(c * sizeof(float) + byte) * pixels + pixel] = of_value[byte];
+            }
+        }
+    }
+    const int height = size.height * static_cast<int>(sizeof(float) * values.size());
+    return png_bytes({size.width, height}, 1, bytes);
 }
 
 void write_picture(const std::filesystem::path& path, const Picture& picture) {

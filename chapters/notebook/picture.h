@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "rasterizer/base/image.h"
+#include "rasterizer/base/image_io.h"
 #include "rasterizer/base/image_summary.h"
 
 namespace crevice {
@@ -20,6 +21,7 @@ struct Picture {
     std::vector<std::uint8_t> pixels;  // height x width x channels, row 0 = top, no padding
     std::string mapping;               // how the values became bytes, one line
     BufferStatistics statistics;       // of the values before the mapping
+    Planes values;                     // those values; none where the bytes say as much: lit images, colours
 };
 
 // The scale that all signed differences of AO share, so that pictures of different methods can be compared.
@@ -49,6 +51,10 @@ Picture grey_picture(const Image<float>& values, float low, float high);
 
 // "min 0.25, mean 0.8, max 1", and how many values are NaN or infinite where there are any.
 std::string statistics_text(const BufferStatistics& statistics);
+
+// The values of a picture as a grey PNG, 4 times as high for each component: the bytes of all values of one
+// significance lie together, the lowest on top. page.js reads it.
+std::string values_png(const Planes& values);
 
 // Writes a PNG. Throws OutputError when the size does not fit a PNG or the file cannot be written.
 void write_picture(const std::filesystem::path& path, const Picture& picture);

@@ -66,16 +66,47 @@ std::string svg_text(SvgPoint at, std::string_view words, TextAnchor anchor, std
 std::string svg_upward_text(SvgPoint middle, std::string_view words) {
     const std::string at = svg_number(middle.x) + " " + svg_number(middle.y);
     return "<text" + attribute("x", middle.x) + attribute("y", middle.y) + " text-anchor=\"middle\"" +
-           attribute("transform", "rotate(-90 " + at + ")") + ">" + escape_html(words) + "</text>\n";
+           attribute("transform", "rotate(-90 " + at + ")") + attribute("fill", kSvgInk) + ">" +
+           escape_html(words) + "</text>\n";
 }
 
 std::string svg_picture(std::string_view title, double width, double height, std::string_view drawn) {
     return "<svg" + attribute("viewBox", "0 0 " + svg_number(width) + " " + svg_number(height)) +
            attribute("width", width) +
            " xmlns=\"http://www.w3.org/2000/svg\" font-family=\"sans-serif\" font-size=\"12\" "
-           "style=\"background:#fff;max-width:100%;height:auto\" role=\"img\">\n<title>" +
-           escape_html(title) + "</title>\n<text x=\"70.0\" y=\"22.0\" font-size=\"15\">" +
-           escape_html(title) + "</text>\n" + std::string(drawn) + "</svg>\n";
+           "style=\"background:var(--paper,#fff);max-width:100%;height:auto\" role=\"img\">\n<title>" +
+           escape_html(title) + "</title>\n<text x=\"70.0\" y=\"22.0\" font-size=\"15\"" +
+           attribute("fill", kSvgInk) + ">" + escape_html(title) + "</text>\n" + std::string(drawn) +
+           "</svg>\n";
+}
+
+std::string standalone_svg(std::string_view svg) {
+    constexpr std::string_view kVariable = "var(--";
+    std::string result;
+    for (std::size_t at = svg.find(kVariable); at != svg.npos; at = svg.find(kVariable)) {
+        const std::size_t comma = svg.find(',', at), close = svg.find(')', at);
+        result += svg.substr(0, at);
+        const std::string_view light = svg.substr(comma + 1, close - comma - 1);
+        result += light.substr(light.find_first_not_of(' '));
+        svg.remove_prefix(close + 1);
+    }
+    result += svg;
+    return result;
+}
+
+std::string with_words(std::string_view svg,
+                       const std::function<std::string(const std::string&)>& translated) {
+    constexpr std::string_view kClose = "</text>";
+    std::string result;
+    for (std::size_t close = svg.find(kClose); close != svg.npos; close = svg.find(kClose)) {
+        const std::size_t open = svg.rfind('>', close - 1) + 1;
+        result += svg.substr(0, open);
+        result += escape_html(translated(unescape_html(svg.substr(open, close - open))));
+        result += kClose;
+        svg.remove_prefix(close + kClose.size());
+    }
+    result += svg;
+    return result;
 }
 
 std::string_view series_colour(std::size_t index) {

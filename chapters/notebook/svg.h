@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,15 @@ namespace crevice {
 
 // One decimal: a tenth of a unit is less than anyone sees.
 std::string svg_number(double value);
+
+// Colours that go with the page, in the light and in the dark; a picture that stands alone is light. Their meaning is the
+// same through the whole book.
+inline constexpr std::string_view kSvgInk = "var(--ink, #1f2328)";    // surfaces, text
+inline constexpr std::string_view kSvgSoft = "var(--soft, #656d76)";  // what is not the point
+inline constexpr std::string_view kSvgGrid = "var(--line, #ddd)";
+inline constexpr std::string_view kSvgOpen = "var(--open, #0b5cad)";  // rays and samples that meet nothing
+inline constexpr std::string_view kSvgOccluded = "var(--occluded, #c4232e)";  // those that are blocked
+inline constexpr std::string_view kSvgPoint = "var(--point, #1a7f37)";        // the point and its normal
 
 struct SvgPoint {
     double x = 0, y = 0;
@@ -27,12 +37,19 @@ std::string svg_box(SvgPoint corner, SvgPoint opposite, std::string_view colour,
 
 enum class TextAnchor { start, middle, end };
 std::string svg_text(SvgPoint at, std::string_view words, TextAnchor anchor = TextAnchor::start,
-                     std::string_view colour = "#000");
+                     std::string_view colour = kSvgInk);
 // Turned to be read from below.
 std::string svg_upward_text(SvgPoint middle, std::string_view words);
 
 // The whole picture with its title above.
 std::string svg_picture(std::string_view title, double width, double height, std::string_view drawn);
+
+// The picture in its light colours, for where there is no page to take them from.
+std::string standalone_svg(std::string_view svg);
+
+// The words of a picture, each <text> without markup inside, replaced by what `translated` makes of them.
+std::string with_words(std::string_view svg,
+                       const std::function<std::string(const std::string&)>& translated);
 
 // Colours that can be told apart, also by most who cannot tell red from green; they repeat after ten.
 std::string_view series_colour(std::size_t index);

@@ -23,15 +23,20 @@ SwitchedView::SwitchedView(const std::string& scene, Size size, const std::strin
     if (method != "xjun") flags_ = " --ao " + method;
 }
 
-SwitchedView::SwitchedView(const std::string& scene, Size size, Camera camera, std::string flags)
-    : scene_(scene_named(scene)),
-      camera_(std::move(camera)),
-      size_(size),
-      method_(find_method("xjun")),
-      flags_(" " + std::move(flags)) {}
+SwitchedView::SwitchedView(const Notebook& book, const std::string& scene, const std::string& method)
+    : SwitchedView(book.scene(scene), book.size(), method) {
+    reader_words_ = book.options().words;
+}
+
+void SwitchedView::look(const Camera& camera, const std::string& flags) {
+    camera_ = camera;
+    flags_ += " " + flags;
+}
 
 SwitchedAo SwitchedView::ao(const Words& words, float ao_scale) const {
-    FrameSettings settings = settings_of(method_, words, scene_.length_unit);
+    Words all = words;
+    all.insert(all.end(), reader_words_.begin(), reader_words_.end());
+    FrameSettings settings = settings_of(method_, all, scene_.length_unit);
     settings.method = with_value(method_, settings.method, "ao_scale", ao_scale);
     Camera camera = camera_;
     camera.reversed_z = settings.reversed_z;
@@ -46,17 +51,34 @@ SwitchedAo SwitchedView::ao(const Words& words, float ao_scale) const {
     return result;
 }
 
+Explanation SwitchedView::explanation(const SwitchedAo& shown, int x, int y) const {
+    RawAo raw;
+    raw.ao = shown.raw;
+    raw.inputs = shown.inputs;
+    return method_.explain({scene_, camera_, shown.gbuffer}, raw, AnySettings::of(shown.settings), x, y);
+}
+
 std::string SwitchedView::command(const Words& words) const {
     std::string text = "`crevice render " + scene_.name + flags_;
     for (const std::string& word : words) text += " --param " + word;
     return text + "`";
 }
 
-SwitchedView column_foot(Size size) {
-    Camera camera = scene_named("columns").camera;
-    camera.eye = {-4.6, -1.4, -2.6};
-    camera.target = {-6.2, -2.8, 0};
-    return SwitchedView("columns", size, camera, "--eye -4.6,-1.4,-2.6 --target -6.2,-2.8,0");
+SwitchedView column_foot(const Notebook& book) {
+    SwitchedView view(book, "columns");
+    if (view.scene().name == "columns") {
+        Camera camera = view.camera();
+        camera.eye = {-4.6, -1.4, -2.6};
+        camera.target = {-6.2, -2.8, 0};
+        view.look(camera, "--eye -4.6,-1.4,-2.6 --target -6.2,-2.8,0");
+    }
+    return view;
+}
+
+Texel followed_texel(Size ao_map) {
+    constexpr float kAcross = 0.612f, kDown = 0.58f;
+    return {static_cast<int>(kAcross * static_cast<float>(ao_map.width)),
+            static_cast<int>(kDown * static_cast<float>(ao_map.height))};
 }
 
 Image<float> difference_of(Image<float> a, const Image<float>& b) {

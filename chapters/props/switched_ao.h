@@ -27,11 +27,16 @@ class SwitchedView {
  public:
     // The scene's own camera, and xjun's settings. Throws UsageError for a scene or a method there is not.
     SwitchedView(const std::string& scene, Size size, const std::string& method = "xjun");
-    // Another camera; `flags` is how the command line says so.
-    SwitchedView(const std::string& scene, Size size, Camera camera, std::string flags);
+    // The same as the reader of a chapter wants it: of the notebook's size, with its scene instead of this one, and its
+    // parameters after the chapter's own.
+    SwitchedView(const Notebook& book, const std::string& scene, const std::string& method = "xjun");
+    // From another camera; `flags` is how the command line says so.
+    void look(const Camera& camera, const std::string& flags);
 
     // Throws UsageError as settings_of(). `ao_scale` is .5 or 1.
     SwitchedAo ao(const Words& words = {}, float ao_scale = 0.5f) const;
+    // The numbers behind one texel of a map that ao() made.
+    Explanation explanation(const SwitchedAo& shown, int x, int y) const;
     // "crevice render SCENE ...", Markdown.
     std::string command(const Words& words) const;
 
@@ -44,10 +49,18 @@ class SwitchedView {
     Size size_;
     const Method& method_;
     std::string flags_;
+    Words reader_words_;  // after the chapter's own
 };
 
 // X_Jun's columns from near the foot of one, where contact shade is large.
-SwitchedView column_foot(Size size);
+SwitchedView column_foot(const Notebook& book);
+
+// The texel of that view whose numbers chapters 03 to 09 carry along: ground beside the column, which hides a part of the
+// surroundings from it.
+struct Texel {
+    int x = 0, y = 0;
+};
+Texel followed_texel(Size ao_map);
 
 // a - b, of images of one size.
 Image<float> difference_of(Image<float> a, const Image<float>& b);

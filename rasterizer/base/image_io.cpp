@@ -133,6 +133,11 @@ Planes planes_of(Image3 image) {
 
 std::string npy_bytes(const Image<float>& image) { return npy_of(list(image)); }
 std::string npy_bytes(const Image3& image) { return npy_of(list(image)); }
+std::string npy_bytes(const Planes& planes) {
+    PlaneList all;
+    for (const Image<float>& plane : planes) all.push_back(&plane);
+    return npy_of(all);
+}
 
 void write_npy(const std::filesystem::path& path, const Image<float>& image) {
     write_file_atomically(path, npy_bytes(image));

@@ -25,6 +25,7 @@ Planes planes_of(Image3 image);
 // more.
 std::string npy_bytes(const Image<float>& image);
 std::string npy_bytes(const Image3& image);
+std::string npy_bytes(const Planes& planes);
 void write_npy(const std::filesystem::path& path, const Image<float>& image);
 void write_npy(const std::filesystem::path& path, const Image3& image);
 

@@ -28,7 +28,7 @@ std::vector<const Chapter*> real_chapters() {
 
 struct ChapterRun {
     std::string terminal;
-    std::vector<Cell> cells;
+    std::vector<NotebookCell> cells;
     int checks = 0, failed_checks = 0;
     std::map<std::string, std::string> files;  // name to bytes
 };
@@ -41,8 +41,10 @@ ChapterRun run_small(const Chapter& chapter, std::uint32_t seed = 1) {
     options.quiet = true;
     options.seed = seed;
     std::ostringstream terminal;
-    Notebook book(options, chapter.name(), terminal);
+    std::istringstream answers;
+    Notebook book(options, chapter.source(), terminal, answers);
     chapter.run(book);
+    book.finish();
     book.write_files();
     ChapterRun run{terminal.str(), book.cells(), book.checks(), book.failed_checks(), {}};
     for (const auto& entry : std::filesystem::directory_iterator(scratch / chapter.name())) {
@@ -50,6 +52,14 @@ ChapterRun run_small(const Chapter& chapter, std::uint32_t seed = 1) {
         run.files[entry.path().filename().string()] = {std::istreambuf_iterator<char>(stream), {}};
     }
     return run;
+}
+
+// NAME.md and NAME.ipynb, in each language that there is.
+std::size_t files_of_texts(const ChapterRun& run) {
+    std::size_t count = 0;
+    for (const auto& [name, bytes] : run.files)
+        count += name.ends_with(".md") || name.ends_with(".ipynb") ? 1 : 0;
+    return count;
 }
 
 // The first run of a chapter, which several tests look at.
@@ -79,36 +89,43 @@ TEST_CASE("chapters: every claim holds, every picture is on disk, quiet says not
         CHECK(run.terminal == "");
         CHECK(run.checks > 0);
         CHECK(run.failed_checks == 0);
-        std::size_t pictures = 0;
-        for (const Cell& cell : run.cells) {
-            const auto* row = std::get_if<PictureCell>(&cell);
-            if (row == nullptr) continue;
-            CHECK(!row->caption.empty());
-            for (const NotebookPicture& picture : row->pictures) {
-                CAPTURE(picture.name);
-                ++pictures;
-                REQUIRE(run.files.contains(picture.name + ".png"));
-                const bool on_disk = run.files.at(picture.name + ".png") == picture.png;
-                CHECK(on_disk);
+        std::size_t pictures = 0, drawings = 0;
+        for (const NotebookCell& cell : run.cells) {
+            for (const Output& output : cell.outputs) {
+                if (const auto* drawing = std::get_if<DrawingOutput>(&output)) {
+                    ++drawings;
+                    CHECK(!drawing->caption.empty());
+                    CHECK(run.files.contains(drawing->name + ".svg"));
+                }
+                const auto* row = std::get_if<PictureOutput>(&output);
+                if (row == nullptr) continue;
+                for (const NotebookPicture& picture : row->pictures) {
+                    CAPTURE(picture.name);
+                    ++pictures;
+                    CHECK(!(row->caption.empty() && picture.caption.empty()));
+                    REQUIRE(run.files.contains(picture.name + ".png"));
+                    const bool on_disk = run.files.at(picture.name + ".png") == picture.png;
+                    CHECK(on_disk);
+                }
             }
         }
         CHECK(pictures > 0);
         CHECK(run.files.contains(chapter->name() + ".md"));
         CHECK(run.files.contains(chapter->name() + ".ipynb"));
-        CHECK(run.files.size() == pictures + 2);
+        CHECK(run.files.size() == pictures + drawings + files_of_texts(run));
     }
 }
 
-TEST_CASE("chapters: each proposes three edits and names the tutorial's errors") {
+TEST_CASE("chapters: each has a question, exercises with answers, and says where to go on") {
     for (const Chapter* chapter : real_chapters()) {
         CAPTURE(chapter->name());
-        std::string asides;
-        for (const Cell& cell : first_run(*chapter).cells) {
-            const auto* text = std::get_if<TextCell>(&cell);
-            if (text != nullptr && text->kind == TextCell::Kind::aside) asides += text->markdown;
+        std::string prose;
+        for (const NotebookCell& cell : first_run(*chapter).cells) prose += cell.prose.en + "\n";
+        if (prose.find("# ") == std::string::npos) continue;  // not written as cells yet
+        for (const char* part : {"## Exercises", "<summary>Answers</summary>", "## Where to go on"}) {
+            CAPTURE(part);
+            CHECK(prose.find(part) != std::string::npos);
         }
-        CHECK(asides.find("**Try:**") != std::string::npos);
-        CHECK(asides.find("\n3. ") != std::string::npos);
     }
 }
 

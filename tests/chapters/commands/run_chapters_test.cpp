@@ -70,13 +70,47 @@ TEST_CASE("chapters: one that throws is a failed check, the others go on, the la
     CHECK(text.ends_with((scratch / "index.html").string() + "\n"));
     const std::string page = bytes_in(scratch / "index.html");
     CHECK(contains(page, "Passing &amp; good"));
-    CHECK(contains(page, "id=\"97_failing\""));
+    CHECK(contains(page, "href=\"97_failing.html\""));
+    CHECK(contains(page, "Failing <span class=\"bad\">✗ 1</span>"));
+    CHECK(contains(bytes_in(scratch / "97_failing.html"), "one is two"));
     const Chapter* const good[] = {&kPassing};
     printed([&] { code = run_chapters(good, options); });
     CHECK(code == 0);
     const Chapter* const bad[] = {&kPassing, &kFailing};
     printed([&] { code = run_chapters(bad, options); });
     CHECK(code == 1);
+}
+
+TEST_CASE("chapters: running one leaves the pages of the others, and the index names all that are there") {
+    const ScratchDirectory scratch;
+    const NotebookOptions options = options_in(scratch);
+    const Chapter *const first[] = {&kFailing}, *const second[] = {&kPassing};
+    printed([&] { run_chapters(first, options); });
+    const std::string before = bytes_in(scratch / "97_failing.html");
+    printed([&] { run_chapters(second, options); });
+    CHECK(bytes_in(scratch / "97_failing.html") == before);
+    const std::string index = bytes_in(scratch / "index.html");
+    CHECK(contains(index, "href=\"95_passing.html\""));
+    CHECK(contains(index, "href=\"97_failing.html\""));
+    CHECK(!contains(index, "href=\"98_silent.html\""));
+}
+
+TEST_CASE("chapters: of one cell alone there is no page; a changed parameter does not fail a claim") {
+    const ScratchDirectory scratch;
+    NotebookOptions options = options_in(scratch);
+    const Chapter* const failing_alone[] = {&kFailing};
+    options.words = {"radius=2"};
+    int code = -1;
+    printed([&] { code = run_chapters(failing_alone, options); });
+    CHECK(code == 0);
+    options.words.clear();
+    options.cell = "all";
+    const ScratchDirectory elsewhere;
+    options.out = elsewhere.path();
+    printed([&] { code = run_chapters(failing_alone, options); });
+    CHECK(code == 1);
+    CHECK(!std::filesystem::exists(elsewhere / "97_failing.html"));
+    CHECK(!std::filesystem::exists(elsewhere / "index.html"));
 }
 
 TEST_CASE("chapters: chosen by number, topic or name; an unknown one lists what there is") {

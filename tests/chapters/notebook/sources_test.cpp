@@ -5,9 +5,8 @@
 
 #include <doctest/doctest.h>
 
-#include "chapters/notebook/html.h"
+#include "chapters/notebook/book_index.h"
 #include "chapters/notebook/markdown.h"
-#include "chapters/notebook/notebook_page.h"
 
 using namespace crevice;
 
@@ -16,10 +15,11 @@ TEST_CASE("the table of sources stands in the README, and at the head of the boo
     const std::string readme{std::istreambuf_iterator<char>(file), {}};
     CHECK(readme.find(sources_table()) != std::string::npos);
 
-    const std::string page = notebook_page({{"01_first", "First", "<h1>First</h1>", 0}});
-    const std::size_t table = page.find(html_from_markdown(sources_table()));
-    CHECK(table != std::string::npos);
-    CHECK(table < page.find("<h1>First</h1>"));
+    const std::string page = book_index({{"01_first", {"First", "第一章"}, 0}}, BookLanguage::en);
+    CHECK(page.find(html_from_markdown(sources_table())) != std::string::npos);
+    CHECK(page.find("<h1>Crevice: ambient occlusion") != std::string::npos);
+    CHECK(page.find("<span class=\"zh\" lang=\"zh\">第一章</span>") != std::string::npos);
+    CHECK(page.find("data-set-lang=\"zh\"") != std::string::npos);
     CHECK(page.find("<a href=\"https://www.cnblogs.com/wickedpriest/p/13219981.html\">") !=
           std::string::npos);
 }

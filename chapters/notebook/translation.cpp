@@ -1,0 +1,64 @@
+#include "chapters/notebook/translation.h"
+
+#include <cstdint>
+#include <cstdio>
+
+#include "rasterizer/base/error.h"
+
+namespace crevice {
+
+namespace {
+
+constexpr std::string_view kOpen = "<!-- ", kClose = " -->";
+
+void drop_empty_lines_around(std::string& text) {
+    text.erase(0, text.find_first_not_of('\n') == text.npos ? text.size() : text.find_first_not_of('\n'));
+    text.erase(text.find_last_not_of('\n') + 1);
+}
+
+}  // namespace
+
+Translation translation_from(std::string_view markdown, const std::string& file) {
+    Translation result;
+    std::string* current = nullptr;
+    for (int number = 1; !markdown.empty(); ++number) {
+        const std::size_t end = markdown.find('\n');
+        const std::string_view line = markdown.substr(0, end);
+        markdown = end == markdown.npos ? std::string_view() : markdown.substr(end + 1);
+        const auto fail = [&](const std::string& what) {
+            throw UsageError(file + ":" + std::to_string(number) + ": " + what);
+        };
+        if (line.starts_with(kOpen) && line.ends_with(kClose)) {
+            const std::string_view heading =
+                line.substr(kOpen.size(), line.size() - kOpen.size() - kClose.size());
+            const std::size_t word = heading.find(' '), hash = heading.rfind(' ');
+            if (heading.starts_with("cell ") && hash > word) {
+                auto& prose = result.cells[std::string(heading.substr(word + 1, hash - word - 1))];
+                prose.hash = heading.substr(hash + 1);
+                current = &prose.chinese;
+            } else if (heading.starts_with("text ")) {
+                current = &result.texts[std::string(heading.substr(word + 1))];
+            } else {
+                fail("not a heading (" + std::string(heading) + "); write cell NAME HASH or text ENGLISH");
+            }
+        } else if (current != nullptr) {
+            *current += std::string(line) + "\n";
+        } else if (!line.empty()) {
+            fail("text before the first heading; begin with <!-- cell NAME HASH -->");
+        }
+    }
+    for (auto& [name, prose] : result.cells) drop_empty_lines_around(prose.chinese);
+    for (auto& [english, chinese] : result.texts) drop_empty_lines_around(chinese);
+    return result;
+}
+
+// FNV-1a of 32 bits: http://www.isthe.com/chongo/tech/comp/fnv/
+std::string text_hash(std::string_view text) {
+    std::uint32_t hash = 2166136261u;
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+    char digits[9];
+    std::snprintf(digits, sizeof digits, "%08x", static_cast<unsigned>(hash));
+    return digits;
+}
+
+}  // namespace crevice
