@@ -110,7 +110,7 @@ book.number("dz", text(texel.samples[blocked].dz));
 book.number("dp", text(texel.samples[blocked].dp));
 book.number("occlusion", text(texel.samples[blocked].weight));
 book.number("taken", text(texel.samples[blocked].contribution));
-book.number("free_dz", text(texel.samples[free].dz));
+book.number("behind", text(-texel.samples[free].dz));
 book.draw("occluded_sample",
           sample_diagram(shown.inputs, at.x, at.y, texel, blocked, radius, "One sample that is occluded"),
           "A cut through the depth buffer at texel ({x}, {y}), drawn from its own numbers. The eye looks from the left. "
@@ -204,8 +204,8 @@ book.check("All fourteen together take {sum}, on average {mean}. One minus that,
            "contrast, is {ao}: exactly the value of the texel in the AO map.",
            texel.value_of_sum(sum) == shown.raw.at(at.x, at.y));
 book.draw("open_sample", sample_diagram(shown.inputs, at.x, at.y, texel, free, radius, "One sample that is open"),
-          "A sample of the same texel that meets nothing: r lies {free_dz} in front of p, that is, behind it. "
-          "Something may well be at q, but not according to the depth map.");
+          "A sample of the same texel that meets nothing: the surface behind q lies {behind} behind p, outside of the "
+          "drawing.");
 
 // %% picture [markdown]
 // ## The picture it makes
@@ -250,7 +250,7 @@ book.compare({"ao_without_dp", ao_picture(view.ao(no_dp).raw), "The columns with
 std::vector<Notebook::Named> by_epsilon;
 std::vector<double> epsilon_means;
 for (const auto& [value, caption] : {std::pair{"0", "epsilon = 0"}, std::pair{"0.05", "epsilon = 0.05, the tutorials'"},
-                                     std::pair{"0.5", "epsilon = 0.5, as large as the radius: none is left"}}) {
+                                     std::pair{"0.5", "epsilon = 0.5, as large as the radius: next to none is left"}}) {
     const SwitchedAo ao = view.ao({std::string("epsilon=") + value});
     by_epsilon.push_back({"epsilon_" + std::to_string(by_epsilon.size()), ao_picture(ao.raw), caption});
     epsilon_means.push_back(mean_over_surfaces(ao.raw, ao.inputs));

@@ -1,6 +1,7 @@
 #include "chapters/diagrams/depth_section.h"
 
 #include <cmath>
+#include <limits>
 
 namespace crevice {
 
@@ -12,6 +13,24 @@ SectionPlane plane_through(int x, int y, const ExplainedSample& sample) {
     return {x, y, length > 0 ? way / length : glm::vec2(0, 1)};
 }
 
+namespace {
+
+// View depth between the four texels around a place of the map, in texels; infinite beside the map and where one of them
+// shows no surface.
+float filtered_depth(const Image<float>& depth, float x, float y) {
+    const float x0 = std::floor(x), y0 = std::floor(y), fx = x - x0, fy = y - y0;
+    const int column = static_cast<int>(x0), row = static_cast<int>(y0);
+    if (column < 0 || row < 0 || column + 1 >= depth.size.width || row + 1 >= depth.size.height)
+        return std::numeric_limits<float>::infinity();
+    const auto mix = [](float a, float b, float t) { return t == 0 ? a : a + t * (b - a); };
+    const float upper = mix(depth.at(column, row), depth.at(column + 1, row), fx);
+    const float lower = mix(depth.at(column, row + 1), depth.at(column + 1, row + 1), fx);
+    const float filtered = mix(upper, lower, fy);
+    return std::isfinite(filtered) ? filtered : std::numeric_limits<float>::infinity();
+}
+
+}  // namespace
+
 std::vector<SectionPoint> depth_section(const AoInputs& inputs, const SectionPlane& plane,
                                         double half_width) {
     const Size size = inputs.size();
@@ -20,15 +39,14 @@ std::vector<SectionPoint> depth_section(const AoInputs& inputs, const SectionPla
     const float texel = 2 * inputs.rays.ray_scale.y * z / static_cast<float>(size.height);
     const int texels = static_cast<int>(std::ceil(half_width / static_cast<double>(texel)));
     std::vector<SectionPoint> points;
-    constexpr int kSubsteps = 2;  // of a texel, so that a slanted line misses none
+    constexpr int kSubsteps = 2;  // of a texel, so that a step in depth stands as steep as it is
     for (int i = -texels * kSubsteps; i <= texels * kSubsteps; ++i) {
         const float step = static_cast<float>(i) / kSubsteps;
-        const int x = plane.x + static_cast<int>(std::lround(step * plane.towards.x));
-        const int y = plane.y - static_cast<int>(std::lround(step * plane.towards.y));
-        if (x < 0 || y < 0 || x >= size.width || y >= size.height) continue;
-        const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(size.width);
-        const float v = (static_cast<float>(y) + 0.5f) / static_cast<float>(size.height);
-        const Vec3<float> p = inputs.rays.p_view(u, v, inputs.view_depth.at(x, y));
+        const float x = static_cast<float>(plane.x) + step * plane.towards.x;
+        const float y = static_cast<float>(plane.y) - step * plane.towards.y;
+        const float u = (x + 0.5f) / static_cast<float>(size.width),
+                    v = (y + 0.5f) / static_cast<float>(size.height);
+        const Vec3<float> p = inputs.rays.p_view(u, v, filtered_depth(inputs.view_depth, x, y));
         points.push_back(plane.at({p.x, p.y, p.z}));
     }
     return points;

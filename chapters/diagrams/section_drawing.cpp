@@ -26,8 +26,8 @@ std::string symbol_text(SvgPoint at, const std::string& label, std::string_view 
     return "<text x=\"" + svg_number(at.x) + "\" y=\"" + svg_number(at.y) + "\" fill=\"" +
            std::string(colour) +
            "\" font-family=\"KaTeX_Math, 'Latin Modern Math', serif\" font-style=\"italic\" "
-           "font-size=\"17\">" +
-           symbol(label) + "</text>\n";
+           "font-size=\"17\" paint-order=\"stroke\" stroke-width=\"4\" stroke=\"" +
+           std::string(kSvgPaper) + "\">" + symbol(label) + "</text>\n";
 }
 
 }  // namespace

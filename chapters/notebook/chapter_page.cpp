@@ -58,7 +58,14 @@ std::string neighbours_html(const std::string& name, const std::vector<BookEntry
 std::string chapter_page(const ChapterPage& page, const std::vector<NotebookCell>& cells,
                          const std::vector<BookEntry>& chapters, BookLanguage language) {
     std::string body = "<div class=\"with-contents\">\n" + contents_html(chapters, page.name) + "<main>\n";
-    for (const NotebookCell& cell : cells) body += cell_html(cell, page.file);
+    // What the first lines of a source set up stands below the title of its page.
+    const auto title = std::find_if(cells.begin(), cells.end(), [](const NotebookCell& cell) {
+        return cell.source.kind == SourceCell::Kind::prose;
+    });
+    if (title != cells.end()) body += cell_html(*title, page.file);
+    for (auto cell = cells.begin(); cell != cells.end(); ++cell) {
+        if (cell != title) body += cell_html(*cell, page.file);
+    }
     body += neighbours_html(page.name, chapters) + "</main></div>\n";
     PageParts parts;
     parts.head = kFailedChecks + std::to_string(page.failed_checks) + "\">\n";

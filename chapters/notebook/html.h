@@ -20,7 +20,7 @@ std::string base64(std::string_view bytes);
 
 // An <img> with the PNG inside, at a whole multiple of its size that is at least kMinShownWidth wide; `alt`
 // and `classes` are plain text.
-inline constexpr int kMinShownWidth = 320;
+inline constexpr int kMinShownWidth = 640;
 std::string image_element(std::string_view png, Size size, std::string_view alt,
                           std::string_view classes = "");
 

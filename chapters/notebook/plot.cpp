@@ -112,7 +112,7 @@ std::vector<Tick> ticks_of(const Axis& axis) {
     }
     const double step = tick_step(axis.high - axis.low);
     for (double i = std::ceil(axis.low / step - kRounding); i * step <= axis.high + kRounding * step; ++i)
-        ticks.push_back({axis.at(i * step), significant_text(i * step, 6)});
+        ticks.push_back({axis.at(i * step), significant_text(i == 0 ? 0.0 : i * step, 6)});  // never -0
     return ticks;
 }
 

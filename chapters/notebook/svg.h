@@ -18,6 +18,8 @@ std::string svg_number(double value);
 inline constexpr std::string_view kSvgInk = "var(--ink, #1f2328)";    // surfaces, text
 inline constexpr std::string_view kSvgSoft = "var(--soft, #656d76)";  // what is not the point
 inline constexpr std::string_view kSvgGrid = "var(--line, #ddd)";
+inline constexpr std::string_view kSvgPaper =
+    "var(--paper, #fff)";  // behind labels, so that lines do not cross them
 inline constexpr std::string_view kSvgOpen = "var(--open, #0b5cad)";  // rays and samples that meet nothing
 inline constexpr std::string_view kSvgOccluded = "var(--occluded, #c4232e)";  // those that are blocked
 inline constexpr std::string_view kSvgPoint = "var(--point, #1a7f37)";        // the point and its normal
