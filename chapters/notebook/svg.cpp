@@ -34,8 +34,9 @@ std::string svg_polyline(const std::vector<SvgPoint>& points, std::string_view c
                          std::string_view more) {
     std::string text;
     for (const SvgPoint& p : points) text += svg_number(p.x) + "," + svg_number(p.y) + " ";
-    return "<polyline fill=\"none\"" + attribute("stroke", colour) + " stroke-width=\"1.5\"" +
-           std::string(more) + attribute("points", text) + "/>\n";
+    const char* const width = more.find("stroke-width") == more.npos ? " stroke-width=\"1.5\"" : "";
+    return "<polyline fill=\"none\"" + attribute("stroke", colour) + width + std::string(more) +
+           attribute("points", text) + "/>\n";
 }
 
 std::string svg_dot(SvgPoint centre, double radius, std::string_view colour) {

@@ -10,6 +10,7 @@
 
 #include "chapters/notebook/chapter.h"
 #include "tests/tools/scratch_directory.h"
+#include "tests/tools/well_formed.h"
 
 using namespace crevice;
 
@@ -95,7 +96,9 @@ TEST_CASE("chapters: every claim holds, every picture is on disk, quiet says not
                 if (const auto* drawing = std::get_if<DrawingOutput>(&output)) {
                     ++drawings;
                     CHECK(!drawing->caption.empty());
-                    CHECK(run.files.contains(drawing->name + ".svg"));
+                    CAPTURE(drawing->name);
+                    REQUIRE(run.files.contains(drawing->name + ".svg"));
+                    CHECK(xml_fault(run.files.at(drawing->name + ".svg")) == "");
                 }
                 const auto* row = std::get_if<PictureOutput>(&output);
                 if (row == nullptr) continue;
