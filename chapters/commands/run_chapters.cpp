@@ -44,6 +44,13 @@ void write_page(const Chapter& chapter, const Notebook& book, std::span<const Ch
     book.write_files();
 }
 
+// For whoever translates the book.
+void tell_what_is_untranslated(const Notebook& book) {
+    if (book.untranslated().empty()) return;
+    std::cerr << "warning: chapters/zh/" << book.name() << ".md lacks\n";
+    for (const std::string& heading : book.untranslated()) std::cerr << heading << "\n";
+}
+
 // Runs the chapter's function to its end. Its mistakes are failed checks of its own; a reader's wish to leave passes
 // through, and so does a disk that is full.
 void run_to_end(const Chapter& chapter, Notebook& book) {
@@ -69,6 +76,7 @@ int run_chapter(const Chapter& chapter, NotebookOptions options, std::span<const
         try {
             run_to_end(chapter, book);
             if (options.cell.empty()) write_page(chapter, book, running);
+            if (options.language == BookLanguage::zh) tell_what_is_untranslated(book);
         } catch (const LeaveChapter& wish) {
             if (wish.why == LeaveChapter::Why::run_again) {
                 options.words.push_back(wish.word);

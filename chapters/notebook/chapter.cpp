@@ -9,6 +9,8 @@ namespace crevice {
 
 namespace {
 
+constexpr const char* kTerms = "chapters/zh/terms.md";
+
 // Inside a function, so that it exists before the first static Chapter asks for it.
 std::vector<const Chapter*>& known_chapters() {
     static std::vector<const Chapter*> chapters;
@@ -32,7 +34,12 @@ ChapterSource Chapter::source() const {
     if (source.cells.empty())
         source.cells = {{"all", SourceCell::Kind::setup, 0, std::numeric_limits<int>::max(), ""}};
     const std::string chinese = "chapters/zh/" + name() + ".md";
-    if (const auto text = embedded_file(chinese)) source.chinese = translation_from(*text, chinese);
+    if (const auto text = embedded_file(chinese)) {
+        source.chinese = translation_from(*text, chinese);
+        // Words that chapters share; a chapter's own translation goes before them.
+        const Translation terms = translation_from(embedded_file(kTerms).value_or(""), kTerms);
+        source.chinese.texts.insert(terms.texts.begin(), terms.texts.end());
+    }
     return source;
 }
 

@@ -1,6 +1,7 @@
 #include "chapters/notebook/notebook.h"
 
 #include <algorithm>
+#include <cctype>
 #include <iostream>
 #include <utility>
 
@@ -28,6 +29,23 @@ bool is_file_name(const std::string& name) {
         return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
     };
     return !name.empty() && std::all_of(name.begin(), name.end(), allowed);
+}
+
+// Whether there is something to translate: two letters beside one another, outside of `code` and {numbers}.
+bool has_words(const std::string& text) {
+    char closing = 0, before = ' ';
+    for (const char c : text) {
+        if (closing != 0) {
+            if (c == closing) closing = 0;
+        } else if (c == '`' || c == '{') {
+            closing = c == '{' ? '}' : '`';
+        } else if (std::isalpha(static_cast<unsigned char>(c)) != 0 &&
+                   std::isalpha(static_cast<unsigned char>(before)) != 0) {
+            return true;
+        }
+        before = closing != 0 ? ' ' : c;
+    }
+    return false;
 }
 
 std::string_view embedded_source(const std::string& file) {
@@ -75,10 +93,18 @@ void Notebook::number(const std::string& name, const std::string& text) {
         throw UsageError(source_.name + ": two numbers have one name (" + name + "); rename one");
 }
 
-BookText Notebook::text_of(const std::string& english) const {
+void Notebook::lacks(const std::string& heading) {
+    const std::string line = "<!-- " + heading + " -->";
+    if (std::find(untranslated_.begin(), untranslated_.end(), line) == untranslated_.end())
+        untranslated_.push_back(line);
+}
+
+BookText Notebook::text_of(const std::string& english) {
     const auto chinese = source_.chinese.texts.find(english);
-    return {with_numbers(english, numbers_),
-            chinese == source_.chinese.texts.end() ? "" : with_numbers(chinese->second, numbers_)};
+    if (chinese != source_.chinese.texts.end())
+        return {with_numbers(english, numbers_), with_numbers(chinese->second, numbers_)};
+    if (has_words(english)) lacks("text " + english);
+    return {with_numbers(english, numbers_), ""};
 }
 
 // ---- from cell to cell ----------------------------------------------------------------------------------------------
@@ -125,6 +151,7 @@ void Notebook::go_to(std::size_t cell) {
         const auto chinese = source_.chinese.cells.find(begun.source.name);
         const bool translated =
             chinese != source_.chinese.cells.end() && chinese->second.hash == text_hash(begun.source.text);
+        if (!translated) lacks("cell " + begun.source.name + " " + text_hash(begun.source.text));
         begun.prose = {with_numbers(begun.source.text, numbers_),
                        translated ? with_numbers(chinese->second.chinese, numbers_) : ""};
         say(terminal_prose(begun.prose.in(options_.language), wants_colour()));
@@ -210,13 +237,9 @@ void Notebook::draw(const std::string& name, const std::string& svg, const std::
     if (!begins(line)) return;
     claim_name(name);
     write_file_atomically(directory() / (name + ".svg"), standalone_svg(svg));
-    const auto& known = source_.chinese.texts;
-    const bool translated = !known.empty();
-    const auto chinese = [&known](const std::string& words) {
-        const auto found = known.find(words);
-        return found == known.end() ? words : found->second;
-    };
-    put(DrawingOutput{name, {svg, translated ? with_words(svg, chinese) : ""}, text_of(caption)});
+    const std::string chinese =
+        with_words(svg, [this](const std::string& words) { return text_of(words).in(BookLanguage::zh); });
+    put(DrawingOutput{name, {svg, chinese == svg ? "" : chinese}, text_of(caption)});
 }
 
 void Notebook::plot(const std::string& name, const Plot& plot, const std::string& caption, int line) {

@@ -124,6 +124,8 @@ class Notebook {
     const std::vector<NotebookCell>& cells() const { return cells_; }
     int checks() const { return checks_; }
     int failed_checks() const { return failed_checks_; }
+    // The headings (translation.h) of what the chapter has said in English only, in the order in which it was said.
+    const std::vector<std::string>& untranslated() const { return untranslated_; }
     // Writes NAME.md and NAME.ipynb beside the pictures, in each language.
     void write_files() const;
 
@@ -135,7 +137,8 @@ class Notebook {
     void say(const std::string& text);
     bool begins(int line);
     void put(Output output, const std::string& terminal_note = "");
-    BookText text_of(const std::string& english) const;
+    BookText text_of(const std::string& english);
+    void lacks(const std::string& heading);
     NotebookPicture store(const Named& named);
     void claim_name(const std::string& name);
     std::filesystem::path directory() const { return options_.out / source_.name; }
@@ -149,6 +152,7 @@ class Notebook {
     std::size_t target_;               // of options_.cell
     ProseNumbers numbers_;
     std::set<std::string> names_;
+    std::vector<std::string> untranslated_;
     int checks_ = 0, failed_checks_ = 0;
 };
 

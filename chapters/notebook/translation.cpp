@@ -47,9 +47,24 @@ Translation translation_from(std::string_view markdown, const std::string& file)
             fail("text before the first heading; begin with <!-- cell NAME HASH -->");
         }
     }
-    for (auto& [name, prose] : result.cells) drop_empty_lines_around(prose.chinese);
-    for (auto& [english, chinese] : result.texts) drop_empty_lines_around(chinese);
+    const auto finish = [](std::string& text) {
+        drop_empty_lines_around(text);
+        text = chinese_lines_joined(text);
+    };
+    for (auto& [name, prose] : result.cells) finish(prose.chinese);
+    for (auto& [english, chinese] : result.texts) finish(chinese);
     return result;
+}
+
+std::string chinese_lines_joined(const std::string& text) {
+    std::string joined;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = [&text](std::size_t at) { return static_cast<unsigned char>(text[at]); };
+        const bool inside = text[i] == '\n' && i > 0 && i + 1 < text.size();
+        if (inside && byte(i - 1) >= 0x80 && byte(i + 1) >= 0xe3) continue;
+        joined += text[i];
+    }
+    return joined;
 }
 
 // FNV-1a of 32 bits: http://www.isthe.com/chongo/tech/comp/fnv/

@@ -27,6 +27,9 @@ struct Translation {
 // Throws UsageError, naming file and line, for a text before the first heading and for a heading of another form.
 Translation translation_from(std::string_view markdown, const std::string& file);
 
+// Chinese knows no spaces, which is what a page makes of the end of a line: lines that end and go on in Chinese are joined.
+std::string chinese_lines_joined(const std::string& text);
+
 // Eight hex digits that change with the text.
 std::string text_hash(std::string_view text);
 

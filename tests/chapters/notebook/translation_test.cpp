@@ -19,6 +19,8 @@ TEST_CASE("translation: cells with their hash, texts by their English") {
                          "zh.md:2: text before the first heading; begin with <!-- cell NAME HASH -->",
                          UsageError);
     CHECK_THROWS_AS(translation_from("<!-- cell why -->\n", "zh.md"), UsageError);
+    CHECK(chinese_lines_joined("一行\n二行，\n`code`\n三\n\n四\n- 五") ==
+          "一行二行，\n`code`\n三\n\n四\n- 五");
     CHECK(text_hash("") == "811c9dc5");
     CHECK(text_hash("a") == "e40c292c");
 }
