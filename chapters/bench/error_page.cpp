@@ -9,6 +9,7 @@
 #include "chapters/notebook/report_page.h"
 #include "chapters/study/error_picture.h"
 #include "chapters/terminal/number_text.h"
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/base/image_io.h"
 
 namespace crevice {
@@ -52,8 +53,7 @@ std::string bias_plot(const ErrorStudy& study) {
 
 std::string signed_pictures(const ErrorStudy& study) {
     std::string html = "<p>Each step's change, red: too open, blue: too closed, full colour at " +
-                       std::to_string(kDifferenceScale).substr(0, 4) +
-                       " and beyond.</p>\n<div class=\"pictures row\">\n";
+                       shortest_text(kDifferenceScale) + " and beyond.</p>\n<div class=\"pictures row\">\n";
     const auto add = [&](const ErrorPart& part, const std::string& name) {
         const Picture picture = difference_picture(part.difference);
         html += "<div>" +

@@ -6,6 +6,7 @@
 #include "chapters/notebook/svg.h"
 #include "chapters/terminal/number_text.h"
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/float_text.h"
 
 namespace crevice {
 
@@ -24,7 +25,7 @@ Heights heights_of(const StackedBar& bar) {
     for (const auto& [name, value] : bar.parts) {
         if (!std::isfinite(value)) {
             throw UsageError("part \"" + name + "\" of bar \"" + bar.name + "\" is not a finite number (" +
-                             std::to_string(value) + "); leave out what failed");
+                             shortest_text(value) + "); leave out what failed");
         }
         (value > 0 ? heights.above : heights.below) += value;
         heights.sum += value;

@@ -8,6 +8,7 @@
 
 #include "chapters/terminal/number_text.h"
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/float_text.h"
 
 namespace crevice {
 
@@ -20,9 +21,9 @@ void check_points(std::span<const ErrorPoint> points) {
             sound = sound && value >= 0 && std::isfinite(value);
         if (sound) continue;
         throw UsageError("point \"" + point.method + "\", \"" + point.setting +
-                         "\" has no usable numbers (time " + std::to_string(point.time_ms) + " ms, error " +
-                         std::to_string(point.error) + ", from " + std::to_string(point.error_min) + " to " +
-                         std::to_string(point.error_max) + "); leave out what failed");
+                         "\" has no usable numbers (time " + shortest_text(point.time_ms) + " ms, error " +
+                         shortest_text(point.error) + ", from " + shortest_text(point.error_min) + " to " +
+                         shortest_text(point.error_max) + "); leave out what failed");
     }
 }
 

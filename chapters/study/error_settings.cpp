@@ -1,4 +1,5 @@
 #include "chapters/study/error_settings.h"
+#include "rasterizer/base/float_text.h"
 
 #include <algorithm>
 
@@ -33,7 +34,7 @@ FrameSettings settings_of(const Method& method, const ErrorSetting& setting, flo
                           std::uint32_t seed) {
     std::vector<std::pair<std::string, std::string>> words = {
         {"samples", std::to_string(setting.samples)},
-        {"ao_scale", std::to_string(setting.ao_scale)},
+        {"ao_scale", shortest_text(setting.ao_scale)},
         {"blur_iterations", std::to_string(setting.blur_iterations)},
         {"seed", std::to_string(seed)}};
     if (setting.half_floats)

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/float_text.h"
 
 namespace crevice {
 
@@ -15,7 +16,7 @@ constexpr double kConfidence = 0.95;
 void require_positive(std::span<const double> values, const char* what) {
     for (const double value : values) {
         if (value > 0 && std::isfinite(value)) continue;
-        throw UsageError(std::string(what) + ": not above 0 (" + std::to_string(value) +
+        throw UsageError(std::string(what) + ": not above 0 (" + shortest_text(value) +
                          "); measure work that takes time");
     }
 }

@@ -10,21 +10,21 @@ namespace crevice {
 namespace {
 
 // The normal that pixels show: interpolated from the vertices, bent by the normal map; view space, unit. On a back
-// face whose normal was turned to the eye the bitangent stays where it was: the picture painted on a surface does
-// not turn with its normal.
+// face, whose normal is turned, the bitangent stays where it was: the picture painted on a surface does not turn
+// with its normal.
 template <class F>
 CREVICE_INLINE Vec3<F> bent_normal(const ScreenGeometry& geometry, const TrianglePixels<F>& pixels,
-                                   const InstanceAttributes& instance, int x, int y, Vec3<F> n_tangent) {
+                                   const InstanceAttributes& instance, Vec3<F> n_tangent) {
     const ScreenTriangle& t = pixels.triangle;
     const TangentTurn& turn = geometry.tangent_turns[t.instance];
     const glm::vec4 &t0 = instance.tangent(t, 0), &t1 = instance.tangent(t, 1), &t2 = instance.tangent(t, 2);
     const glm::mat3& m = turn.view_from_object;
     const Vec3<F> tangent = pixels.here.interpolate(m * glm::vec3(t0), m * glm::vec3(t1), m * glm::vec3(t2));
-    const F handedness = F(turn.handedness) * pixels.here.interpolate(t0.w, t1.w, t2.w);
-    const auto [n, turned] = pixels.interpolated_normal(geometry, x, y);
+    const float side = t.back_facing ? -turn.handedness : turn.handedness;
+    const F handedness = F(side) * pixels.here.interpolate(t0.w, t1.w, t2.w);
     const Vec3<F> zero{F(0), F(0), F(0)};
-    const Vec3<F> bent = bumped_normal(normalize_or<F>(n, zero), tangent,
-                                       select(turned, F(0) - handedness, handedness), n_tangent);
+    const Vec3<F> n = normalize_or<F>(pixels.interpolated_normal(geometry), zero);
+    const Vec3<F> bent = bumped_normal(n, tangent, handedness, n_tangent);
     // Once more, like every interpolated normal: the goldens hold these bits.
     return normalize_or<F>(bent, zero);
 }
@@ -101,7 +101,7 @@ struct GroupLookup {
             const TrianglePixels<F> in(geometry.triangle(walk.number), walk.shown, x, y);
             const InstanceAttributes& instance = attributes[in.triangle.instance];
             if (!instance.has_tangents()) continue;
-            put_where<F>(row.normal, at, in.shown, bent_normal(geometry, in, instance, x, y, n_tangent));
+            put_where<F>(row.normal, at, in.shown, bent_normal(geometry, in, instance, n_tangent));
             if (row.gloss != nullptr) put_where<F>(row.gloss + at, in.shown, load<F>(map.a));
         }
     }

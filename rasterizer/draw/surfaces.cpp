@@ -28,7 +28,7 @@ CREVICE_INLINE void find_group(const ScreenGeometry& geometry, Int<F> numbers, i
             view_depth = select(walk.shown, pixels.view_depth(geometry), view_depth);
             material = select(walk.shown, Int<F>(pixels.triangle.material), material);
             if (row.normal[0] == nullptr) continue;
-            const Vec3<F> n = pixels.interpolated_normal(geometry, x, y).n;
+            const Vec3<F> n = pixels.interpolated_normal(geometry);
             n_x = select(walk.shown, n.x, n_x);
             n_y = select(walk.shown, n.y, n_y);
             n_z = select(walk.shown, n.z, n_z);

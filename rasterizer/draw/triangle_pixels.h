@@ -67,20 +67,15 @@ struct TrianglePixels {
         return shares(there, inverse(there));
     }
 
-    // The interpolated vertex normal, view space, not normalised. On a back face it is turned to the eye where
-    // it points away; where it does not (the rim of a smooth closed mesh), it is the better normal as it stands.
-    struct Normal {
-        Vec3<F> n;
-        Mask<F> turned;
-    };
-    CREVICE_INLINE Normal interpolated_normal(const ScreenGeometry& geometry, int x, int y) const {
+    // The interpolated vertex normal, view space, not normalised; of a back face the other way. The winding alone
+    // says which side is seen: near the rim of a smooth mesh the interpolated normal leans over to the other.
+    CREVICE_INLINE Vec3<F> interpolated_normal(const ScreenGeometry& geometry) const {
         const std::vector<glm::vec3>& n_view = geometry.vertices.n_view;
         const Vec3<F> n = here.interpolate(n_view[triangle.vertex[0]], n_view[triangle.vertex[1]],
                                            n_view[triangle.vertex[2]]);
         const F zero(0);
-        if (!triangle.back_facing) return {n, zero > zero};
-        const Mask<F> away_from_eye = dot(n, view_ray_at<F>(geometry, x, y)) > zero;
-        return {select<F>(away_from_eye, {zero - n.x, zero - n.y, zero - n.z}, n), away_from_eye};
+        if (!triangle.back_facing) return n;
+        return {zero - n.x, zero - n.y, zero - n.z};
     }
 
  private:

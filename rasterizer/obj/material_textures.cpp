@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/base/memory.h"
 #include "rasterizer/obj/texel_images.h"
 #include "rasterizer/textures/cutout_mips.h"
@@ -198,7 +199,7 @@ MaterialTextures::TexturePointer MaterialTextures::normals_of(Request& request, 
                                                               Accepted accepted) {
     const fs::path path = find(request, map);
     if (path.empty()) return nullptr;
-    const std::string key = "normals:" + path.string() + ":" + std::to_string(map.bump_factor) + ":" +
+    const std::string key = "normals:" + path.string() + ":" + shortest_text(map.bump_factor) + ":" +
                             std::to_string(static_cast<int>(map.channel)) + ":" +
                             std::to_string(static_cast<int>(accepted));
     return once(key, request, map, [&]() -> TexturePointer {

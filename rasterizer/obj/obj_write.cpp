@@ -26,7 +26,7 @@ struct ObjText {
     void add(const char* keyword, std::size_t index, Number value) {
         if (!std::isfinite(value))
             throw InputError("OBJ: `" + std::string(keyword) + "` " + std::to_string(index + 1) +
-                             " holds a number that is not finite (" + std::to_string(value) +
+                             " holds a number that is not finite (" + shortest_text(value) +
                              "); leave its triangles out");
         text += ' ';
         text += shortest_text(value);

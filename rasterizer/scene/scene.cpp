@@ -5,6 +5,7 @@
 #include <string>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/lanes/approx_math.h"
 
 namespace crevice {
@@ -21,7 +22,7 @@ std::array<DirectionalLight, 3> lights_at(const Scene& scene, double time_s) {
     constexpr double kMostTurned_rad = 1e5;  // sine_cosine() keeps its digits up to here
     const double angle_rad = scene.light_spin_rad_per_s * time_s;
     if (!(std::abs(angle_rad) < kMostTurned_rad))
-        throw UsageError("time: turns the lights too far to tell where they are (" + std::to_string(time_s) +
+        throw UsageError("time: turns the lights too far to tell where they are (" + shortest_text(time_s) +
                          " s); choose a time nearer to 0");
     const SineCosine turn = sine_cosine(angle_rad);
     std::array<DirectionalLight, 3> lights = scene.lights;

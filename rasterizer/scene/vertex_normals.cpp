@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
+#include <map>
+#include <optional>
 
 #include <glm/geometric.hpp>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/scene/angle.h"
+#include "rasterizer/scene/direction_tree.h"
 
 namespace crevice {
 namespace {
@@ -17,6 +20,8 @@ constexpr double kCancelled = 1e-6;
 // Triangles of one plane differ in direction by the rounding of their corners; added to the cosine of the
 // crease angle.
 constexpr double kPlanarSlack = 1e-7;
+// Of so many corners or normals at one position each is looked at; of more a tree or a map is made.
+constexpr std::size_t kFew = 64;
 
 // One corner of a triangle, as seen from its position.
 struct Incidence {
@@ -63,31 +68,65 @@ std::vector<glm::dvec3> unit_face_normals(std::span<const glm::vec3> positions,
     return normals;
 }
 
-// The weighted mean direction of those corners whose triangle faces within the crease angle of `own`; 0 when
-// it cancels.
-glm::dvec3 mean_normal(std::span<const Incidence> corners, const std::vector<glm::dvec3>& faces,
-                       glm::dvec3 own, double least_cosine) {
-    glm::dvec3 sum(0);
-    double weight = 0;
-    for (const Incidence& corner : corners) {
-        const glm::dvec3& face = faces[corner.triangle];
-        if (!(glm::dot(face, own) >= least_cosine)) continue;
-        sum += corner.angle_rad * face;
-        weight += corner.angle_rad;
+// The mean directions of the corners of one smoothing group at one position.
+class MeanNormals {
+ public:
+    MeanNormals(std::span<const Incidence> corners, const std::vector<glm::dvec3>& faces, double least_cosine)
+        : least_cosine_(least_cosine) {
+        directions_.reserve(corners.size());
+        for (const Incidence& corner : corners)
+            directions_.push_back({faces[corner.triangle], corner.angle_rad});
+        if (least_cosine <= kEveryCosine) {
+            everywhere_ = mean(sum_within(directions_, {}, least_cosine));
+        } else if (directions_.size() > kFew) {
+            tree_.emplace(std::move(directions_));
+        }
     }
-    const double length = std::sqrt(glm::dot(sum, sum));
-    return length > kCancelled * weight ? sum / length : glm::dvec3(0);
-}
+    // Of those corners whose triangle faces within the crease angle of `own`; 0 when it cancels.
+    glm::dvec3 about(const glm::dvec3& own) const {
+        if (everywhere_) return *everywhere_;
+        return mean(tree_ ? tree_->sum_within(own, least_cosine_)
+                          : sum_within(directions_, own, least_cosine_));
+    }
 
-// The index of `normal` among those added for the present position, which start at `first`; added when it is
-// new.
-std::uint32_t index_of(std::vector<glm::vec3>& normals, std::size_t first, glm::vec3 normal) {
-    for (std::size_t i = first; i < normals.size(); ++i) {
-        if (normals[i] == normal) return static_cast<std::uint32_t>(i);
+    static constexpr double kEveryCosine = -2;
+
+ private:
+    static glm::dvec3 mean(const DirectionSum& of) {
+        const double length = std::sqrt(glm::dot(of.sum, of.sum));
+        return length > kCancelled * of.weight ? of.sum / length : glm::dvec3(0);
     }
-    normals.push_back(normal);
-    return static_cast<std::uint32_t>(normals.size() - 1);
-}
+
+    double least_cosine_;
+    std::vector<WeightedDirection> directions_;
+    std::optional<DirectionTree> tree_;
+    std::optional<glm::dvec3> everywhere_;
+};
+
+// The normals found so far; those of the present position are numbered once each.
+struct NumberedNormals {
+    std::vector<glm::vec3> normals;
+    std::size_t first = 0;                                       // of the present position
+    std::map<std::array<float, 3>, std::uint32_t> further = {};  // all of its normals but the first kFew
+
+    void next_position() {
+        first = normals.size();
+        further.clear();
+    }
+    std::uint32_t number_of(glm::vec3 normal) {
+        const std::size_t few = std::min(normals.size(), first + kFew);
+        for (std::size_t i = first; i < few; ++i) {
+            if (normals[i] == normal) return static_cast<std::uint32_t>(i);
+        }
+        const auto next = static_cast<std::uint32_t>(normals.size());
+        if (next >= first + kFew) {
+            const auto [at, added] = further.try_emplace({normal.x, normal.y, normal.z}, next);
+            if (!added) return at->second;
+        }
+        normals.push_back(normal);
+        return next;
+    }
+};
 
 }  // namespace
 
@@ -95,11 +134,12 @@ CornerNormals angle_weighted_normals(std::span<const glm::vec3> positions,
                                      std::span<const std::array<std::uint32_t, 3>> triangles,
                                      double crease_angle_rad, std::span<const std::uint32_t> groups) {
     if (!(crease_angle_rad >= 0 && crease_angle_rad <= kSmoothEverywhere_rad)) {
-        throw UsageError("the crease angle is out of range (" + std::to_string(crease_angle_rad) +
+        throw UsageError("the crease angle is out of range (" + shortest_text(crease_angle_rad) +
                          " rad); give one from 0 to pi");
     }
     const bool smooth = crease_angle_rad >= kSmoothEverywhere_rad;
-    const double least_cosine = smooth ? -2 : sine_cosine(crease_angle_rad).cosine - kPlanarSlack;
+    const double least_cosine =
+        smooth ? MeanNormals::kEveryCosine : sine_cosine(crease_angle_rad).cosine - kPlanarSlack;
     const std::vector<glm::dvec3> faces = unit_face_normals(positions, triangles);
     Incidences at = gather_incidences(positions, triangles);
     const auto group_of = [&](const Incidence& corner) {
@@ -107,7 +147,8 @@ CornerNormals angle_weighted_normals(std::span<const glm::vec3> positions,
     };
 
     CornerNormals result;
-    result.normals.reserve(positions.size());
+    NumberedNormals numbered;
+    numbered.normals.reserve(positions.size());
     result.of_triangle.resize(triangles.size());
     for (std::size_t p = 0; p < positions.size(); ++p) {
         std::span<Incidence> left(at.corners.data() + at.first[p], at.first[p + 1] - at.first[p]);
@@ -116,25 +157,24 @@ CornerNormals angle_weighted_normals(std::span<const glm::vec3> positions,
                 return group_of(a) < group_of(b);
             });
         }
-        const std::size_t first = result.normals.size();
+        numbered.next_position();
         while (!left.empty()) {
             const std::uint32_t group = group_of(left.front());
             const auto end = std::find_if(left.begin(), left.end(),
                                           [&](const Incidence& corner) { return group_of(corner) != group; });
             const auto corners = left.first(static_cast<std::size_t>(end - left.begin()));
             left = left.subspan(corners.size());
-            const glm::dvec3 everywhere =
-                smooth ? mean_normal(corners, faces, {}, least_cosine) : glm::dvec3(0);
+            const MeanNormals means(corners, faces, least_cosine);
             for (const Incidence& corner : corners) {
                 const glm::dvec3 own = faces[corner.triangle];
-                glm::dvec3 normal = smooth ? everywhere : mean_normal(corners, faces, own, least_cosine);
+                glm::dvec3 normal = means.about(own);
                 if (normal == glm::dvec3(0)) normal = own;
                 if (normal == glm::dvec3(0)) normal = {0, 0, 1};
-                result.of_triangle[corner.triangle][corner.corner] =
-                    index_of(result.normals, first, glm::vec3(normal));
+                result.of_triangle[corner.triangle][corner.corner] = numbered.number_of(glm::vec3(normal));
             }
         }
     }
+    result.normals = std::move(numbered.normals);
     return result;
 }
 

@@ -28,7 +28,8 @@ struct CornerNormals {
 // one sheet) has the normal of its triangle. `triangles` index `positions` and are counter-clockwise for
 // right-handed axes; one without area has no say and gets (0, 0, 1). `groups`, one a triangle if given, are
 // smoothing groups: only triangles of one group smooth each other. Throws UsageError for an angle out of
-// range. Quadratic in the triangles of one position below pi, else linear.
+// range. At pi the cost is linear; below, n triangles at one position take about n^1.5 steps where they face every
+// way, n log n where they make a fan.
 CornerNormals angle_weighted_normals(std::span<const glm::vec3> positions,
                                      std::span<const std::array<std::uint32_t, 3>> triangles,
                                      double crease_angle_rad, std::span<const std::uint32_t> groups = {});

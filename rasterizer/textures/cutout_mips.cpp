@@ -4,6 +4,7 @@
 #include <string>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/float_text.h"
 
 namespace crevice {
 namespace {
@@ -44,7 +45,7 @@ double coverage(const Image<float>& alpha, float threshold) {
 
 Texture keep_coverage(const Texture& texture, float threshold) {
     if (!(threshold > 0 && threshold <= 1)) {
-        throw UsageError("cut-out: the alpha threshold is out of range (" + std::to_string(threshold) +
+        throw UsageError("cut-out: the alpha threshold is out of range (" + shortest_text(threshold) +
                          "); give one above 0, up to 1");
     }
     if (!texture.has_alpha()) return texture;

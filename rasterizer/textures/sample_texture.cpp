@@ -3,6 +3,7 @@
 #include <string>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/textures/texture_probes.h"
 
 namespace crevice {
@@ -34,7 +35,7 @@ void validate(const Sampler& sampler) {
     }
     for (int i = 0; i < 4; ++i) {
         if (sampler.border[i] >= 0 && sampler.border[i] <= 1) continue;
-        throw UsageError("sampler: the border colour is out of range (" + std::to_string(sampler.border[i]) +
+        throw UsageError("sampler: the border colour is out of range (" + shortest_text(sampler.border[i]) +
                          "); give each component in 0 to 1");
     }
 }

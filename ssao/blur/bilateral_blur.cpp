@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/base/parallel.h"
 #include "rasterizer/base/run.h"
 #include "ssao/blur/blur_band.h"
@@ -61,8 +62,8 @@ Image<float> swept(const BlurSweep& sweep, const Run& run) {
 void validate(const BlurSettings& s) {
     const auto require = [](bool holds, const std::string& name, double value, const std::string& range) {
         if (!holds)
-            throw UsageError(name + ": must lie in " + range + " (" + std::to_string(value) +
-                             "); choose another value");
+            throw UsageError(name + ": must lie in " + range + " (" +
+                             shortest_text(static_cast<float>(value)) + "); choose another value");
     };
     require(s.iterations >= 0 && s.iterations <= 64, "blur_iterations", s.iterations, "0..64");
     require(s.normal_threshold >= -1 && s.normal_threshold <= 1, "blur_normal", s.normal_threshold,

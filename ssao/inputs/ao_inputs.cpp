@@ -6,6 +6,7 @@
 #include <string>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/base/parallel.h"
 #include "rasterizer/base/run.h"
 #include "ssao/inputs/texel_fetch.h"
@@ -189,7 +190,7 @@ class TexelRow {
 Size ao_map_size(Size picture, float scale) {
     if (scale == 1.0f) return picture;
     if (scale != 0.5f) {
-        throw UsageError("ao_scale: the AO map is half or full size (" + std::to_string(scale) +
+        throw UsageError("ao_scale: the AO map is half or full size (" + shortest_text(scale) +
                          "); choose .5 or 1");
     }
     return {(picture.width + 1) / 2, (picture.height + 1) / 2};

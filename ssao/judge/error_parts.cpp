@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/float_text.h"
 #include "ssao/judge/metrics.h"
 
 namespace crevice {
@@ -22,7 +23,7 @@ void check_finite(const Image<float>& image, const std::string& step) {
             if (std::isfinite(image.at(x, y))) continue;
             throw InputError("the image of step \"" + step + "\" is not finite at pixel " +
                              std::to_string(x) + ", " + std::to_string(y) + " (" +
-                             std::to_string(image.at(x, y)) +
+                             shortest_text(image.at(x, y)) +
                              "); its error has no parts until that is mended");
         }
     }
@@ -111,7 +112,7 @@ void check_adds_up(const char* what, const Sum& parts, const Sum& total) {
     const double off = std::fabs(parts.value - total.value);
     if (off <= 1e-12 * (parts.magnitude + total.magnitude)) return;
     throw std::logic_error(std::string("the parts of an error do not add up to it (") + what + " off by " +
-                           std::to_string(off) + ")");
+                           shortest_text(off) + ")");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/lanes/approx_math.h"
 #include "ssao/judge/metrics.h"
 #include "ssao/judge/percentile.h"
@@ -182,7 +183,7 @@ double pixels_per_degree(double distance_m, double width_m, double width_px) {
 Flip flip(const Image<float>& a, const Image<float>& b, double ppd) {
     check_same_size(a, b);
     if (!(ppd >= 1 && ppd <= 1000)) {
-        throw UsageError("pixels per degree out of range (" + std::to_string(ppd) +
+        throw UsageError("pixels per degree out of range (" + shortest_text(ppd) +
                          "); give a number from 1 to 1000");
     }
     const Seen seen_a = seen_in(a, ppd), seen_b = seen_in(b, ppd);

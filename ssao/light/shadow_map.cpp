@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/draw/cutouts.h"
 
 namespace crevice {
@@ -15,7 +16,7 @@ namespace {
 
 void require(bool holds, const char* what, double value, const char* cure) {
     if (!holds) {
-        throw UsageError(std::string("shadow map: ") + what + " (" + std::to_string(value) + "); " + cure);
+        throw UsageError(std::string("shadow map: ") + what + " (" + shortest_text(value) + "); " + cure);
     }
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/base/parallel.h"
 #include "rasterizer/base/run.h"
 #include "ssao/methods/open_tiles.h"
@@ -15,8 +16,8 @@ namespace crevice {
 void validate(const LunaSettings& s) {
     const auto require = [](bool holds, const std::string& name, double value, const std::string& range) {
         if (!holds)
-            throw UsageError(name + ": must lie in " + range + " (" + std::to_string(value) +
-                             "); choose another value");
+            throw UsageError(name + ": must lie in " + range + " (" +
+                             shortest_text(static_cast<float>(value)) + "); choose another value");
     };
     const auto length = [](float a) { return a >= 0 && std::isfinite(a); };
     require(s.samples >= 1 && s.samples <= kCubeVectors, "samples", s.samples, "1..14");

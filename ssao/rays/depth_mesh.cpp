@@ -5,6 +5,7 @@
 #include <string>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/base/parallel.h"
 
 namespace crevice {
@@ -37,7 +38,7 @@ std::vector<glm::vec3> pixel_positions(const GBuffer& g, const Camera& camera, c
 RayScene depth_mesh(const GBuffer& g, const Camera& camera, float join, const Run& run) {
     validate(run);
     if (!(join > 0))
-        throw UsageError("join: must lie in (0, inf] (" + std::to_string(join) +
+        throw UsageError("join: must lie in (0, inf] (" + shortest_text(join) +
                          "); give the length of the rays, scene units");
     const Size size = g.view_depth.size;
     const std::vector<glm::vec3> positions = pixel_positions(g, camera, run);

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/base/parallel.h"
 #include "rasterizer/base/run.h"
 
@@ -152,7 +153,7 @@ struct Builder {
 
 void validate(float max_distance) {
     if (!(max_distance > 0))
-        throw UsageError("max_distance: must lie in (0, inf] (" + std::to_string(max_distance) +
+        throw UsageError("max_distance: must lie in (0, inf] (" + shortest_text(max_distance) +
                          "); choose another value");
 }
 

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/base/parallel.h"
 #include "rasterizer/base/run.h"
 #include "ssao/rays/ray_packet.h"
@@ -19,12 +20,12 @@ namespace {
 constexpr std::size_t kPiece = 1024;
 
 std::string text_of(const glm::vec3& v) {
-    return std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z);
+    return shortest_text(v.x) + ", " + shortest_text(v.y) + ", " + shortest_text(v.z);
 }
 
 void validate(float max_distance) {
     if (!(max_distance > 0))
-        throw UsageError("max_distance: must lie in (0, inf] (" + std::to_string(max_distance) +
+        throw UsageError("max_distance: must lie in (0, inf] (" + shortest_text(max_distance) +
                          "); choose another value");
 }
 

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/base/parallel.h"
 #include "rasterizer/base/run.h"
 #include "ssao/rays/ray_packet.h"
@@ -126,11 +127,11 @@ void validate(const RayAoSettings& s) {
         throw UsageError("rays: must lie in 1.." + std::to_string(kMostRays) + " (" + std::to_string(s.rays) +
                          "); choose another number");
     if (!(s.radius > 0))
-        throw UsageError("radius: must lie in (0, inf] (" + std::to_string(s.radius) +
+        throw UsageError("radius: must lie in (0, inf] (" + shortest_text(s.radius) +
                          "); choose how far an occluder may be, scene units");
     if (s.fade && !(s.fade->start >= 0 && s.fade->end >= s.fade->start))
-        throw UsageError("fade: must have 0 <= start <= end (" + std::to_string(s.fade->start) + ", " +
-                         std::to_string(s.fade->end) + "); choose other distances");
+        throw UsageError("fade: must have 0 <= start <= end (" + shortest_text(s.fade->start) + ", " +
+                         shortest_text(s.fade->end) + "); choose other distances");
 }
 
 std::vector<float> ray_cast_ao(const RayScene& scene, std::span<const SurfacePoint> points,

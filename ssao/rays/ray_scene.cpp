@@ -6,6 +6,7 @@
 #include <glm/matrix.hpp>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/draw/cutouts.h"
 #include "rasterizer/scene/relative_position.h"
 #include "ssao/rays/ray_cast.h"
@@ -64,8 +65,8 @@ void add_instance(RayScene& rays, const Scene& scene, std::size_t index, bool wi
 RayScene ray_scene(const Scene& scene, glm::dvec3 origin, const Run& run) {
     validate(run);
     if (!std::isfinite(origin.x) || !std::isfinite(origin.y) || !std::isfinite(origin.z))
-        throw UsageError("origin of rays: must be finite (" + std::to_string(origin.x) + ", " +
-                         std::to_string(origin.y) + ", " + std::to_string(origin.z) +
+        throw UsageError("origin of rays: must be finite (" + shortest_text(origin.x) + ", " +
+                         shortest_text(origin.y) + ", " + shortest_text(origin.z) +
                          "); use the camera's eye");
     RayScene rays;
     rays.origin = origin;

@@ -134,6 +134,31 @@ TEST_CASE("angle_weighted_normals: a triangle without area has no say and still 
     CHECK(angle_weighted_normals({}, {}, kSmoothEverywhere_rad).normals.empty());
 }
 
+// Tip at the origin, open downwards; corner 0 of each triangle is the tip.
+TEST_CASE(
+    "angle_weighted_normals: 100,000 triangles round one vertex smooth each other as the definition says") {
+    constexpr std::uint32_t kCount = 100'000;
+    std::vector<glm::vec3> positions = {{0, 0, 0}};
+    Triangles triangles;
+    for (std::uint32_t i = 0; i < kCount; ++i) {
+        const double angle = 2 * kPi * i / kCount;
+        positions.emplace_back(std::cos(angle), std::sin(angle), -1);
+        triangles.push_back({0, 1 + i, 1 + (i + 1) % kCount});
+    }
+    const double crease_rad = radians(40);
+    const CornerNormals found = angle_weighted_normals(positions, triangles, crease_rad);
+    std::vector<glm::dvec3> faces;
+    for (const auto& t : triangles) faces.push_back(face_normal(positions, t));
+    for (std::size_t t = 0; t < kCount; t += 9973) {
+        glm::dvec3 sum(0);  // the angles at the tip are equal
+        for (const glm::dvec3& face : faces) {
+            if (glm::dot(face, faces[t]) >= std::cos(crease_rad)) sum += face;
+        }
+        CAPTURE(t);
+        CHECK(glm::length(glm::dvec3(found.normals[found.of_triangle[t][0]]) - glm::normalize(sum)) < 2e-5);
+    }
+}
+
 TEST_CASE("angle_weighted_normals: a crease angle out of range is refused") {
     for (const double angle : {-0.1, 3.2, std::numeric_limits<double>::quiet_NaN()}) {
         CAPTURE(angle);

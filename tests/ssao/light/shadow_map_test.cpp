@@ -194,5 +194,5 @@ TEST_CASE("shadow map: settings and lights out of range are refused by name") {
     fit.half_width = 0;
     CHECK_THROWS_AS(light_camera(fit, kDown), UsageError);
     CHECK_THROWS_WITH(light_camera(sphere_shadow_fit({0, 0, 0}, -1), kDown),
-                      "shadow map: the light's distance must be above 0 (-2.000000); give another fit");
+                      "shadow map: the light's distance must be above 0 (-2); give another fit");
 }
