@@ -14,17 +14,23 @@ std::string row_element(const char* tag, const std::vector<std::string>& cells) 
     return html + "</tr>\n";
 }
 
+// Ulps as whole numbers where there are many.
+std::string count_text(double value) {
+    constexpr double kMany = 10;
+    return value < kMany ? significant_text(value, 2) : decimal_text(value, 0);
+}
+
 std::string pass_table(const CaseRounding& rounding) {
     std::string html = "<div class=\"scroll\">\n<table>\n" +
                        row_element("th", {"pass", "unit", "mean", "99th percentile", "largest"});
     for (const PassRounding& pass : rounding.passes)
-        html += row_element("td", {pass.pass, pass.unit, significant_text(pass.off.mean, 2),
-                                   significant_text(pass.off.p99, 2), significant_text(pass.off.max, 2)});
+        html += row_element("td", {pass.pass, pass.unit, count_text(pass.off.mean), count_text(pass.off.p99),
+                                   count_text(pass.off.max)});
     return html + "</table>\n</div>\n";
 }
 
 std::string ulps_text(const std::optional<AoRounding>& rounding) {
-    return rounding ? significant_text(rounding->off.p99 / kAoUlp, 2) : "none";
+    return rounding ? count_text(rounding->off.p99 / kAoUlp) : "none";
 }
 
 std::string method_table(const CaseRounding& rounding) {
@@ -44,54 +50,36 @@ std::string method_table(const CaseRounding& rounding) {
     return html + "</table>\n</div>\n";
 }
 
-constexpr const char* kExplanation =
-    "<h2 id=\"rounding\">Rounding against an independent judge</h2>\n"
-    "<p>The judge works in double from the scene itself: it sends the eye's ray through each pixel's centre "
-    "onto the "
-    "plane of the triangle that the pixel shows, and interpolates the vertex normals there. The rasterizer "
-    "tells it "
-    "only which triangle that is. Then it runs the same text of each method's kernel in double on its own "
-    "depths and "
-    "normals. So it sees errors that were made before a pass as well as the pass's own. Maps are of the "
-    "picture's "
-    "size. Settings, the tables of random numbers and the scale of the eye's rays are floats and taken as "
-    "given. "
-    "Blurs run in float: they average at most 11 texels at a time, and their own roundings stay below "
-    "10<sup>-6</sup>.</p>\n"
-    "<p>An ulp is the step from a float to the next; of accessibility it is 2<sup>-24</sup>. Columns that "
-    "are named "
-    "after a cause hold 99th percentiles: <i>kernel</i>, the map in float against the same kernel in double, "
-    "from the "
-    "same float buffers; <i>depth</i> and <i>normal</i>, what the roundings of one buffer change, the kernel "
-    "in "
-    "double; <i>all</i>, float from end to end against double from end to end; <i>blurred</i>, what the "
-    "denoiser "
-    "leaves of that. A texel that is off by more than 0.0001 was not rounded: a comparison came out "
-    "otherwise (a "
-    "sample just hidden or just seen), and a whole sample's share with it.</p>\n"
-    "<h3>Where it arises</h3>\n<ul>\n"
-    "<li><b>Vertex transform.</b> The eye is subtracted from the vertices in double, so that no distance "
-    "from the "
-    "origin costs anything: what is left is the rounding of the result.</li>\n"
-    "<li><b>View depth</b> is a plane through the triangle's corners and has the rounding of the farthest "
-    "one "
-    "everywhere: near pixels of large triangles are off by many ulps of their own.</li>\n"
-    "<li><b>Normals</b> are interpolated between corners that were snapped to 1/256 pixel. A corner that "
-    "moves takes its "
-    "normal with it: on curved meshes of small triangles this is far more than rounding.</li>\n"
-    "<li><b>The depth buffer</b> holds numbers close to 1, where a step stands for z<sup>2</sup>/near times "
-    "as much "
-    "depth. A method that reads it (luna) loses that much; all others read view depth.</li>\n"
-    "<li><b>Kernels</b> subtract points that lie close together: of a difference of the size of the radius "
-    "they keep "
-    "ulps of the depth, depth/radius times as large a share. This is the cancellation that all screen-space "
-    "methods "
-    "have, and why their tolerances grow with depth.</li>\n"
-    "<li><b>xjun and luna</b> look up random vectors at coordinates that run 1024 times across the picture: "
-    "ten bits "
-    "of a float go into whole texels there, and what is left places the samples. It is the largest part of "
-    "their "
-    "kernels' errors.</li>\n</ul>\n";
+constexpr const char* kExplanation = R"html(<h2 id="rounding">Rounding against an independent judge</h2>
+<p>The judge works in double from the scene itself: it sends the eye's ray through each pixel's centre onto the plane of the
+triangle that the pixel shows, and interpolates the vertex normals there. The rasterizer tells it only which triangle that
+is. Then it runs the same text of each method's kernel in double on its own depths and normals. So it sees errors that were
+made before a pass as well as the pass's own. Maps are of the picture's size. Settings, the tables of random numbers and the
+scale of the eye's rays are floats and taken as given. Blurs run in float: they average at most 11 texels at a time, and
+their own roundings stay below 0.000001.</p>
+<p>An ulp is the step from a float to the next; of accessibility it is 2<sup>-24</sup>. Columns that are named after a cause
+hold 99th percentiles: <i>kernel</i>, the map in float against the same kernel in double, from the same float buffers;
+<i>depth</i> and <i>normal</i>, what the roundings of one buffer change, the kernel in double; <i>all</i>, float from end to
+end against double from end to end; <i>blurred</i>, what the denoiser leaves of that. A texel that is off by more than 0.0001
+was not rounded: a comparison came out otherwise (a sample just hidden or just seen), and a whole sample's share with it.</p>
+<h3>Where it arises</h3>
+<ul>
+<li><b>Vertex transform.</b> The eye is subtracted from the vertices in double, so that no distance from the origin costs
+anything: what is left is the rounding of the result.</li>
+<li><b>View depth</b> is a plane through the triangle's corners and has the rounding of the farthest one everywhere: near
+pixels of large triangles are off by many ulps of their own, the more the flatter the plane is seen.</li>
+<li><b>Normals</b> are interpolated between corners that were snapped to 1/256 pixel. A corner that moves takes its normal
+with it: on curved meshes of small triangles this is far more than rounding.</li>
+<li><b>The depth buffer</b> holds numbers close to 1, where a step stands for z<sup>2</sup>/near times as much depth. A method
+that reads it (luna) loses that much; all others read view depth.</li>
+<li><b>Kernels</b> subtract points that lie close together: of a difference of the size of the radius they keep ulps of the
+depth, depth/radius times as large a share. This is the cancellation that all screen-space methods have, and why their
+tolerances grow with depth.</li>
+<li><b>xjun and luna</b> look up random vectors at coordinates that run 1024 times across the picture: ten bits of a float go
+into whole texels there, and what is left places the samples. It is the largest part of what xjun's kernel is off; luna's
+also filters depths close to 1.</li>
+</ul>
+)html";
 
 }  // namespace
 

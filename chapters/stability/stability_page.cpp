@@ -29,7 +29,7 @@ main { max-width: 76rem; }
 .cells figcaption { font-size: .85rem; } .cells figcaption span { padding: 0 .4rem; border-radius: 4px; }
 .cells pre { white-space: pre-wrap; padding: .5rem .7rem; margin: .4rem 0 0; }
 @media (max-width: 40rem) { main { padding: 1.2rem .8rem 4rem; }
-  .map td:first-child { white-space: normal; overflow-wrap: anywhere; min-width: 6rem; max-width: 6rem; } }
+  .map td:first-child { white-space: normal; min-width: 7.5rem; max-width: 7.5rem; } }
 </style>
 )css";
 
@@ -50,6 +50,13 @@ std::string legend() {
     return html + "</div>\n";
 }
 
+// Narrow pages break a name after its underscores.
+std::string breakable(const std::string& name) {
+    std::string html;
+    for (const char c : name) html += c == '_' ? "_<wbr>" : escape_html({&c, 1});
+    return html;
+}
+
 std::string shown_number(const StabilityCell& cell) {
     if (cell.ao.size.width == 0) return "refused";
     return cell.stiff->answer == Answer::in_range ? "in range" : significant_text(cell.measured, 2);
@@ -67,7 +74,7 @@ std::string heat_map(const std::vector<StabilityCell>& cells) {
         const std::string name = escape_html(cell.stiff->name);
         if (cell.stiff != row) {
             html += "</tr>\n<tr><td title=\"" + escape_html(cell.stiff->question) + "\"><a href=\"#" + name +
-                    "\">" + name + "</a></td>";
+                    "\">" + breakable(cell.stiff->name) + "</a></td>";
         }
         row = cell.stiff;
         const std::string verdict = word_of(cell.verdict);
@@ -78,17 +85,19 @@ std::string heat_map(const std::vector<StabilityCell>& cells) {
 }
 
 std::string measured_text(const StabilityCell& cell) {
-    if (cell.ao.size.width == 0) return "No map. ";
+    if (cell.ao.size.width == 0) return "No map.";
+    const std::string off = significant_text(cell.measured, 3);
+    const bool exact = cell.measured == 0;
     std::string text;
     switch (cell.stiff->answer) {
-        case Answer::open: text = significant_text(cell.measured, 3) + " below 1 on the mean"; break;
-        case Answer::same: text = "differs by up to " + significant_text(cell.measured, 3); break;
-        case Answer::background: text = "up to " + significant_text(cell.measured, 3) + " below 1"; break;
+        case Answer::open: text = exact ? "all open" : off + " below 1 on the mean"; break;
+        case Answer::same: text = exact ? "the same bits" : "differs by up to " + off; break;
+        case Answer::background: text = exact ? "1 everywhere" : "up to " + off + " below 1"; break;
         case Answer::in_range:
         case Answer::refused: text = "a map was made"; break;
     }
     if (cell.stiff->covered) text += "; " + percent_text(cell.covered) + " of the picture covered";
-    return "Measured: " + text + ". ";
+    return "Measured: " + text + ".";
 }
 
 std::string detail(const StabilityCell& cell) {
@@ -99,7 +108,7 @@ std::string detail(const StabilityCell& cell) {
                               std::string(cell.method->name) + ", raw AO");
     html += std::string("<figcaption><b>") + cell.method->name + "</b> <span class=\"" + verdict + "\">" +
             verdict + "</span> " + measured_text(cell);
-    if (!cell.warning.empty()) html += "The program says: " + escape_html(cell.warning) + ".";
+    if (!cell.warning.empty()) html += " The program says: " + escape_html(cell.warning) + ".";
     return html + "<pre>" + escape_html(command_of(cell)) + "</pre></figcaption>\n</figure>\n";
 }
 
