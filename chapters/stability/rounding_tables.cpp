@@ -55,8 +55,8 @@ constexpr const char* kExplanation = R"html(<h2 id="rounding">Rounding against a
 triangle that the pixel shows, and interpolates the vertex normals there. The rasterizer tells it only which triangle that
 is. Then it runs the same text of each method's kernel in double on its own depths and normals. So it sees errors that were
 made before a pass as well as the pass's own. Maps are of the picture's size. Settings, the tables of random numbers and the
-scale of the eye's rays are floats and taken as given. Blurs run in float: they average at most 11 texels at a time, and
-their own roundings stay below 0.000001.</p>
+scale of the eye's rays are floats and taken as given. Blurs run in float, because what they keep from one iteration to the
+next are maps of floats; each adds less than 0.00001 of its own, which the tests hold against references in double.</p>
 <p>An ulp is the step from a float to the next; of accessibility it is 2<sup>-24</sup>. Columns that are named after a cause
 hold 99th percentiles: <i>kernel</i>, the map in float against the same kernel in double, from the same float buffers;
 <i>depth</i> and <i>normal</i>, what the roundings of one buffer change, the kernel in double; <i>all</i>, float from end to
@@ -70,8 +70,8 @@ anything: what is left is the rounding of the result.</li>
 pixels of large triangles are off by many ulps of their own, the more the flatter the plane is seen.</li>
 <li><b>Normals</b> are interpolated between corners that were snapped to 1/256 pixel. A corner that moves takes its normal
 with it: on curved meshes of small triangles this is far more than rounding.</li>
-<li><b>The depth buffer</b> holds numbers close to 1, where a step stands for z<sup>2</sup>/near times as much depth. A method
-that reads it (luna) loses that much; all others read view depth.</li>
+<li><b>The depth buffer</b> holds numbers close to 1, where a step stands for z<sup>2</sup>/near times as much depth. A
+method that reads it (luna) loses that much; all others read view depth.</li>
 <li><b>Kernels</b> subtract points that lie close together: of a difference of the size of the radius they keep ulps of the
 depth, depth/radius times as large a share. This is the cancellation that all screen-space methods have, and why their
 tolerances grow with depth.</li>
