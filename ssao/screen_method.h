@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "ssao/inputs/double_inputs.h"
 #include "ssao/inputs/pixel_fetch.h"
 #include "ssao/judge/seed_limit.h"
 #include "ssao/methods/method.h"
@@ -91,6 +92,10 @@ Method row_of(const ScreenMethod<S>& m, Denoiser denoiser) {
         AoInputs inputs = inputs_of(m, view, s.as<S>(), run);
         AoMap map = m.ao(inputs, s.as<S>(), run);
         return RawAo{std::move(map.ao), std::move(map.tiles), std::move(inputs)};
+    };
+    row.ao_in_double = [m](const AoView& view, const AnySettings& s, const Run& run) {
+        AoInputs inputs = inputs_of(m, view, s.as<S>(), run);
+        return m.ao(in_double(std::move(inputs), view.in_double), s.as<S>(), run).ao;
     };
     row.denoiser = std::move(denoiser);
     if (m.bent_normals != nullptr) {

@@ -15,7 +15,7 @@ namespace crevice {
 enum class StabilityVerdict {
     exact,   // the answer to the last bit; of Answer::in_range: in range
     within,  // within what is stated: kStatedBias
-    warned,  // further off, and the frame says that precision was lost
+    warned,  // further off, and the frame says that precision was lost; or refused in one line
     wrong,   // further off in silence, not finite, or out of [0,1]
 };
 const char* word_of(StabilityVerdict verdict);
@@ -24,7 +24,8 @@ struct StabilityCell {
     const StiffCase* stiff = nullptr;
     const Method* method = nullptr;
     double measured = 0;  // how far the mean is below 1; of Answer::same: the largest difference of a texel
-    std::string warning;  // the first that the frame gave; empty: none
+    double covered = 0;   // share of the picture that shows a surface
+    std::string warning;  // the first that the frame gave, or the line that refused it; empty: none
     StabilityVerdict verdict = StabilityVerdict::exact;
     Picture ao;
 };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "chapters/notebook/table.h"
+#include "chapters/stability/rounding.h"
 #include "chapters/stability/stability.h"
 
 namespace crevice {
@@ -12,6 +13,7 @@ namespace crevice {
 // What draws a cell again.
 std::string command_of(const StabilityCell& cell);
 
-std::string stability_page(const BenchReport& report, const std::vector<StabilityCell>& cells);
+std::string stability_page(const BenchReport& report, const std::vector<StabilityCell>& cells,
+                           const std::vector<CaseRounding>& rounding);
 
 }  // namespace crevice

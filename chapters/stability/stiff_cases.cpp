@@ -25,7 +25,7 @@ struct CaseList {
 std::string number(double value) { return significant_text(value, 4); }
 
 void add_scales(CaseList& list) {
-    for (const int k : {-40, -20, -8, 8, 20, 40}) {
+    for (const int k : {-60, -40, -20, -8, 8, 20, 40, 60}) {
         list.add(k == -40 || k == 20, {"scale_2^" + std::to_string(k),
                                        "all lengths times 2^" + std::to_string(k) + ": the same bits",
                                        Answer::same, [k] { return scaled(corner_view(), k); }, corner_view});
@@ -41,6 +41,16 @@ void add_far_origins(CaseList& list) {
     }
 }
 
+void add_outliers(CaseList& list) {
+    // At 1e7 floats are whole numbers: the block eight times as large has such corners.
+    list.add(false, {"origin_1e+07",
+                     "a larger block and an eye that is no float moved by 10,000,000 units: the same bits",
+                     Answer::same, [] { return moved(scaled(block_view(), 3), 1e7); },
+                     [] { return scaled(block_view(), 3); }});
+    list.add(true, {"far_vertex", "a triangle a million units behind the eye: the same bits as without it",
+                    Answer::same, [] { return far_vertex_view(); }, block_view});
+}
+
 void add_planes(CaseList& list) {
     for (const double degrees : {0.0, 60.0, 80.0, 85.0, 89.0, 89.9, 89.99}) {
         list.add(degrees == 60 || degrees == 89.9,
@@ -51,6 +61,20 @@ void add_planes(CaseList& list) {
         list.add(z == 1e5,
                  {"far_plane_" + number(z), "a plane at " + number(z) + " units through a narrow lens",
                   Answer::open, [z] { return far_plane_view(z); }});
+    }
+    for (const char* format : {"d16", "d24", "d32f", "d32f_reversed"}) {
+        list.add(format == std::string("d32f"),
+                 {std::string("ground_") + format,
+                  std::string("a ground from behind the eye to the horizon, near 1e-4, far 4e5, depths in ") +
+                      format,
+                  Answer::open,
+                  [format] {
+                      StiffView view = ground_view();
+                      view.params = {std::string("depth_format=") + format};
+                      return view;
+                  },
+                  {},
+                  0.5});
     }
     list.add(true, {"micro_triangles", "a plane of triangles smaller than a pixel", Answer::open,
                     [] { return tessellated_plane_view(400); }});
@@ -104,12 +128,20 @@ void add_settings(CaseList& list) {
                       return view;
                   }});
     }
-    for (const char* words : {"exponent=0", "exponent=64", "blur_iterations=64"}) {
+    for (const char* words : {"exponent=0", "exponent=64", "blur_iterations=64", "seed=4294967295"}) {
         list.add(false, {words, std::string("a parameter at its end, ") + words, Answer::in_range, [words] {
                              StiffView view = block_view();
                              view.params = {words};
                              return view;
                          }});
+    }
+    for (const char* words : {"samples=0", "radius=-1", "exponent=65"}) {
+        list.add(words == std::string("samples=0"),
+                 {words, std::string("a parameter beyond its end, ") + words, Answer::refused, [words] {
+                      StiffView view = block_view();
+                      view.params = {words};
+                      return view;
+                  }});
     }
     for (const Size size : {Size{1, 1}, Size{1, 33}, Size{33, 1}, Size{5, 3}, Size{97, 65}}) {
         list.add(size.width == 5,
@@ -124,6 +156,7 @@ void add_settings(CaseList& list) {
 void add_meshes(CaseList& list) {
     list.add(true, {"singular", "an instance flattened to nothing", Answer::background,
                     [] { return singular_view(); }});
+    list.add(true, {"behind", "everything behind the eye", Answer::background, [] { return behind_view(); }});
     list.add(true, {"inside", "the eye inside a closed mesh whose back is not drawn", Answer::background,
                     [] { return inside_view(); }});
     list.add(false,
@@ -139,12 +172,45 @@ void add_meshes(CaseList& list) {
                      [] { return intersecting_view(); }});
 }
 
+// Those of the words that the method knows; the others ask for nothing that it has.
+std::vector<std::string> known_words(const Method& method, const std::vector<std::string>& words) {
+    std::vector<std::string> known;
+    for (const std::string& word : words) {
+        const std::string name = word.substr(0, word.find('='));
+        for (const Parameter<FrameSettings>& parameter : frame_parameters(method)) {
+            if (parameter.name == name) known.push_back(word);
+        }
+    }
+    return known;
+}
+
 }  // namespace
+
+FrameSettings settings_of(const StiffView& view, const Method& method) {
+    return settings_of(method, known_words(method, view.params), view.scene.length_unit);
+}
+
+std::string stated_answer(const StiffCase& stiff) {
+    std::string answer;
+    switch (stiff.answer) {
+        case Answer::open:
+            answer = "every surface is open: mean accessibility 1, and within " + number(kStatedBias) +
+                     " of it for what filtered depths and tilted planes cost";
+            break;
+        case Answer::same: answer = "the map of the other view, to the last bit"; break;
+        case Answer::background: answer = "nothing is seen: 1 everywhere, to the last bit"; break;
+        case Answer::in_range: answer = "no closed form: every value a number in [0,1]"; break;
+        case Answer::refused: answer = "no map: the parameter is named and refused"; break;
+    }
+    if (stiff.covered) answer += "; surfaces cover " + percent_text(*stiff.covered) + " of the picture";
+    return answer;
+}
 
 std::vector<StiffCase> stiff_cases(bool quick) {
     CaseList list{quick};
     add_scales(list);
     add_far_origins(list);
+    add_outliers(list);
     add_planes(list);
     add_depths(list);
     add_settings(list);

@@ -170,6 +170,29 @@ StiffView intersecting_view() {
     return view;
 }
 
+StiffView ground_view() {
+    constexpr float s = 1e4f;
+    StiffView view{scene_of_meshes({quad({glm::vec3(-s, 0, s), {s, 0, s}, {s, 0, -s}, {-s, 0, -s}})}),
+                   camera_at({0, 1, 0}, {0, 1, 5})};
+    view.camera.near_plane = 1e-4;
+    view.camera.far_plane = 4e5;
+    return view;
+}
+
+StiffView behind_view() {
+    StiffView view = block_view();
+    view.camera.target = view.camera.eye + glm::dvec3(0, 7, -10);  // over the floor
+    return view;
+}
+
+StiffView far_vertex_view() {
+    StiffView view = block_view();
+    view.scene.meshes.push_back(
+        quad({glm::vec3(0, 0, -1e6f), {1, 0, -1e6f}, {1, -1, -1e6f}, {0, -1, -1e6f}}));
+    view.scene.instances.push_back({3});
+    return view;
+}
+
 StiffView scaled(StiffView view, int k) {
     const float factor = std::ldexp(1.0f, k);
     for (Mesh& mesh : view.scene.meshes) {

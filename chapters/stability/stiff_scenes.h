@@ -21,6 +21,12 @@ StiffView singular_view();
 StiffView inside_view();
 StiffView on_surface_view();
 StiffView intersecting_view();
+// A ground of 20,000 units below the eye that fills the lower half of the picture and reaches behind the eye.
+StiffView ground_view();
+// The block with its eye turned away.
+StiffView behind_view();
+// The block, and behind the eye a triangle a million units away.
+StiffView far_vertex_view();
 
 // All lengths times 2^k, the unit of lengths with them.
 StiffView scaled(StiffView view, int k);

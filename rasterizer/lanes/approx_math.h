@@ -8,6 +8,18 @@ namespace crevice {
 
 inline constexpr double kPi = 3.14159265358979323846;
 
+// In double, whose exponent is that of the nearest float; kernels in double stay within the range of floats.
+CREVICE_INLINE std::int32_t float_bits(double a) { return float_bits(static_cast<float>(a)); }
+// a / 2^exponent, for the bits of a.
+template <class F>
+CREVICE_INLINE F over_power_of_two(F a, Int<F> bits, Int<F> exponent) {
+    if constexpr (std::is_same_v<F, double>) {
+        return a * to_double(float_from_bits((127 - exponent) << 23));
+    } else {
+        return float_from_bits(bits - (exponent << 23));
+    }
+}
+
 // log2(a) for normal a > 0; absolute error below 2e-7 for a in [1/2, 2], else relative error below 2e-7.
 // log2(1) is 0. a is split into m * 2^e with m in [sqrt(1/2), sqrt(2)); log2(m) is the odd series of
 // atanh((m-1)/(m+1)).
@@ -16,7 +28,7 @@ CREVICE_INLINE F log2_of(F a) {
     const Int<F> bits = float_bits(a);
     const Int<F> sqrt_half_bits(0x3f3504f3);
     const Int<F> exponent = (bits - sqrt_half_bits) >> 23;
-    const F m = float_from_bits(bits - (exponent << 23));
+    const F m = over_power_of_two(a, bits, exponent);
     const F t = (m - F(1)) / (m + F(1));
     const F t2 = t * t;
     F series = F(2.885390082f / 11);

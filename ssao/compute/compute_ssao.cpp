@@ -53,12 +53,13 @@ struct GroupDepths {
         return select(inside, row * Int<G>(columns.count()) + column, Int<G>(-1) - in_map);
     }
 
-    template <class I>
-    CREVICE_INLINE Square<F> square_at(I index) const {
+    template <class G>
+    CREVICE_INLINE Square<F> square_at(Int<G> index) const {
+        using I = Int<G>;
         const auto stray = index < I(0);
         const Square<F> kept = gather_square(memory, columns.count(), select(stray, I(0), index));
         if (!any(stray)) return kept;
-        const Square<F> read = WholeDepthMap{map}.square_at(select(stray, I(-1) - index, I(0)));
+        const Square<F> read = WholeDepthMap{map}.square_at<F>(select(stray, I(-1) - index, I(0)));
         return {select(stray, read.upper_left, kept.upper_left),
                 select(stray, read.upper_right, kept.upper_right),
                 select(stray, read.lower_left, kept.lower_left),

@@ -10,9 +10,13 @@
 //         EdgeTexels::mixed does as they do.
 #pragma once
 
+#include <memory>
+#include <type_traits>
+
 #include "rasterizer/draw/normal_depth.h"
 #include "rasterizer/scene/camera.h"
 #include "rasterizer/spaces.h"
+#include "ssao/inputs/double_buffers.h"
 
 namespace crevice {
 
@@ -70,12 +74,45 @@ struct AoInputs {
     float depth_a = 0, depth_b = 0;         // CameraMatrices, to turn ndc depth into view depth
     ViewRays rays{glm::vec2(1), {}, true};  // of the picture
     float near_plane = 0;                   // scene units
+    // Null in every frame. With it kernels run in double, and read these numbers (double_inputs.h).
+    std::shared_ptr<const DoubleInputs> in_double = nullptr;
+
     Size size() const { return view_depth.size; }
 
     template <class F>
     CREVICE_INLINE F view_from_ndc(F ndc) const {
-        const F a = F(depth_a), b = F(depth_b);
+        F a = F(depth_a), b = F(depth_b);
+        if constexpr (std::is_same_v<F, double>) {
+            if (in_double) a = in_double->depth_a, b = in_double->depth_b;
+        }
         return rays.perspective ? b / (ndc - a) : (ndc - a) / b;
+    }
+
+    // What kernels read of the texels from (x, y) on.
+    template <class F>
+    CREVICE_INLINE F texel_depth(int x, int y) const {
+        if constexpr (std::is_same_v<F, double>) {
+            if (in_double) return in_double->view_depth.at(x, y);
+        }
+        return load<F>(view_depth.row(y) + x);
+    }
+    template <class F>
+    CREVICE_INLINE Vec3<F> texel_normal(int x, int y) const {
+        if constexpr (std::is_same_v<F, double>) {
+            if (in_double) {
+                const auto& n = in_double->normal;
+                return {n[0].at(x, y), n[1].at(x, y), n[2].at(x, y)};
+            }
+        }
+        return {load<F>(normal.x.row(y) + x), load<F>(normal.y.row(y) + x), load<F>(normal.z.row(y) + x)};
+    }
+    // And of the depth map, by the index into its pixels.
+    template <class F>
+    CREVICE_INLINE F mapped_depth(Int<F> index) const {
+        if constexpr (std::is_same_v<F, double>) {
+            if (in_double) return in_double->depth_map.pixels[static_cast<std::size_t>(index)];
+        }
+        return F(gather(depth_map.pixels.data(), index));
     }
 };
 

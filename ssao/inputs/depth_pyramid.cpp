@@ -15,6 +15,11 @@ DepthPyramid::DepthPyramid(const AoInputs& inputs, int top, const Run& run) : si
         count += stride_[index(level)] * size(level).height;
     }
     depths_.resize(static_cast<std::size_t>(count));
+    if (inputs.in_double) {
+        in_double_ = Image<double>(size_);
+        for (int y = 0; y < size_.height; ++y)
+            std::copy_n(inputs.in_double->depth_map.row(y + 1) + 1, size_.width, in_double_.row(y));
+    }
     for (int level = 0; level <= top_; ++level) {
         const int width = size(level).width;
         parallel_rows(size(level).height, run, [&](int first_row, int end_row) {

@@ -49,11 +49,14 @@ class DepthPyramid {
                 per_px = float_from_bits((Int<F>(127) - level) << 23);
         const Int<F> x = cell_of(position.x, width, per_px), y = cell_of(position.y, height, per_px);
         const Int<F> first(gather(first_.data(), level)), stride(gather(stride_.data(), level));
-        const F depth = F(gather(depths_.data(), first + y * stride + x));
         const F own(gather(kOwnBits.data(), level)), other(gather(kOtherBits.data(), level));
         const F odd_x = F(to_float(x & Int<F>(1))), odd_y = F(to_float(y & Int<F>(1)));
         const F picked_x = F(to_float(x)) * cell_px + other * (F(1) - odd_y) + own * odd_x,
                 picked_y = F(to_float(y)) * cell_px + other * (F(1) - odd_x) + own * odd_y;
+        F depth = F(gather(depths_.data(), first + y * stride + x));
+        if constexpr (std::is_same_v<F, double>) {
+            if (!in_double_.empty()) depth = in_double_.at(to_int(picked_x), to_int(picked_y));
+        }
         return {depth, {picked_x + F(0.5f), picked_y + F(0.5f)}, inside};
     }
 
@@ -76,6 +79,7 @@ class DepthPyramid {
     int top_ = 0;
     std::array<std::int32_t, kPyramidLevels> first_{}, stride_{};
     std::vector<float, CacheLineAllocator<float>> depths_;
+    Image<double> in_double_;  // the picture's, where the inputs have it (AoInputs::in_double)
 };
 
 // As fetch_pixel() does it for the picture itself, of a level in [0, top()]: the pixel that the level picked near a

@@ -23,7 +23,7 @@ CREVICE_INLINE FetchedPixel<F> fetch_pixel(const AoInputs& inputs, Screen2<F> po
     const Image<float>& map = inputs.depth_map;
     const Int<F> index = row * Int<F>(map.stride) + column + Int<F>(map.stride + 1);
     const Screen2<F> at = {F(to_float(column)) + F(0.5f), F(to_float(row)) + F(0.5f)};
-    return {at, inputs.rays.p_view(at.x / width, at.y / height, F(gather(map.pixels.data(), index)))};
+    return {at, inputs.rays.p_view(at.x / width, at.y / height, inputs.mapped_depth<F>(index))};
 }
 
 // How the methods that step across the screen read the G-buffer: each texel its own pixel's normal, depths in scene units.

@@ -40,16 +40,15 @@ CREVICE_INLINE Vec3<F> towards_eye(const TexelPoint<F>& texel) {
 template <class F>
 CREVICE_INLINE TexelPoint<F> texel_point(const AoInputs& inputs, int x, int y) {
     const Size size = inputs.size(), picture = inputs.picture;
-    const F z = load<F>(inputs.view_depth.row(y) + x);
+    const F z = inputs.texel_depth<F>(x, y);
     const Mask<F> surface = z < F(std::numeric_limits<float>::infinity());
     const F u = (F(to_float(lane_index<F>() + Int<F>(x))) + F(0.5f)) / F(static_cast<float>(size.width));
-    const F v = F((static_cast<float>(y) + 0.5f) / static_cast<float>(size.height));
+    const F v = (F(static_cast<float>(y)) + F(0.5f)) / F(static_cast<float>(size.height));
     return {x,
             y,
             {u * F(static_cast<float>(picture.width)), v * F(static_cast<float>(picture.height))},
             inputs.rays.p_view(u, v, select(surface, z, F(1))),
-            {load<F>(inputs.normal.x.row(y) + x), load<F>(inputs.normal.y.row(y) + x),
-             load<F>(inputs.normal.z.row(y) + x)},
+            inputs.texel_normal<F>(x, y),
             surface};
 }
 
@@ -84,23 +83,29 @@ struct NoWitness {
 // Which tiles show a surface at all; tiles that `run` keeps are done.
 TileMap surface_tiles(const AoInputs& inputs, const Run& run);
 
-// The map of a kernel; 1 where there is no surface.
+// The map of a kernel; 1 where there is no surface. With AoInputs::in_double the kernel runs in double, and the map is
+// rounded at the end: what it would be without rounding errors.
 template <class Kernel, class Settings>
 AoMap each_texel(const Kernel& kernel, const Settings& settings, const Run& run) {
     const AoInputs& inputs = kernel.inputs;
     AoMap map{Image<float>(inputs.size(), 1.0f), surface_tiles(inputs, run)};
     parallel_rows(map.ao.size.height, run, [&](int first_row, int end_row) {
-        run_kernel(run, [&]<class F>(Lanes<F>) {
+        const auto rows = [&]<class F>(Lanes<F>) {
             for (int y = first_row; y < end_row; ++y) {
                 for (int x = 0; x < map.ao.size.width; x += kLanes<F>) {
                     if (map.tiles.tiles.at(x / kTexelTile, y / kTexelTile) != TileWork::done) continue;
                     const TexelPoint<F> at = texel_point<F>(inputs, x, y);
                     if (run.leaves_out(Skip::background_pixels) && !any(at.surface)) continue;
                     const F value = Kernel::value(settings, kernel.taken(at, NoWitness{}));
-                    store(map.ao.row(y) + x, select(at.surface, value, F(1)));
+                    store(map.ao.row(y) + x, to_float(select(at.surface, value, F(1))));
                 }
             }
-        });
+        };
+        if (inputs.in_double) {
+            rows(Lanes<double>{});
+        } else {
+            run_kernel(run, rows);
+        }
     });
     return map;
 }

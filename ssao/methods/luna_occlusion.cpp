@@ -84,13 +84,9 @@ Image<float> luna_occlusion_in_double(const AoInputs& inputs, const LunaSettings
     parallel_rows(ao.size.height, run, [&](int first_row, int end_row) {
         for (int y = first_row; y < end_row; ++y) {
             for (int x = 0; x < ao.size.width; ++x) {
-                const double z = inputs.view_depth.at(x, y);
-                if (!(z < std::numeric_limits<double>::infinity())) continue;
-                const double u = (x + 0.5) / ao.size.width, v = (y + 0.5) / ao.size.height;
-                const Vec3<double> n = {inputs.normal.x.at(x, y), inputs.normal.y.at(x, y),
-                                        inputs.normal.z.at(x, y)};
-                const Vec3<double> p = inputs.rays.p_view(u, v, z);
-                const double access = kernel.accessibility(p, n, kernel.random_vector(map, u, v));
+                const LunaPoint<double> at = kernel.point_at<double>(map, x, y);
+                if (!at.surface) continue;
+                const double access = kernel.accessibility(at.p, at.n, at.random);
                 const double contrast =
                     std::pow(std::max(access, 0.0), static_cast<double>(settings.exponent));
                 ao.at(x, y) = stored_as(static_cast<float>(std::min(contrast, 1.0)), settings.format);

@@ -17,7 +17,7 @@
 #include <limits>
 
 #include "rasterizer/lanes/approx_math.h"
-#include "rasterizer/lanes/wide_pairs.h"
+#include "ssao/inputs/map_squares.h"
 #include "ssao/inputs/random_vectors.h"
 #include "ssao/methods/ao_map.h"
 #include "ssao/methods/luna_settings.h"
@@ -32,30 +32,6 @@ AoMap luna_occlusion(const AoInputs& inputs, const LunaSettings& settings, const
 Image<float> luna_occlusion_in_double(const AoInputs& inputs, const LunaSettings& settings, const Run& run);
 
 // ---- the kernel, for one texel or eight
-
-// A position between four pixels of the depth map.
-template <class F>
-struct MapCell {
-    Int<F> upper_left;  // what the depth source calls that pixel
-    F x, y;             // [0,1] from the upper left one to the right and to the lower one
-};
-
-// Where a kernel reads depths: from the map itself. compute_ssao.cpp has another source, which keeps a part
-// of the map at hand; both hold the same values.
-struct WholeDepthMap {
-    const Image<float>& map;  // AoInputs::depth_map
-
-    // The index into Image::pixels of pixel (x, y) of the picture; -1 is the border.
-    template <class F>
-    CREVICE_INLINE Int<F> index_of(Int<F> x, Int<F> y) const {
-        return y * Int<F>(map.stride) + x + Int<F>(map.stride + 1);
-    }
-    // That pixel, its right and its lower neighbours.
-    template <class I>
-    CREVICE_INLINE auto square_at(I upper_left) const {
-        return gather_square(map.pixels.data(), map.stride, upper_left);
-    }
-};
 
 // What the samples of a texel lie around.
 template <class F>
@@ -99,10 +75,14 @@ struct LunaKernel {
         return position - F(to_float(whole)) * count;
     }
 
+    CREVICE_INLINE WholeDepthMap whole_map() const {
+        return {inputs.depth_map, inputs.in_double ? &inputs.in_double->depth_map : nullptr};
+    }
+
     // View depth that the depth map shows there, filtered linearly.
     template <class F, class Depths>
     CREVICE_INLINE F depth_in(const MapCell<F>& cell, const Depths& depths) const {
-        const auto pixels = depths.square_at(cell.upper_left);
+        const auto pixels = depths.template square_at<F>(cell.upper_left);
         const F top = mix(F(pixels.upper_left), F(pixels.upper_right), cell.x);
         const F bottom = mix(F(pixels.lower_left), F(pixels.lower_right), cell.x);
         const F depth = mix(top, bottom, cell.y);
@@ -110,7 +90,7 @@ struct LunaKernel {
     }
     template <class F>
     CREVICE_INLINE F depth_at(Screen2<F> p_screen) const {
-        const WholeDepthMap depths{inputs.depth_map};
+        const WholeDepthMap depths = whole_map();
         return depth_in(cell_at(p_screen, depths), depths);
     }
 
@@ -178,7 +158,7 @@ struct LunaKernel {
     // 1 - the mean of all samples, before the exponent.
     template <class F>
     CREVICE_INLINE F accessibility(Vec3<F> p, Vec3<F> n, Vec3<F> random) const {
-        const WholeDepthMap depths{inputs.depth_map};
+        const WholeDepthMap depths = whole_map();
         return accessibility_from(p, n, random, depths);
     }
 
@@ -235,13 +215,12 @@ struct LunaKernel {
     template <class F>
     CREVICE_INLINE LunaPoint<F> point_at(const RandomMap& map, int x, int y) const {
         const Size size = inputs.size();
-        const F z = load<F>(inputs.view_depth.row(y) + x);
+        const F z = inputs.texel_depth<F>(x, y);
         const auto surface = z < F(std::numeric_limits<float>::infinity());
         const F u = (F(to_float(lane_index<F>() + Int<F>(x))) + F(0.5f)) / F(static_cast<float>(size.width));
-        const F v = F((static_cast<float>(y) + 0.5f) / static_cast<float>(size.height));
-        const Vec3<F> n = {load<F>(inputs.normal.x.row(y) + x), load<F>(inputs.normal.y.row(y) + x),
-                           load<F>(inputs.normal.z.row(y) + x)};
-        const Vec3<F> p = inputs.rays.p_view(u, v, select(surface, z, F(1)));
+        const F v = (F(static_cast<float>(y)) + F(0.5f)) / F(static_cast<float>(size.height));
+        const Vec3<F> n = inputs.texel_normal<F>(x, y),
+                      p = inputs.rays.p_view(u, v, select(surface, z, F(1)));
         return {p, n, random_vector(map, u, v), surface};
     }
 

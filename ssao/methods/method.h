@@ -32,6 +32,8 @@ struct AoView {
     const RayScene* rays = nullptr;  // for methods that cast rays: the scene, its origin the eye
     const VertexAo* baked =
         nullptr;  // for methods that bake: what bake() made of it; null: they make it themselves
+    // For ao_in_double(): what the pixels show; null: what the G-buffer's floats say.
+    const DoubleGBuffer* in_double = nullptr;
 };
 
 // The settings of one method or one denoiser, by value. Which struct that is only its own functions know;
@@ -115,7 +117,8 @@ struct Method {
     // size. Empty: the method knows none.
     std::function<Image3(const AoInputs&, const AnySettings&, const Run&)> bent_normals;
 
-    // The same kernel in double: the map without its rounding errors. Empty: not known.
+    // The same kernel in double: the map without its rounding errors. With AoView::in_double without those of the
+    // buffers, too, and at full size only. Empty: not known.
     std::function<Image<float>(const AoView&, const AnySettings&, const Run&)> ao_in_double;
     // What the raw map tends to with ever more samples; `on_progress` is called with numbers of seeds. Throws
     // UsageError for too few seeds.

@@ -21,7 +21,7 @@ int picked(std::uint32_t seed, std::uint32_t axis, int cell) {
 Image<float> open_of(const DepthGrid& grid, const DepthGrid& map, const MsvoBall& ball, const Run& run) {
     Image<float> open(grid.size(), 1.0f);
     parallel_rows(grid.size().height, run, [&](int first_row, int end_row) {
-        run_kernel(run, [&]<class F>(Lanes<F>) {
+        const auto rows = [&]<class F>(Lanes<F>) {
             for (int row = first_row; row < end_row; ++row) {
                 for (int column = 0; column < grid.size().width; column += kLanes<F>) {
                     const Int<F> x = lane_index<F>() + Int<F>(column), y(row);
@@ -31,10 +31,15 @@ Image<float> open_of(const DepthGrid& grid, const DepthGrid& map, const MsvoBall
                     for (const auto& pair :
                          ball.pairs<F>(map, grid.texel_x(x), grid.texel_y(y), select(surface, z, F(1))))
                         sum = sum + pair.taken;
-                    store(open.row(row) + column, select(surface, saturate(F(1) - sum), F(1)));
+                    store(open.row(row) + column, to_float(select(surface, saturate(F(1) - sum), F(1))));
                 }
             }
-        });
+        };
+        if (grid.in_double()) {
+            rows(Lanes<double>{});
+        } else {
+            run_kernel(run, rows);
+        }
     });
     return open;
 }
@@ -53,6 +58,12 @@ DepthGrid::DepthGrid(const AoInputs& inputs, int number, std::uint32_t seed, con
             for (int x = 0; x < size().width; ++x) depth_.at(x, y) = row[texel_x(x)];
         }
     });
+    if (!inputs.in_double) return;
+    in_double_ = Image<double>(size());
+    for (int y = 0; y < size().height; ++y) {
+        for (int x = 0; x < size().width; ++x)
+            in_double_.at(x, y) = inputs.in_double->view_depth.at(texel_x(x), texel_y(y));
+    }
 }
 
 MsvoBall::MsvoBall(const AoInputs& inputs, const MsvoSettings& settings, int number)
@@ -66,33 +77,44 @@ MsvoBall::MsvoBall(const AoInputs& inputs, const MsvoSettings& settings, int num
     spacing = radius / kBallRadius * pixels_per_unit(inputs) * inputs.fetch.scale;
 }
 
-Image<float> upsampled(const Image<float>& open, const DepthGrid& coarse, const DepthGrid& fine,
-                       const Run& run) {
+namespace {
+
+// Texel (x, y) of the finer grid, at view depth z.
+template <class F>
+CREVICE_INLINE F upsampled_texel(const Image<float>& open, const DepthGrid& coarse, int x, int y, F z) {
     // By how much depths may differ, over p's, for a texel to count half; and the weight of an open texel that
     // is always among them (Unity's noise filter at 0), which decides where all four are background.
-    constexpr float kLikeDepth = 0.01f, kAlwaysOpen = 1;
+    const F like_depth(0.01f), always_open(1);
+    const int row = y / 2, next_row = std::clamp(row + (y % 2 == 0 ? -1 : 1), 0, open.size.height - 1);
+    const int column = x / 2,
+              next_column = std::clamp(column + (x % 2 == 0 ? -1 : 1), 0, open.size.width - 1);
+    F sum = always_open, total = always_open;
+    const auto add = [&](int i, int j, float nearness) __attribute__((always_inline)) {
+        const F weight = F(nearness) / (absolute(coarse.within<F>(i, j) - z) / z + like_depth);
+        sum = sum + weight * F(open.at(i, j));
+        total = total + weight;
+    };
+    add(column, row, 9);
+    add(next_column, row, 3);
+    add(column, next_row, 3);
+    add(next_column, next_row, 1);
+    return saturate(sum / total);
+}
+
+}  // namespace
+
+Image<float> upsampled(const Image<float>& open, const DepthGrid& coarse, const DepthGrid& fine,
+                       const Run& run) {
     const Size size = fine.size();
     Image<float> result(size, 1.0f);
     parallel_rows(size.height, run, [&](int first_row, int end_row) {
         for (int y = first_row; y < end_row; ++y) {
-            const int row = y / 2,
-                      next_row = std::clamp(row + (y % 2 == 0 ? -1 : 1), 0, open.size.height - 1);
             for (int x = 0; x < size.width; ++x) {
-                const float z = fine.at(x, y);
-                if (!(z < kNoSurface)) continue;
-                const int column = x / 2,
-                          next_column = std::clamp(column + (x % 2 == 0 ? -1 : 1), 0, open.size.width - 1);
-                float sum = kAlwaysOpen, total = kAlwaysOpen;
-                const auto add = [&](int i, int j, float nearness) {
-                    const float weight = nearness / (absolute(coarse.at(i, j) - z) / z + kLikeDepth);
-                    sum = sum + weight * open.at(i, j);
-                    total = total + weight;
-                };
-                add(column, row, 9);
-                add(next_column, row, 3);
-                add(column, next_row, 3);
-                add(next_column, next_row, 1);
-                result.at(x, y) = saturate(sum / total);
+                if (!(fine.at(x, y) < kNoSurface)) continue;
+                result.at(x, y) =
+                    fine.in_double()
+                        ? to_float(upsampled_texel(open, coarse, x, y, fine.within<double>(x, y)))
+                        : upsampled_texel(open, coarse, x, y, fine.at(x, y));
             }
         }
     });

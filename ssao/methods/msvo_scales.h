@@ -32,6 +32,16 @@ class DepthGrid {
         return min_of(I(cell_) * y + I(lower_), I(map_.height - 1));
     }
     float at(int x, int y) const { return depth_.at(x, y); }
+    // With AoInputs::in_double also as doubles, for kernels that run in double.
+    bool in_double() const { return !in_double_.empty(); }
+    // The same without a look beyond the grid.
+    template <class F>
+    CREVICE_INLINE F within(int x, int y) const {
+        if constexpr (std::is_same_v<F, double>) {
+            if (in_double()) return in_double_.at(x, y);
+        }
+        return depth_.at(x, y);
+    }
     template <class F>
     CREVICE_INLINE Mask<F> holds(Int<F> x, Int<F> y) const {
         return (x >= Int<F>(0)) & (x < Int<F>(size().width)) & (y >= Int<F>(0)) & (y < Int<F>(size().height));
@@ -41,7 +51,11 @@ class DepthGrid {
     CREVICE_INLINE F at(Int<F> x, Int<F> y) const {
         const Int<F> column = clamp_int(x, Int<F>(0), Int<F>(size().width - 1)),
                      row = clamp_int(y, Int<F>(0), Int<F>(size().height - 1));
-        return F(gather(depth_.pixels.data(), row * Int<F>(depth_.stride) + column));
+        if constexpr (std::is_same_v<F, double>) {
+            return within<F>(column, row);
+        } else {
+            return F(gather(depth_.pixels.data(), row * Int<F>(depth_.stride) + column));
+        }
     }
 
  private:
@@ -49,6 +63,7 @@ class DepthGrid {
     int cell_, right_,
         lower_;  // texels of the map; the last two from a cell's upper left one to that which is kept
     Image<float> depth_;
+    Image<double> in_double_;
 };
 
 // One of a pair of taps, in spacings; the other lies opposite.
@@ -136,7 +151,8 @@ struct MsvoBall {
     }
 };
 
-// What the coarser scales leave open of each texel of the map, the finest of them first.
+// What the coarser scales leave open of each texel of the map, the finest of them first. Kernels in double round what a
+// grid's balls leave open, and each upsampling of it, to float: between scales a map is a buffer.
 std::vector<Image<float>> coarser_scales(const AoInputs& inputs, const MsvoSettings& settings,
                                          const Run& run);
 

@@ -2,6 +2,7 @@
 #include "ssao/rows/rows.h"
 
 #include "ssao/blur/bilateral_denoiser.h"
+#include "ssao/inputs/double_inputs.h"
 #include "ssao/judge/luna_limit.h"
 #include "ssao/methods/luna_explain.h"
 #include "ssao/methods/luna_parameters.h"
@@ -35,8 +36,8 @@ Method tutorial_method(const LunaSettings& defaults, const BlurSettings& blur,
     };
     row.denoiser = bilateral_denoiser(blur);
     row.ao_in_double = [fetch](const AoView& view, const AnySettings& s, const Run& run) {
-        return luna_occlusion_in_double(ao_inputs(view.gbuffer, view.camera, fetch(luna(s)), run), luna(s),
-                                        run);
+        const AoInputs inputs = ao_inputs(view.gbuffer, view.camera, fetch(luna(s)), run);
+        return luna_occlusion_in_double(in_double(inputs, view.in_double), luna(s), run);
     };
     row.limit = [fetch](const AoView& view, const AnySettings& s, int seeds, const Run& run,
                         const std::function<void(long long)>& on_progress) {

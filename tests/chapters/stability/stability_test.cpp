@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
+#include "chapters/stability/rounding.h"
 #include "chapters/stability/stiff_scenes.h"
 #include "tests/tools/crevice_says.h"
 #include "tests/tools/scratch_directory.h"
@@ -39,6 +40,25 @@ TEST_CASE("stability: answers that do not hold come out as wrong, or warned wher
           StabilityVerdict::warned);
 }
 
+TEST_CASE("stability: refusals where they are stated, and surfaces where they must be") {
+    const auto with_samples = [](const char* words) {
+        StiffView view = block_view();
+        view.params = {words};
+        return view;
+    };
+    const auto none = [&] { return with_samples("samples=0"); };
+    const auto one = [&] { return with_samples("samples=1"); };
+    CHECK(verdict_on({"none", "no samples", Answer::refused, none}) == StabilityVerdict::exact);
+    CHECK(verdict_on({"one", "a sample is no error", Answer::refused, one}) == StabilityVerdict::wrong);
+    CHECK(verdict_on({"line", "refused, where a map is asked for", Answer::in_range, none}) ==
+          StabilityVerdict::warned);
+    const auto plane = [] { return tilted_plane_view(0); };
+    CHECK(verdict_on({"full", "a plane fills the picture", Answer::open, plane, {}, 1.0}, "vbao") ==
+          StabilityVerdict::exact);
+    CHECK(verdict_on({"half", "it does not fill half of it", Answer::open, plane, {}, 0.5}, "vbao") ==
+          StabilityVerdict::wrong);
+}
+
 TEST_CASE("stability: case names are unique words, and a quick run has some of each answer") {
     std::set<std::string> names;
     for (const StiffCase& stiff : stiff_cases(false)) {
@@ -53,7 +73,7 @@ TEST_CASE("stability: case names are unique words, and a quick run has some of e
         CHECK(names.count(stiff.name) == 1);
         answers.insert(stiff.answer);
     }
-    CHECK(answers.size() == 4);
+    CHECK(answers.size() == 5);
 }
 
 TEST_CASE("stability --quick: no method is wrong in silence, and each cell has its picture and command") {
@@ -71,7 +91,14 @@ TEST_CASE("stability --quick: no method is wrong in silence, and each cell has i
     for (const nlohmann::json& row : report["tables"]["stability"]) {
         CHECK(row["verdict"] != "wrong");
         CHECK(page.find(row["command"].get<std::string>()) != std::string::npos);
+        const std::string anchor = row["method"].get<std::string>() + "-" + row["case"].get<std::string>();
+        CHECK(page.find("href=\"#" + anchor + "\"") != std::string::npos);
+        CHECK(page.find("id=\"" + anchor + "\"") != std::string::npos);
+        CHECK(!row["answer"].get<std::string>().empty());
     }
+    CHECK(report["tables"]["rounding_methods"].size() ==
+          methods * rounding_cases(true).size() * std::size(kRoundingCauses));
+    CHECK(page.find("id=\"rounding\"") != std::string::npos);
     CHECK(crevice_says("stability --case no_such_case").code == 2);
     CHECK(crevice_says("stability --ao no_such_method").code == 2);
 }
