@@ -63,12 +63,16 @@ RenderOptions options_of(const RenderWords& words) {
     if (words.scene.empty() && preset == nullptr)
         throw UsageError(
             "crevice render: neither SCENE nor --preset; give one, such as crevice render columns");
-    if (preset != nullptr && !(words.scene.empty() && words.ao.empty()))
-        throw UsageError("--preset: names its own scene and method; leave SCENE and --ao away");
+    if (preset != nullptr && !words.scene.empty())
+        throw UsageError("--preset: names its own scene (" + std::string(preset->scene) +
+                         "); leave SCENE away");
     RenderOptions options;
     options.scene = preset != nullptr ? preset->scene : words.scene;
     options.camera = words.camera;
-    options.params = words.params;
+    const std::string method = !words.ao.empty() ? words.ao : preset != nullptr ? preset->method : "xjun";
+    // A preset's parameters are those of its own method.
+    if (preset != nullptr && method == preset->method) options.params = preset->words;
+    options.params.insert(options.params.end(), words.params.begin(), words.params.end());
     options.time_s = parse_number("--time", words.time);
     options.inset = words.inset;
     options.outside_files = words.outside_files;
@@ -76,9 +80,7 @@ RenderOptions options_of(const RenderWords& words) {
     FrameRequest& request = options.request;
     request.run = run_of(words.run);
     request.size = parse_size("--size", words.size);
-    request.method = named_as({{"method", "--ao"}}, [&] {
-        return &find_method(preset != nullptr ? preset->method : words.ao.empty() ? "xjun" : words.ao);
-    });
+    request.method = named_as({{"method", "--ao"}}, [&] { return &find_method(method); });
     if (!words.ao_scale.empty()) {
         const auto scale = static_cast<float>(parse_number("--ao-scale", words.ao_scale));
         named_as({{"ao_scale", "--ao-scale"}}, [&] { ao_map_size(request.size, scale); });
@@ -110,7 +112,9 @@ Command add_render_command(CommandLine& program) {
     CommandLine render = program.subcommand(
         "render", "Draw a scene and write every buffer as NAME.npy and NAME.png, with passes.json");
     render.option("SCENE", words->scene, kSceneMeaning);
-    render.option("--preset", words->preset, "instead of SCENE and --ao: xjun2020, xjun2022 or luna");
+    render.option("--preset", words->preset,
+                  "a tutorial's scene, method and parameters: xjun2020, xjun2022, luna or learnopengl; with "
+                  "_published behind it, its traps, too");
     render.option("--size", words->size, "size of the picture in pixels, WxH");
     add_camera_flags(render, words->camera);
     render.option("--ao", words->ao, "ambient-occlusion method (crevice methods); default: xjun");

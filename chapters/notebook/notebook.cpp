@@ -48,6 +48,15 @@ bool has_words(const std::string& text) {
     return false;
 }
 
+// Two languages of a drawing stand on one page, one of them hidden: what is hidden must not be referred to.
+std::string with_ids_of_its_own(std::string svg) {
+    for (const std::string_view mark : {" id=\"", "url(#"}) {
+        for (std::size_t at = svg.find(mark); at != svg.npos; at = svg.find(mark, at + 1))
+            svg.insert(at + mark.size(), "zh-");
+    }
+    return svg;
+}
+
 std::string_view embedded_source(const std::string& file) {
     const auto source = embedded_file(file);
     if (!source)
@@ -239,7 +248,7 @@ void Notebook::draw(const std::string& name, const std::string& svg, const std::
     write_file_atomically(directory() / (name + ".svg"), standalone_svg(svg));
     const std::string chinese =
         with_words(svg, [this](const std::string& words) { return text_of(words).in(BookLanguage::zh); });
-    put(DrawingOutput{name, {svg, chinese == svg ? "" : chinese}, text_of(caption)});
+    put(DrawingOutput{name, {svg, chinese == svg ? "" : with_ids_of_its_own(chinese)}, text_of(caption)});
 }
 
 void Notebook::plot(const std::string& name, const Plot& plot, const std::string& caption, int line) {

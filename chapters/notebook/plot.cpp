@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kWidth = 760, kHeight = 400;  // of the picture, SVG units
 constexpr double kLeft = 70, kRight = 190, kTop = 40, kBottom = 55;
-constexpr double kLinearTicks = 6;  // about so many on a linear axis
+constexpr double kLabelWidth = 110;  // room that the name of a dashed line may need, SVG units
+constexpr double kLinearTicks = 6;   // about so many on a linear axis
 
 // One axis laid out between two SVG coordinates. A logarithmic one counts in decades.
 struct Axis {
@@ -156,8 +157,10 @@ std::string drawn_lines(const Plot& plot, const Axes& axes) {
         const double x = axes.x.at(line.x);
         top = x - last < 60 ? top + 16 : kTop + 14;
         last = x;
-        svg += svg_polyline({{x, axes.y.from}, {x, axes.y.to}}, kSvgSoft, " stroke-dasharray=\"4 4\"") +
-               svg_text({x + 4, top}, line.label, TextAnchor::start, kSvgSoft);
+        svg +=
+            svg_polyline({{x, axes.y.from}, {x, axes.y.to}}, kSvgSoft, " stroke-dasharray=\"4 4\"") +
+            (x > axes.x.to - kLabelWidth ? svg_text({x - 4, top}, line.label, TextAnchor::end, kSvgSoft)
+                                         : svg_text({x + 4, top}, line.label, TextAnchor::start, kSvgSoft));
     }
     return svg;
 }

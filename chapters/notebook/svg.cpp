@@ -60,7 +60,9 @@ std::string svg_box(SvgPoint corner, SvgPoint opposite, std::string_view colour,
 std::string svg_text(SvgPoint at, std::string_view words, TextAnchor anchor, std::string_view colour) {
     constexpr const char* kNames[] = {"start", "middle", "end"};
     return "<text" + attribute("x", at.x) + attribute("y", at.y) +
-           attribute("text-anchor", kNames[static_cast<int>(anchor)]) + attribute("fill", colour) + ">" +
+           attribute("text-anchor", kNames[static_cast<int>(anchor)]) + attribute("fill", colour) +
+           // Lines pass behind words, not through them.
+           attribute("stroke", kSvgPaper) + " stroke-width=\"3\" paint-order=\"stroke\">" +
            escape_html(words) + "</text>\n";
 }
 

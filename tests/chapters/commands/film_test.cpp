@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
+#include "chapters/frame/frame_settings.h"
 #include "chapters/frame/presets.h"
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/image_io.h"
@@ -84,12 +85,13 @@ TEST_CASE("frames are written as A-B") {
 }
 
 TEST_CASE("presets name scenes and methods that exist") {
-    CHECK(presets().size() == 4);
+    CHECK(presets().size() == 8);
     for (const Preset& preset : presets()) {
         CAPTURE(preset.name);
         CHECK(find_builtin_scene(preset.scene) != nullptr);
         CHECK_NOTHROW(find_method(preset.method));
         CHECK(find_preset(preset.name).scene == preset.scene);
+        CHECK_NOTHROW(settings_of(find_method(preset.method), preset.words));
     }
     CHECK_THROWS_AS(find_preset("xjun"), UsageError);
 }
@@ -100,7 +102,7 @@ TEST_CASE("render --preset, --time and --frames as a user meets them") {
         return crevice_says("render " + words + " --size 48x27 --out " + quoted(scratch / "out"));
     };
     for (const char* words :
-         {"", "--preset nobody", "columns --preset luna", "--preset luna --ao xjun", "columns --time x",
+         {"", "--preset nobody", "columns --preset luna", "--preset luna --ao nobody", "columns --time x",
           "columns --time 1e9", "columns --frames 2-1", "columns --frames 0-1 --path walk",
           "columns --path turn", "columns --frame-buffers", "columns --param history=4",
           "atrium --frames 0-1 --path walk --eye 0,1,0", "columns --frames 0-1 --param history=0"}) {
