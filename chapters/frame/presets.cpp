@@ -8,7 +8,7 @@ namespace {
 
 // What both D3D tutorials store their buffers in, beside the traps that as_published names.
 const std::vector<std::string> kPublishedD3D = {"as_published=true", "buffer_format=float16",
-                                                "ao_format=float16", "depth_format=d24"};
+                                                "depth_format=d24"};
 
 const Preset kPresets[] = {
     {"xjun2020", "X_Jun, the scene of its text, its traps cured", "columns", "xjun"},

@@ -114,8 +114,8 @@ Picture ndc_depth_picture(const Image<float>& ndc_depth, bool reversed_z) {
     const float nearest = range.min < 1 ? range.min : 0.0f;
     return grey_or_magenta(ndc_depth,
                            "ndc depth, not linear in distance: " + exact_text(nearest) +
-                               " (nearest, black) to 1 (background, white)",
-                           [nearest](float depth) { return (depth - nearest) / (1 - nearest); });
+                               " (nearest, white) to 1 (background, black)",
+                           [nearest](float depth) { return (1 - depth) / (1 - nearest); });
 }
 
 Picture ao_picture(const Image<float>& ao) {

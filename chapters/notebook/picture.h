@@ -31,8 +31,8 @@ inline constexpr float kDifferenceScale = 0.25f;
 Picture normal_picture(const Image3& normals);
 // View depth: affine from white at the nearest to dark grey at the farthest finite depth; infinity is black.
 Picture view_depth_picture(const Image<float>& view_depth);
-// Ndc depth, not linear in distance: [nearest, 1) from black to white, background 1 white. Reversed z:
-// (0, nearest] from black to white, background 0 black.
+// Ndc depth, not linear in distance: the nearest white, as in view depth; [nearest, 1) from white to black, background 1
+// black. Reversed z: (0, nearest] from black to white, background 0 black.
 Picture ndc_depth_picture(const Image<float>& ndc_depth, bool reversed_z = false);
 // Accessibility: black 0 (closed) to white 1 (open), linear.
 Picture ao_picture(const Image<float>& ao);

@@ -83,8 +83,8 @@ TEST_CASE("view depth: nearest white, farthest dark but lighter than the backgro
 }
 
 TEST_CASE("ndc depth: stretched from the nearest to the background") {
-    CHECK(ndc_depth_picture(row_of({0.75f, 0.875f, 1})).pixels == Bytes{0, 128, 255});
-    CHECK(ndc_depth_picture(row_of({1, 1})).pixels == Bytes{255, 255});
+    CHECK(ndc_depth_picture(row_of({0.75f, 0.875f, 1})).pixels == Bytes{255, 128, 0});
+    CHECK(ndc_depth_picture(row_of({1, 1})).pixels == Bytes{0, 0});
     CHECK(ndc_depth_picture(row_of({0, 0.25f, 0.5f}), true).pixels == Bytes{0, 128, 255});
     CHECK(ndc_depth_picture(row_of({0, 0}), true).pixels == Bytes{0, 0});
     CHECK(ndc_depth_picture(row_of({0.75f, 1})).mapping.find("0.75") != std::string::npos);
