@@ -1,161 +1,451 @@
-// Question: what does the first pass leave behind for AO, and what can go wrong with it?
-//
-// The one idea: for each pixel, the normal and the depth of the nearest surface are enough to rebuild the
-// visible side of the scene. Both are in view space: x right, y up, z into the picture.
-//
-// Source: X_Jun, "Rendering normals and depths", "Transforming normals"; Luna and SSAO explored on
-//         the same pass.
-// Look for: how little of the range of ndc depth the scene uses; a floor that faces away from you because a
-//           translation has crept into its direction; a slanted box shaded as if it stood straight.
+// %% setup tags=["setup"]
+// Source: X_Jun, "Rendering normals and depths", "Transforming normals"; Luna and SSAO explored on the same pass.
 // Run: crevice chapter 03
 #include <algorithm>
 #include <cmath>
 
+#include <glm/geometric.hpp>
+
+#include "chapters/diagrams/pass_graph.h"
+#include "chapters/diagrams/section_drawing.h"
 #include "chapters/notebook/chapter.h"
-#include "chapters/notebook/plot_picture.h"
+#include "chapters/props/switched_ao.h"
 #include "chapters/props/wrong_normals.h"
 #include "chapters/terminal/number_text.h"
-#include "scenes/builtin_scenes.h"
+#include "rasterizer/scene/normal_matrix.h"
 
 namespace crevice {
 namespace {
 
-// Ndc depth over view depth.
-Picture ndc_curve(const CameraMatrices& m) {
-    PlotSeries curve{{}, {}, PlotMark::line, kPlotBlue};
-    for (double z = 1; z <= 20; z += 0.125)
-        curve.x.push_back(z), curve.y.push_back(double(m.depth_a) + double(m.depth_b) / z);
-    return plot_picture({400, 160}, {0, 20, 0, 1}, {&curve, 1});
+std::string text(float value) { return decimal_text(static_cast<double>(value), 3); }
+std::string text(glm::vec3 v) { return text(v.x) + ", " + text(v.y) + ", " + text(v.z); }
+
+// X_Jun's frame; `ao_map` is half as wide and half as high as `picture`.
+std::vector<GraphPass> frame_passes(Size picture, Size ao_map) {
+    const GraphImage normals{
+        "normal, view depth", "R16G16B16A16_FLOAT", picture, 8, {"2 occlusion", "3 blur"}};
+    const GraphImage depth{"depth buffer", "D24_UNORM_S8_UINT", picture, 4, {"4 light"}};
+    const GraphImage raw{"raw AO map", "R16_FLOAT", ao_map, 2, {"3 blur"}};
+    const GraphImage blurred{"blurred AO map", "R16_FLOAT", ao_map, 2, {"4 light"}};
+    const GraphImage lit{"picture", "R8G8B8A8_UNORM", picture, 4, {}};
+    return {{"1 normals, depth", "triangles", {normals, depth}},
+            {"2 occlusion", "random vectors", {raw}},
+            {"3 blur", "", {blurred}},
+            {"4 light", "triangles, textures", {lit}}};
 }
 
-// What the comments in normal_depth.h promise, pixel by pixel.
-void buffers_hold(Notebook& book, const GBuffer& gbuffer, const Image<float>& ndc, const CameraMatrices& m) {
+PlotCurve ndc_curve(const CameraMatrices& m) {
+    PlotCurve curve{"d = A + B / z", {}, {}, {}, {}, PlotStyle::smooth};
+    for (double z = 1; z <= 20; z += 0.125) {
+        curve.x.push_back(z);
+        curve.y.push_back(static_cast<double>(m.depth_a) + static_cast<double>(m.depth_b) / z);
+    }
+    return curve;
+}
+
+// Rows of: view depth, its ndc depth, and how far apart two depths are that a 24-bit buffer can just tell apart.
+std::vector<std::vector<std::string>> depth_rows(const CameraMatrices& m) {
+    constexpr float kSteps = 16777216;  // of D24
+    std::vector<std::vector<std::string>> rows;
+    for (const float z : {1.0f, 2.0f, 10.0f, 100.0f, 1000.0f}) {
+        rows.push_back({exact_text(z), exact_text(m.depth_a + m.depth_b / z),
+                        significant_text(static_cast<double>(z * z / -m.depth_b / kSteps), 3)});
+    }
+    return rows;
+}
+
+// What the pass promises, counted over all pixels.
+struct BufferCount {
+    int surface = 0, facing = 0, background = 0, dirty = 0;  // pixels
+    float length_error = 0, depth_error = 0;                 // the largest; of 1, relative
+};
+BufferCount count_pixels(const GBuffer& gbuffer, const Image<float>& ndc, const CameraMatrices& m) {
     const ViewRays rays{m.ray_scale, ndc.size, true};
-    float length_error = 0, depth_error = 0;
-    int surface = 0, facing = 0, dirty = 0;
+    BufferCount count;
     for (int i = 0; i < ndc.size.width * ndc.size.height; ++i) {
         const int x = i % ndc.size.width, y = i / ndc.size.width;
         const float z = gbuffer.view_depth.at(x, y), d = ndc.at(x, y);
         const glm::vec3 n = gbuffer.normal.at(x, y);
         if (std::isinf(z)) {
-            dirty += d == 1 && n == glm::vec3(0) ? 0 : 1;
+            count.background += 1;
+            count.dirty += d == 1 && n == glm::vec3(0) ? 0 : 1;
             continue;
         }
         const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(ndc.size.width);
         const float v = (static_cast<float>(y) + 0.5f) / static_cast<float>(ndc.size.height);
-        ++surface;
-        facing += dot(rays.p_view(u, v, z), spread<float>(n)) < 0 ? 1 : 0;
-        length_error = std::max(length_error, std::fabs(glm::length(n) - 1));
-        depth_error = std::max(depth_error, std::fabs(m.depth_b / (d - m.depth_a) / z - 1));
+        count.surface += 1;
+        count.facing += dot(rays.p_view(u, v, z), spread<float>(n)) < 0 ? 1 : 0;
+        count.length_error = std::max(count.length_error, std::fabs(glm::length(n) - 1));
+        count.depth_error = std::max(count.depth_error, std::fabs(m.depth_b / (d - m.depth_a) / z - 1));
     }
-    book.check("normals are unit", length_error < 1e-6f, exact_text(length_error));
-    book.check("nearly all face the eye, n . p < 0", facing > 0.99 * surface,
-               std::to_string(facing) + " of " + std::to_string(surface));
-    book.check("view depth = B / (ndc depth - A), relatively", depth_error < 1e-4f, exact_text(depth_error));
-    book.check("background: normal 0, view depth infinite, ndc depth 1", dirty == 0);
+    return count;
 }
 
-// The right matrix beside the wrong one: normals, AO, numbers.
-ComparedNormals side_by_side(Notebook& book, const std::string& name, const Scene& scene, NormalMatrix matrix,
-                             const char* caption) {
-    const ComparedNormals both = compare_normals(scene, matrix, book.size());
-    book.show_row(caption, {{name + "_right", normal_picture(both.right)},
-                            {name + "_wrong", normal_picture(both.wrong)}});
-    book.show_row("X_Jun's AO from the normals above.", {{name + "_ao_right", ao_picture(both.ao_right)},
-                                                         {name + "_ao_wrong", ao_picture(both.ao_wrong)}});
-    book.table({name, "largest angle off, degrees", "pixels off by over 1 degree", "shade lost", "invented"},
-               {{"wrong", significant_text(both.off.most_deg, 3), percent_text(both.off.share),
-                 percent_text(both.shade_lost), percent_text(both.shade_invented)}});
-    return both;
+// A slope and its normal before and after a stretch along the horizontal, and what two matrices make of the normal.
+std::string stretched_slope(double stretch) {
+    const glm::dvec2 tangent(stretch, 1), by_world(-stretch, 1);
+    const glm::dvec3 cofactors =
+        normal_matrix(glm::dmat3(glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, stretch))) *
+        glm::dvec3(0, 1, -1);
+    const auto unit = [](double z, double across) {
+        const double length = std::sqrt(z * z + across * across);
+        return SectionPoint{z / length, across / length};
+    };
+    SectionDrawing drawing({-1.9, -1.05}, {1.9, 1.35});
+    drawing.surface({{-3 * tangent.x, -3 * tangent.y}, {3 * tangent.x, 3 * tangent.y}});
+    drawing.segment({-2, -2}, {2, 2}, kSvgSoft, true);
+    drawing.arrow({0, 0}, unit(-1, 1), kSvgSoft);
+    drawing.words(unit(-1, 1), -54, -4, "before");
+    drawing.arrow({0, 0}, unit(by_world.x, by_world.y), kSvgOccluded);
+    drawing.words(unit(by_world.x, by_world.y), -76, 4, "turned by W");
+    drawing.arrow({0, 0}, unit(cofactors.z, cofactors.y), kSvgPoint);
+    drawing.words(unit(cofactors.z, cofactors.y), -30, -10, "by the inverse transpose");
+    drawing.words({1.0, 0.5}, -30, 34, "the slope, stretched");
+    return drawing.svg("A slope that is stretched, and its normal");
 }
 
-void wrong_matrices(Notebook& book, const Scene& columns) {
-    book.text(R"(
-        Normals stay perpendicular under the inverse transpose of W, then turn with the view V. X_Jun
-        warns: W's translation must be erased first, or the 4x4 product mixes V's into the 3x3 part. Where W
-        only moves by t, and V by v, the normal becomes `n - (n . t) v`.
-
-            crevice render columns --param normal_matrix=with_translation
-    )");
-    const ComparedNormals moved =
-        side_by_side(book, "translation", columns, NormalMatrix::with_translation,
-                     "Translation erased; left in: only the house's front is right.");
-    book.check("left in, most normals are off, some point the other way",
-               moved.off.share > 0.5 && moved.off.most_deg > 120);
-    book.check("the shade at the columns' feet is lost", moved.shade_lost > 2 * moved.shade_invented);
-    book.text(R"(
-        Luna uses W itself, and its box, stretched by (2, 1, 2), looks right: its faces lie along the axes
-        of the stretch. What is turned before it is stretched, or round, does not:
-
-            crevice render field --param normal_matrix=world
-    )");
-    Scene boxes = stretched_scene();
-    const ComparedNormals shown =
-        side_by_side(book, "stretch", boxes, NormalMatrix::world,
-                     "By the inverse transpose; by W: Luna's box, one turned before, a ball.");
-    boxes.instances.resize(2);
-    const ComparedNormals hidden = compare_normals(boxes, NormalMatrix::world, book.size());
-    book.check("W is right for Luna's box, not for the others",
-               hidden.off.most_deg < 0.01 && shown.off.most_deg > 30 && shown.off.share > 0.03);
-    book.check("their tops take themselves for something in the way",
-               shown.shade_invented > shown.shade_lost);
+std::vector<std::string> row_of(const std::string& name, const ComparedNormals& both) {
+    return {name, significant_text(both.off.most_deg, 3), percent_text(both.off.share),
+            percent_text(both.shade_lost), percent_text(both.shade_invented)};
 }
 
-// SSAO explored multiplies float4(n, 0), so that no translation should matter.
-void float4_claim(Notebook& book, const Scene& scene) {
-    std::vector<std::vector<std::string>> rows;
-    std::vector<double> most;
-    for (const bool erased : {false, true}) {
-        for (const NormalProduct product : {NormalProduct::float3x3, NormalProduct::float4}) {
-            const double off_deg = tutorial_error_deg(scene, scene.camera, product, erased);
-            most.push_back(off_deg);
-            rows.push_back({product == NormalProduct::float4 ? "float4(n, 0) M" : "n (float3x3) M",
-                            erased ? "erased" : "left in", significant_text(off_deg, 3)});
-        }
-    }
-    book.table({"M = (W^-1)^T V, normal by", "W's translation", "largest angle off, degrees"}, rows);
-    book.check("float4(n, 0) keeps nothing out: it does as the 3x3 part does, right only where W's is erased",
-               most[0] == most[1] && most[2] == most[3] && most[1] > 120 && most[3] < 0.1);
-}
-
+// clang-format off: cells stand at the margin, where notebooks look for them.
 void normals_and_depth(Notebook& book) {
-    const Scene scene = find_builtin_scene("columns")->make();
-    const Camera camera = scene.camera;
-    const GBuffer gbuffer = normal_depth(scene, camera, book.size());
-    const Image<float> ndc = ndc_depth(gbuffer.depth);
-    const CameraMatrices m = camera_matrices(camera, book.size());
-    book.text(R"(
-        # 03 Normals and depth
+// %% question [markdown]
+// # Normals and depth
+//
+// Below is what a renderer leaves behind: a colour for every pixel. Take a pixel of the floor and ask what stands near
+// it. The colours cannot tell. A dark pixel beside a light one may be a shadow, another material, or a column a hand's
+// breadth away. The shader that made the colour knew more, where its surface lies and how it is turned, but nobody kept
+// that. Ambient occlusion is a question about neighbours, so somebody must.
 
-        Drawn before any light: for each pixel, the nearest surface's normal and depth. Interpolated normals
-        are too short; they are normalised again.
-    )");
-    book.show("normal", normal_picture(gbuffer.normal), "Normals: red right, green up, blue away from you.");
-    book.show("view_depth", view_depth_picture(gbuffer.view_depth), "View depth, linear in distance.");
-    book.show("ndc_depth", ndc_depth_picture(ndc), "Ndc depth z / w, as the depth buffer keeps it.");
-    book.text("It is `A + B / z`, `A = " + exact_text(m.depth_a) + ", B = " + exact_text(m.depth_b) + "`:");
-    book.show("ndc_curve", ndc_curve(m), "Ndc depth over z from 0 to 20: half of it is spent below z = 2.");
-    std::vector<std::vector<std::string>> rows;
-    for (const float z : {1.0f, 2.0f, 10.0f, 100.0f, 1000.0f}) {
-        const float d24_step = z * z / -m.depth_b / 16777216;
-        rows.push_back({exact_text(z), exact_text(m.depth_a + m.depth_b / z), exact_text(d24_step)});
+// %% colours
+const SwitchedView view(book, "columns");
+const SwitchedAo shown = view.ao();
+const Image<float> open_everywhere;  // an empty map
+book.show("colours",
+          lit_picture(shade(view.scene(), view.camera(), shown.gbuffer.depth, open_everywhere)),
+          "The colours of the scene, lit without ambient occlusion. How far is it from the house "
+          "to the columns?");
+
+// %% idea [markdown]
+// ## The idea
+//
+// **Draw the scene once before any light falls on it, and keep two things of the nearest surface at every pixel: its
+// normal, which says where it faces, and its depth, which says how far away it is.**
+//
+// The passes that compute occlusion read these two images and nothing else. They never see a triangle, only the screen:
+// that is why the whole method is called *screen-space* ambient occlusion. Here is the program that chapters 03 to 09
+// build. A *pass* turns images into an image, all pixels by the same rule.
+
+// %% graph
+const std::vector<GraphPass> passes = frame_passes(book.size(), shown.raw.size);
+book.draw("passes", pass_graph("The passes of a frame and the images between them", passes),
+          "Four passes, from top to bottom; a grey line goes from an image to a pass that reads "
+          "it. The formats are X_Jun's. The two AO maps have half the picture's width and height.");
+book.table(
+    {"image", "X_Jun", "Luna", "this book"},
+    {{"normal, view space", "R16G16B16A16_FLOAT", "R16G16B16A16_FLOAT", "three 32-bit floats"},
+     {"depth that occlusion reads", "view depth, in alpha of the normals", "the depth buffer, D24",
+      "a 32-bit float"},
+     {"depth buffer", "D24_UNORM_S8_UINT", "D24_UNORM_S8_UINT", "D32_FLOAT"},
+     {"AO maps, raw and blurred", "R16_FLOAT, half size", "R16_UNORM, half size",
+      "a 32-bit float, half size"},
+     {"random vectors", "R8G8B8A8_UNORM, 256 x 256", "the same", "the same values"}},
+    "The book computes with floats, so that no error of a format hides in its pictures; chapter 04 "
+    "shows what the tutorials' formats do.");
+
+// %% first_pass [markdown]
+// The AO maps are half as wide and half as high because occlusion changes slowly along a surface, and a quarter of the
+// work is a quarter of the time. A pixel of such a map is called a *texel* here, to tell it from the picture's pixels.
+//
+// ## What the first pass writes
+//
+// Both values are in *view space*, the space of the camera: x to the right, y up, z into the picture, the eye at the
+// origin. *View depth* is the z of a point there. It is not its distance from the eye: all points of a plane that faces
+// the camera have the same view depth.
+
+// %% buffers
+book.show("normal", normal_picture(shown.gbuffer.normal),
+          "Normals as colours: red where they point to the right, green where they point up, blue "
+          "where they point away from you. The floor is green, what faces you lacks blue, and the "
+          "sky, which has no normal, is black.");
+book.show("view_depth", view_depth_picture(shown.gbuffer.view_depth),
+          "View depth, white at the nearest point. It grows evenly with z; the sky, where nothing "
+          "is seen, is black.");
+
+// %% two_depths [markdown]
+// ## Two depths
+//
+// While triangles are drawn, the depth buffer keeps another number, the *NDC depth* $d$ (of *normalized device
+// coordinates*, what is left after the division by $w$). The projection sets $w = z$ and makes the third coordinate
+// $A z + B$; dividing gives
+//
+// $$ d = \frac{A z + B}{z} = A + \frac{B}{z} $$
+//
+// The near plane $z = n$ must come to $d = 0$ and the far plane $z = f$ to $d = 1$. From $A n + B = 0$ follows
+// $B = -A n$; put into $A f + B = f$, that is
+//
+// $$ A = \frac{f}{f - n}, \qquad B = -\frac{n f}{f - n}, \qquad\text{and back again}\quad z = \frac{B}{d - A} $$
+
+// %% ndc
+const CameraMatrices m = camera_matrices(view.camera(), book.size());
+const Image<float> ndc = ndc_depth(shown.gbuffer.depth);
+const double half_z = static_cast<double>(m.depth_b) / (0.5 - static_cast<double>(m.depth_a));
+book.number("near", view.camera().near_plane, 0);
+book.number("far", view.camera().far_plane, 0);
+book.number("depth_a", exact_text(m.depth_a));
+book.number("depth_b", exact_text(m.depth_b));
+book.number("half_z", half_z, 3);
+book.number("nearest_d", buffer_statistics(ndc).min, 3);
+book.plot("ndc_curve",
+          {"NDC depth over view depth",
+           {"view depth z, scene units"},
+           {"NDC depth d", false, 0, 1},
+           {ndc_curve(m)},
+           {{half_z, "half of the range"}}},
+          "With the planes of this scene, n = {near} and f = {far}: A = {depth_a}, B = {depth_b}. "
+          "Half of the range is spent below z = {half_z}.");
+book.show("ndc_depth", ndc_depth_picture(ndc),
+          "NDC depth, stretched: black is {nearest_d}, the nearest surface of the picture, and "
+          "white is 1.");
+book.table(
+    {"z", "d", "one step of D24 is, in units of z"}, depth_rows(m),
+    "A 24-bit depth buffer has 2^24 steps from 0 to 1. Far away one of them spans a lot of scene.");
+
+// %% one_pixel_text [markdown]
+// ## One pixel
+//
+// Chapters 03 to 09 follow one texel of the AO map through all passes. It lies on the ground at the foot of a column,
+// seen from nearby, and covers four pixels. These are its numbers after the first pass:
+
+// %% one_pixel
+const SwitchedView foot = column_foot(book);
+const SwitchedAo near_by = foot.ao();
+const Texel at = followed_texel(near_by.raw.size);
+const CameraMatrices foot_m = camera_matrices(foot.camera(), book.size());
+const Image<float> foot_ndc = ndc_depth(near_by.gbuffer.depth);
+std::vector<std::vector<std::string>> pixel_rows;
+for (int i = 0; i < 4; ++i) {
+    const int x = 2 * at.x + i % 2, y = 2 * at.y + i / 2;
+    pixel_rows.push_back(
+        {std::to_string(x) + ", " + std::to_string(y), text(near_by.gbuffer.normal.at(x, y)),
+         text(near_by.gbuffer.view_depth.at(x, y)), exact_text(foot_ndc.at(x, y))});
+}
+book.show_row(
+    {{"foot_normal", normal_picture(near_by.gbuffer.normal), "Normals at the foot of the column."},
+     {"foot_depth", view_depth_picture(near_by.gbuffer.view_depth), "View depth there."}});
+book.number("x", std::to_string(at.x));
+book.number("y", std::to_string(at.y));
+book.table({"pixel", "normal n", "view depth z", "NDC depth d"}, pixel_rows,
+           "The four pixels of texel ({x}, {y}). The ground is level, so all have the same normal, "
+           "which points up and, because the camera looks down, a little towards the eye.");
+
+// %% one_pixel_back
+const float d = foot_ndc.at(2 * at.x, 2 * at.y),
+            z = near_by.gbuffer.view_depth.at(2 * at.x, 2 * at.y);
+const float z_back = foot_m.depth_b / (d - foot_m.depth_a);
+book.number("d", exact_text(d));
+book.number("z", text(z));
+book.number("z_back", text(z_back));
+book.check(
+    "Put the first of them to the test: $B / (d - A)$ of $d = {{d}}$ is {z_back}, and the view "
+    "depth that the pass wrote is {z}.",
+    std::fabs(z_back / z - 1) < 1e-4f);
+
+// %% background_text [markdown]
+// ## Where there is nothing
+//
+// A pixel of the sky has neither normal nor depth. The tutorials clear it to something that looks like a surface, X_Jun
+// to the normal $(0, 0, -1)$ and the depth 100,000. This book writes what is true: the normal 0, an infinite view
+// depth, the NDC depth 1. A pass can then ask "is there a surface?" instead of guessing from a large number. Only the
+// depth map that is *filtered* in chapter 06 holds X_Jun's 100,000 there, a hundred times the far plane, because a mean
+// with infinity would be infinite, or not a number at all.
+
+// %% promises
+const BufferCount count = count_pixels(shown.gbuffer, ndc, m);
+book.number("surface", std::to_string(count.surface));
+book.number("facing", std::to_string(count.facing));
+book.number("background", std::to_string(count.background));
+book.number("length_error", significant_text(static_cast<double>(count.length_error), 2));
+book.number("depth_error", significant_text(static_cast<double>(count.depth_error), 2));
+book.check("Each of the {surface} normals has the length 1, within {length_error}.",
+           count.length_error < 1e-6f);
+book.check(
+    "{facing} of them face the eye: $n \\cdot p < 0$. The others lie on round outlines, where a "
+    "mean of vertex normals may turn away although its triangle does not.",
+    count.facing > 0.99 * count.surface);
+book.check("View depth and $B / (d - A)$ are the same to {depth_error} of their value.",
+           count.depth_error < 1e-4f);
+book.check(
+    "All {background} pixels of the sky hold the normal 0, an infinite view depth and the NDC "
+    "depth 1.",
+    count.dirty == 0);
+
+// %% matrix_text [markdown]
+// ## The matrix for normals
+//
+// Positions come to the world by the object's matrix $W$ and to view space by the camera's $V$. Normals do not follow
+// the same way. A direction $t$ *in* the surface becomes $W t$, because it joins two points of it. The normal is
+// whatever stays perpendicular to all of these. We look for a matrix $M$ with
+//
+// $$ 0 = (M n) \cdot (W t) = n^\top M^\top W\, t \qquad\text{whenever}\quad n \cdot t = 0 $$
+//
+// $M^\top W = 1$ does it, so $M = (W^{-1})^\top$, the *inverse transpose* of the upper left 3 x 3 part of $W$. For a
+// rotation it is the rotation itself. For a stretch it is the opposite stretch: a roof that is pulled wide gets
+// flatter, and its normal steeper.
+
+// %% slope
+book.draw("slope", stretched_slope(2),
+          "A slope is stretched to twice its width (dashed before, full after). Stretched along "
+          "with it, its normal leans over and is no longer perpendicular (red); the inverse "
+          "transpose leaves it so (green).");
+
+// %% the_code [markdown]
+// ## The code
+//
+// The lab computes the same matrix without a division: the cross products of the columns of $V W$ are the rows of its
+// inverse but for a factor, the determinant, and the length of a normal does not matter before it is normalised. In
+// HLSL a program hands `M = (W^-1)^T V` to the vertex shader, which computes `mul(n, (float3x3) M)`: the tutorials
+// write vectors as rows, so their matrices stand in the order of their use.
+
+// %% kernels tags=["setup"]
+book.listing("rasterizer/scene/normal_matrix.cpp", "normal_matrix",
+             "A matrix with a negative determinant mirrors; the sign keeps normals outside.");
+book.listing_part("rasterizer/draw/surfaces.cpp", "find_group", "const TrianglePixels<F> pixels",
+                  "const Vec3<F> n = normalize_or",
+                  "Per pixel: the vertex normals are interpolated over the triangle, then "
+                  "normalised. The mean of two unit vectors at an angle is shorter than they are, "
+                  "so this second normalisation is needed.");
+
+// %% translation_text [markdown]
+// ## What can go wrong
+//
+// **The translation left in.** Graphics libraries hold $W$ as a 4 x 4 matrix, with the object's position $t$ in it.
+// Inverting and transposing all of it moves $t$ to the bottom row, and the product with $V$, whose own translation is
+// $v$, mixes it into the 3 x 3 part. Where $W$ and $V$ only move things, the normal becomes $n - (n \cdot t)\, v$.
+// X_Jun therefore erases the translation of $W$ first.
+
+// %% translation
+const ComparedNormals moved =
+    compare_normals(view.scene(), NormalMatrix::with_translation, book.size());
+const Words left_in = {"normal_matrix=with_translation"};
+book.compare({"translation_wrong", normal_picture(moved.wrong),
+              "Left in (" + view.command(left_in) + "): only the house's front is right."},
+             {"translation_right", normal_picture(moved.right), "Erased: every normal is right."});
+book.compare({"translation_ao_wrong", ao_picture(moved.ao_wrong),
+              "Occlusion from the wrong normals: the shade at the columns' feet is gone."},
+             {"translation_ao_right", ao_picture(moved.ao_right), "From the right ones."});
+book.number("moved_share", percent_text(moved.off.share));
+book.number("moved_deg", moved.off.most_deg, 0);
+book.number("moved_lost", percent_text(moved.shade_lost));
+book.number("moved_invented", percent_text(moved.shade_invented));
+book.check(
+    "With the translation left in, {moved_share} of the normals are off by more than a degree, one "
+    "by {moved_deg} degrees.",
+    moved.off.share > 0.5 && moved.off.most_deg > 120);
+book.check(
+    "More shade is lost than invented: {moved_lost} of the map's range on average, against "
+    "{moved_invented}.",
+    moved.shade_lost > 2 * moved.shade_invented);
+
+// %% world_text [markdown]
+// **W itself for the normals.** That is right as long as an object is only turned, or scaled alike in all directions.
+// Luna does so although its box is stretched by (2, 1, 2), and sees nothing wrong, because the box's faces lie along
+// the axes of the stretch: their normals get longer, not crooked. A box that was turned before it is stretched, and a
+// ball, betray it.
+
+// %% world
+Scene boxes = stretched_scene();
+const ComparedNormals round = compare_normals(boxes, NormalMatrix::world, book.size());
+boxes.instances.resize(2);  // the floor and Luna's box
+const ComparedNormals aligned = compare_normals(boxes, NormalMatrix::world, book.size());
+book.compare({"stretch_wrong", normal_picture(round.wrong),
+              "By W: Luna's box at the left is right, the turned box and the ball are not."},
+             {"stretch_right", normal_picture(round.right), "By the inverse transpose."});
+book.compare({"stretch_ao_wrong", ao_picture(round.ao_wrong),
+              "Occlusion by W: the tops take themselves for something in the way."},
+             {"stretch_ao_right", ao_picture(round.ao_right),
+              "By the inverse transpose: only the contacts with the floor are dark."});
+book.number("box_deg", significant_text(aligned.off.most_deg, 2));
+book.number("round_deg", round.off.most_deg, 0);
+book.number("round_lost", percent_text(round.shade_lost));
+book.number("round_invented", percent_text(round.shade_invented));
+book.check(
+    "W turns the normals of Luna's box by {box_deg} degrees at most, those of the others by up to "
+    "{round_deg}.",
+    aligned.off.most_deg < 0.01 && round.off.most_deg > 30 && round.off.share > 0.03);
+book.check("This time more shade is invented than lost: {round_invented} against {round_lost}.",
+           round.shade_invented > round.shade_lost);
+book.table(
+    {"matrix", "largest angle off, degrees", "pixels off by over 1 degree", "shade lost",
+     "shade invented"},
+    {row_of("translation left in, columns", moved), row_of("W itself, boxes and ball", round)},
+    "Both mistakes. Shade: mean over the AO map of how much lighter or darker it got.");
+
+// %% float4_text [markdown]
+// **A zero in the wrong place.** SSAO explored multiplies `float4(n, 0)` by all of $(W^{-1})^\top V$ and argues that
+// the 0 keeps translations out. It skips the last row of the product only. The translation of $V$ has come into the
+// first three rows before that, when the two matrices were multiplied.
+
+// %% float4
+std::vector<std::vector<std::string>> products;
+std::vector<double> most;
+for (const bool erased : {false, true}) {
+    for (const NormalProduct product : {NormalProduct::float3x3, NormalProduct::float4}) {
+        most.push_back(tutorial_error_deg(view.scene(), view.camera(), product, erased));
+        products.push_back(
+            {product == NormalProduct::float4 ? "float4(n, 0) times M" : "n times (float3x3) M",
+             erased ? "erased" : "left in", significant_text(most.back(), 3)});
     }
-    book.table({"z", "ndc depth", "one step of D24 is, in units of z"}, rows);
-    buffers_hold(book, gbuffer, ndc, m);
-    wrong_matrices(book, scene);
-    float4_claim(book, scene);
-    book.try_it({
-        "Set `near_plane` to 0.1: everything moves beyond ndc depth 0.98, steps get ten times coarser.",
-        "Make the ball's stretch (2, 2, 2): W is right again, as under any uniform scale.",
-        "Give `wrong_matrices` a scene whose `camera.eye` is 0: V moves nothing, and the leak is gone.",
-    });
-    book.errata({
-        "*SSAO explored:* float4(n, 0) times all of (W^-1)^T V. The 0 skips the product's last row, but V's "
-        "translation is in its first three by then: last table.",
-        "*Luna, shader comment:* takes nonuniform scaling as the case where W will do. Uniform is meant; "
-        "its box hides the slip: `stretch`.",
-        "*X_Jun, prose:* alpha is the depth in screen space. The shader writes view-space z.",
-    });
+}
+book.table({"normal by", "translation of W", "largest angle off, degrees"}, products,
+           "M is the tutorials' $(W^{-1})^\\top V$.");
+book.check(
+    "`float4(n, 0)` does as the 3 x 3 part does: both are right only where the translation of W "
+    "was erased.",
+    most[0] == most[1] && most[2] == most[3] && most[1] > 120 && most[3] < 0.1);
+
+// %% exercises [markdown]
+// ## Exercises
+//
+// 1. Run `crevice render columns --near 0.1 --only ndc_depth` and read the smallest value that it prints. What has
+//    happened to the range, and to the steps of D24?
+// 2. In `chapters/props/wrong_normals.cpp`, `stretched_scene`, stretch the ball by (2, 2, 2). What does W do to it now?
+// 3. Run `crevice render columns --eye 0,0,0 --target 0,0,1 --param normal_matrix=with_translation`. Every normal is
+//    right. Why?
+// 4. Find A and B for *reversed* depth, where the near plane is at 1 and the far plane at 0.
+// 5. (Open) A unit normal has two degrees of freedom. Find a way to keep it in two 8-bit numbers, and measure its
+//    largest angular error over the sphere.
+//
+// <details><summary>Answers</summary>
+//
+// 1. Everything lies beyond 0.98: nine tenths of the range are spent on the first unit. $B$ is ten times smaller, so
+//    each step is ten times coarser.
+// 2. Nothing. Under a uniform scale the inverse transpose is the same matrix but for a factor.
+// 3. The translation of $V$ is $v = 0$ for an eye at the origin, and $n - (n \cdot t)\, v = n$.
+// 4. $A n + B = n$ and $A f + B = 0$ give $A = -n / (f - n)$ and $B = n f / (f - n)$. Chapter 04 shows what it is good
+//    for.
+// 5. Octahedral maps are a good start: project the sphere to an octahedron and unfold that to a square.
+//
+// </details>
+
+// %% errata [markdown]
+// <details><summary>Errata of the tutorials</summary>
+//
+// - *SSAO explored:* `float4(n, 0)` makes the translation harmless. The last table shows that it does not.
+// - *Luna, comment in the shader:* W will do for normals under nonuniform scaling. *Uniform* is meant; the aligned box
+//   of the demo hides the slip, the sliders above show it.
+// - *X_Jun, prose:* alpha holds the depth in screen space. The shader writes the z of view space.
+//
+// </details>
+//
+// ## Where to go on
+//
+// A pixel now knows how far its surface is. Chapter 04 turns that one number back into a point in space. Chapter 10
+// shows why pass 4 can use the depth buffer of pass 1, and what must be equal for that.
+
+// %% end tags=["setup"]
 }
 
 const Chapter kChapter("03", "normals_and_depth", "Normals and depth", normals_and_depth);
