@@ -1,183 +1,462 @@
-// Question: how does a pixel get back its position from nothing but a depth, and how exact is that?
-//
-// The one idea: p lies on the eye's ray v through the pixel, so p = (p_z / v_z) v for any v on it. Its error
-// is that of p_z, and a depth buffer's grows with z^2.
-//
-// Source: X_Jun, "Reconstructing the position"; Luna, Ssao.hlsl, NdcDepthToViewDepth; SSAO explored,
-//         SSAOVS.
-// Look for: unit cubes, whose edges must follow walls and floor; dots below their lines; stripes on bare
-//           walls.
+// %% setup tags=["setup"]
+// Source: X_Jun, "Reconstructing the position"; Luna, Ssao.hlsl, NdcDepthToViewDepth; SSAO explored, SSAOVS.
 // Run: crevice chapter 04
 #include <algorithm>
 #include <cmath>
 
+#include "chapters/diagrams/depth_section.h"
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/depth_error_plot.h"
 #include "chapters/props/position_ways.h"
 #include "chapters/props/stored_depth.h"
+#include "chapters/props/switched_ao.h"
 #include "chapters/terminal/number_text.h"
-#include "scenes/builtin_scenes.h"
-#include "ssao/blur/bilateral_blur.h"
 #include "ssao/methods/luna_ssao.h"
 #include "ssao/methods/xjun_ssao.h"
 
 namespace crevice {
 namespace {
 
-void compare_positions(Notebook& book, const Scene& scene) {
-    const GBuffer gbuffer = normal_depth(scene, scene.camera, book.size());
-    const AoInputs inputs = ao_inputs(gbuffer, scene.camera, xjun_fetch(kXjunSettings));
-    constexpr std::pair<const char*, Position> kWays[] = {
-        {"far_plane", by_far_plane},       {"near_plane", by_near_plane}, {"unit_ray", by_unit_ray},
-        {"unit_corners", by_unit_corners}, {"full_size", by_full_size},   {"misprint", as_misprinted}};
-    std::vector<Notebook::Named> cubes, occlusion;
-    std::vector<std::vector<std::string>> rows;
-    std::vector<double> worst;
-    for (const auto& [name, position] : kWays) {
-        const PositionError error = position_error(inputs, position);
-        rows.push_back({name, significant_text(error.mean, 2), significant_text(error.most, 2)});
-        worst.push_back(error.most);
-        if (position == &by_near_plane || position == &as_misprinted) continue;
-        cubes.push_back({std::string("cubes_") + name, unit_cubes(gbuffer, scene.camera, position)});
-        occlusion.push_back({std::string("ao_") + name, ao_picture(ao_at(inputs, position))});
-    }
-    book.show_row("Unit cubes by `far_plane`, which is right; `unit_ray`; `unit_corners`; `full_size`.",
-                  cubes);
-    book.show_row("X_Jun's AO of each: shade leaves its place, or comes where nothing is near.", occlusion);
-    book.table({"p by", "off by, units, mean", "at most"}, rows);
-    book.check("rays to the far and to the near plane give p to the last bits",
-               std::max(worst[0], worst[1]) < 1e-4,
-               significant_text(worst[0], 2) + " and " + significant_text(worst[1], 2));
-    book.check("each other way is off by units", *std::min_element(worst.begin() + 2, worst.end()) > 0.5);
-    const Vec3<float> p = as_misprinted(inputs.rays, 0.3f, 0.8f, 7);
-    book.check("`(p.z/v/z) v` is (1, 1, 1) for every pixel",
-               std::fabs(p.x - 1) + std::fabs(p.y - 1) + std::fabs(p.z - 1) < 1e-5f);
+std::string text(float value) { return decimal_text(static_cast<double>(value), 3); }
+std::string text(Vec3<float> v) { return text(v.x) + ", " + text(v.y) + ", " + text(v.z); }
+
+// The eye's ray through a texel, in the vertical plane that holds it.
+std::string eye_ray(const AoInputs& inputs, Texel at, Vec3<float> p_view) {
+    const SectionPlane plane{at.x, at.y, {0, 1}};
+    const SectionPoint p = plane.at({p_view.x, p_view.y, p_view.z});
+    const double slope = static_cast<double>(inputs.rays.ray_scale.y), end = 1.4 * p.z;
+    const double near = static_cast<double>(inputs.near_plane);
+    // Of what the plane cuts only the ground, up to where something stands in front of it.
+    std::vector<SectionPoint> ground = depth_section(inputs, plane, 2 * slope * end);
+    std::erase_if(ground, [](const SectionPoint& point) { return std::isinf(point.z); });
+    ground.erase(std::is_sorted_until(ground.begin(), ground.end(),
+                                      [](const SectionPoint& a, const SectionPoint& b) { return a.z < b.z; }),
+                 ground.end());
+    SectionDrawing drawing({-0.12 * end, -0.42 * end}, {end, 0.42 * end});
+    drawing.surface(ground);
+    for (const double side : {-slope, slope}) drawing.segment({0, 0}, {end, side * end}, kSvgSoft, true);
+    drawing.segment({near, -slope * near}, {near, slope * near}, kSvgSoft);
+    drawing.words({near, slope * near}, -66, -8, "near plane");
+    drawing.words({0, 0}, -34, 24, "the eye");
+    drawing.segment({0, 0}, p, kSvgOpen);
+    drawing.point({0, 0}, "", kSvgInk);
+    drawing.point({near, near * p.across / p.z}, "v", kSvgOpen, SectionDrawing::Dot::ring);
+    drawing.point(p, "p", kSvgPoint);
+    return drawing.svg("The eye's ray through a texel");
 }
 
-// So the ray does not matter. What matters is the number that p_z is made of.
-void compare_storages(Notebook& book, const Scene& scene) {
-    std::vector<Notebook::Named> pictures;
-    std::vector<std::vector<std::string>> rows;
-    std::vector<StoredDepthError> errors;
-    for (const DepthStorage& storage : kDepthStorages) {
-        errors.push_back(stored_depth_error(scene, book.size(), storage));
-        const StoredDepthError& e = errors.back();
-        rows.push_back({storage.name, significant_text(e.most, 2), significant_text(e.most_of_z, 2),
-                        significant_text(e.most_of_z2, 2)});
-        if (errors.size() <= 3)
-            pictures.push_back({"stored_" + std::to_string(errors.size()), difference_picture(e.off, 0.01f)});
-    }
-    book.show_row(
-        "Rebuilt minus drawn view depth, 0.01 too near blue, too far red: a 16-bit float of z (X_Jun), "
-        "D16, D24 (Luna).",
-        pictures);
-    book.table({"stored", "off by at most, units", "over z", "over z^2"}, rows);
-    book.check(
-        "16 bits of z: off by less than z / 1024; 16 bits of z / w: by about half a step, z^2 / |B| / 2^17",
-        errors[0].most_of_z < 1.0 / 1024 && errors[1].most_of_z2 < 1.05 / (1.001 * 131072),
-        significant_text(1024 * errors[0].most_of_z, 4) + " and " +
-            significant_text(1.001 * 131072 * errors[1].most_of_z2, 4) + " of it");
-    book.check(
-        "in this scene a 16-bit float of z is the coarser of the two; D24 is fifty times better than both",
-        errors[1].most < errors[0].most && 50 * errors[2].most < errors[1].most);
+// A way to a position: its name in pictures, and in words.
+struct Way {
+    const char* name;
+    const char* words;
+    Position position;
+};
+constexpr Way kWays[] = {
+    {"far_plane", "a ray to the far plane, X_Jun's", by_far_plane},
+    {"near_plane", "a ray to the near plane, Luna's", by_near_plane},
+    {"unit_ray", "a ray of length 1, z taken for a distance", by_unit_ray},
+    {"unit_corners", "corner rays normalised before they are interpolated", by_unit_corners},
+    {"full_size", "the whole size of the far plane for half of it", by_full_size},
+    {"misprint", "(p.z / v / z) v, as printed", as_misprinted}};
+
+// The picture of one of three ways that are wrong, and of the right one.
+struct WrongWay {
+    Notebook::Named wrong, right;
+};
+WrongWay wrong_way(const SwitchedView& view, const SwitchedAo& shown, const Way& way, const char* caption) {
+    const auto cubes = [&](Position position) { return unit_cubes(shown.gbuffer, view.camera(), position); };
+    return {{std::string("cubes_") + way.name, cubes(way.position), caption},
+            {std::string("cubes_not_") + way.name, cubes(by_far_plane), "With the ray to the far plane."}};
 }
 
-void bounds(Notebook& book) {
-    const DepthErrorTable errors = depth_error_table();
-    book.text("The largest relative error of a view depth, stored and rebuilt:");
-    book.table(errors.header, errors.rows);
-    book.check("all are inside the bound", errors.most_of_bound <= 1,
-               significant_text(errors.most_of_bound, 2) + " of it");
-    book.check("reversed floats: below 2e-7 everywhere", errors.worst_reversed < 2e-7,
-               significant_text(errors.worst_reversed, 2));
-    book.show("depth_error", depth_error_plot(),
-              "Relative error over z, planes at 1 and 1000: measured (dots) below the bound (lines). D16 "
-              "orange, D24 blue, reversed D32F green.");
+// What happens to the sky's 100,000 in a buffer of 16-bit floats.
+struct SkyInHalf {
+    float sky;
+    Image<float> ao;
+    double nan = 0, nan_blurred = 0;  // percent of the texels
+};
+SkyInHalf sky_in_half(const SwitchedView& view, Size size, BufferFormat format) {
+    const GBuffer gbuffer = normal_depth(view.scene(), view.camera(), size, {.buffer_format = format});
+    const AoInputs inputs = ao_inputs(gbuffer, view.camera(), xjun_fetch({.as_published = true}));
+    SkyInHalf result{stored_as(1e5f, format), ao_with_std_max(inputs)};
+    const double texels = static_cast<double>(result.ao.size.width) * result.ao.size.height / 100;
+    result.nan = static_cast<double>(buffer_statistics(result.ao).nan) / texels;
+    const Image<float> blurred = bilateral_blur(result.ao, inputs).ao;
+    result.nan_blurred = static_cast<double>(buffer_statistics(blurred).nan) / texels;
+    return result;
+}
+std::vector<std::string> row_of(const char* rounding, const SkyInHalf& half) {
+    return {rounding,
+            exact_text(half.sky),
+            exact_text(half.sky - half.sky),
+            exact_text(10 + 0 * (half.sky - 10)),
+            significant_text(half.nan, 3),
+            significant_text(half.nan_blurred, 3)};
 }
 
-void false_occlusion(Notebook& book) {
-    const Scene scene = bare_walls();
-    const double epsilon = double(kLunaSettings.epsilon);
-    const double from_d16 = depth_of_step(scene.camera, DepthFormat::d16, epsilon),
-                 from_d24 = depth_of_step(scene.camera, DepthFormat::d24, epsilon);
-    book.check("between 1 and 1000 a step exceeds epsilon from z = 57 (D16) and 916 (D24) on",
-               std::fabs(from_d16 - 57.3) < 0.1 && std::fabs(from_d24 - 916.4) < 1,
-               significant_text(from_d16, 3) + " and " + significant_text(from_d24, 3));
-    std::vector<std::vector<std::string>> rows;
-    std::vector<Notebook::Named> pictures;
-    std::vector<double> means;
-    for (const int kind : {0, 1, 3}) {
-        const WallAo walls = wall_ao(kDepthKinds[kind]);
-        pictures.push_back({"walls_" + std::to_string(kind), ao_picture(walls.ao)});
-        rows.push_back({kDepthKinds[kind].name});
-        for (const double mean : walls.means)
-            means.push_back(mean), rows.back().push_back(significant_text(mean, 3));
-    }
-    book.show_row("AO of bare walls 25, 45, 65, 85 and 105 away with D16, D24, reversed D32F.", pictures);
-    book.table({"mean AO of the wall at z =", "25", "45", "65", "85", "105"}, rows);
-    book.check("D16: open at 25 and 45, striped at 85 and 105",
-               std::min(means[0], means[1]) > 0.99 && std::max(means[3], means[4]) < 0.97);
-    book.check("D24 and reversed D32F: open", *std::min_element(means.begin() + 5, means.end()) > 0.999);
-}
-
-void half_floats(Notebook& book, const Scene& scene) {
-    std::vector<Notebook::Named> pictures;
-    std::vector<std::vector<std::string>> rows;
-    std::vector<double> nan;
-    for (const BufferFormat format :
-         {BufferFormat::float16_toward_zero, BufferFormat::float16_nearest_even}) {
-        const float sky = stored_as(1e5f, format);
-        const GBuffer gbuffer = normal_depth(scene, scene.camera, book.size(), {.buffer_format = format});
-        const AoInputs inputs = ao_inputs(gbuffer, scene.camera, xjun_fetch({.as_published = true}));
-        const Image<float> ao = ao_with_std_max(inputs), blurred = bilateral_blur(ao, inputs).ao;
-        const double texels = double(ao.size.width) * ao.size.height / 100;
-        nan.push_back(double(buffer_statistics(ao).nan) / texels);
-        const std::string name = pictures.empty() ? "toward_zero" : "nearest";
-        rows.push_back({name, exact_text(sky), exact_text(sky - sky), exact_text(10 + 0 * (sky - 10)),
-                        significant_text(nan.back(), 3),
-                        significant_text(double(buffer_statistics(blurred).nan) / texels, 3)});
-        pictures.push_back({name, ao_picture(ao)});
-    }
-    book.table({"rounding", "1e5 is", "minus itself", "10 + 0 (it - 10)", "% NaN", "% NaN, blurred"}, rows);
-    book.show_row("The sky at 1e5 in 16 bits: D3D rounds toward zero; to nearest, NaN (magenta).", pictures);
-    book.check("toward zero next to nothing is NaN (only where r = p), to nearest the sky and every outline",
-               nan[0] < 0.1 && nan[1] > 5,
-               significant_text(nan[0], 2) + " and " + significant_text(nan[1], 3) + " %");
-}
-
+// clang-format off: cells stand at the margin, where notebooks look for them.
 void position_from_depth(Notebook& book) {
-    book.text(R"(
-        # 04 Position from depth
+// %% question [markdown]
+// # Position from depth
+//
+// The picture below cuts the world into cubes of one unit, dark and light in turn, and paints every pixel with the cube
+// that its surface lies in. Where the positions are right, the edges of the cubes are straight and run along the floor
+// and the walls. Here they are bent: somebody has rebuilt the positions wrongly, and every later pass would measure its
+// distances in this crooked space.
 
-        A ray through the pixel and a view depth: `p = (p_z / v_z) v`. X_Jun takes a ray to the far plane
-        and stores `p_z`; Luna takes one to the near plane and rebuilds `p_z = B / (d - A)` from ndc depth
-        d. An error e of d is then one of `e z^2 / |B|` in `p_z`.
+// %% start
+const SwitchedView view(book, "columns");
+const SwitchedAo shown = view.ao();
+book.show("cubes_bent", unit_cubes(shown.gbuffer, view.camera(), by_unit_ray),
+          "Unit cubes at wrongly rebuilt positions. The farther from the middle of the picture, "
+          "the more they bend.");
 
-            crevice render columns --param depth_format=d16 --param buffer_format=float16
-    )");
-    const Scene scene = find_builtin_scene("columns")->make();
-    compare_positions(book, scene);
-    compare_storages(book, scene);
-    bounds(book);
-    false_occlusion(book);
-    half_floats(book, scene);
-    book.try_it({
-        "In `by_unit_corners` use `interpolated`'s corners: all are equally long, and normalising them does "
-        "no "
-        "harm.",
-        "Set `scene.camera.near_plane = 4` in `bare_walls`: D16's stripes begin at 115, behind the last "
-        "wall.",
-        "Add `BufferFormat::float32` to the loop of `half_floats`: 1e5 fits, and no texel of the sky is NaN.",
-    });
-    book.errata({
-        "*Luna:* `p=(p.z/v/z)v` is printed for `p = (p.z / v.z) v`: see the check.",
-        "*SSAO explored:* multiplies x and y in -1 to 1 by the size of the far plane. Half of it is meant: "
-        "`full_size`.",
-        "*X_Jun:* calls the depth it keeps in alpha screen depth. It is view-space z, not distance: "
-        "`unit_ray`.",
-        "*X_Jun and SSAO explored:* border and clear depth are 1e5, which 16 bits cannot hold; only D3D's "
-        "rounding helps.",
-    });
+// %% idea [markdown]
+// ## The idea
+//
+// The first pass has kept one number a pixel, the view depth $p_z$. We want the whole point $p$ back. It would be easy
+// to store x and y as well, but there is no need:
+//
+// **A pixel fixes a ray from the eye, and the depth says how far along that ray the surface lies.**
+
+// %% one_texel
+const SwitchedView foot = column_foot(book);
+const SwitchedAo near_by = foot.ao();
+const AoInputs& inputs = near_by.inputs;
+const Texel at = followed_texel(inputs.size());
+const float u = (static_cast<float>(at.x) + 0.5f) / static_cast<float>(inputs.size().width);
+const float v = (static_cast<float>(at.y) + 0.5f) / static_cast<float>(inputs.size().height);
+const float p_z = inputs.view_depth.at(at.x, at.y),
+            far = static_cast<float>(foot.camera().far_plane);
+const Vec3<float> far_point = interpolated(inputs.rays, u, v, far),
+                  p = (p_z / far_point.z) * far_point;
+book.number("x", std::to_string(at.x));
+book.number("y", std::to_string(at.y));
+book.draw("eye_ray", eye_ray(inputs, at, p),
+          "A vertical cut through the depth buffer at texel ({x}, {y}), which chapter 03 began to "
+          "follow. The ray that leaves the eye through the texel meets the near plane at v and the "
+          "ground at p. The dashed lines are the upper and the lower rim of the view; what is "
+          "hatched, the depth buffer does not know.");
+
+// %% derivation [markdown]
+// ## Along the ray
+//
+// In view space the eye is the origin, so the points of a ray through it are the multiples of any one of them:
+// $p = t\, \mathbf v$. Read this for z alone, $p_z = t\, v_z$; now $t$ is known, and
+//
+// $$ p = \frac{p_z}{v_z}\, \mathbf v $$
+//
+// Any point $\mathbf v$ of the ray will do, because $t$ shrinks as $\mathbf v$ grows. X_Jun takes the one on the far
+// plane, Luna the one on the near plane.
+//
+// ## Which ray
+//
+// The view is a pyramid with the angle $fov_y$ from its lower to its upper side and the aspect ratio $a$, width over
+// height. A plane at depth $f$ cuts it in a rectangle. Half of its height is the side across from half the angle, so
+//
+// $$ h = f \tan\frac{fov_y}{2}, \qquad w = a\, h, \qquad\text{corners}\quad (\pm w, \pm h, f) $$
+//
+// These are *half* sizes: the rectangle reaches from $-w$ to $w$. The tutorials draw it as two triangles that cover the
+// screen, give each vertex its corner, and let the rasterizer interpolate. What a texel $(i, j)$ of a map of $W$ by $H$
+// texels gets belongs to its centre:
+//
+// $$ u = \frac{i + 1/2}{W}, \quad v = \frac{j + 1/2}{H}, \qquad \mathbf v = \big((2u - 1)\, w,\; (1 - 2v)\, h,\; f\big) $$
+//
+// The sign of the second coordinate turns round because rows count downwards and y goes up. Interpolating is all that
+// may be done to $\mathbf v$: all corners have the same z, so all of the rectangle has it.
+
+// %% numbers_of_one_texel
+const double tangent = static_cast<double>(inputs.rays.ray_scale.y);
+book.number("map", size_text(inputs.size()));
+book.number("u", decimal_text(static_cast<double>(u), 4));
+book.number("v", decimal_text(static_cast<double>(v), 4));
+book.number("far", exact_text(far));
+book.number("half_height", static_cast<double>(far) * tangent, 2);
+book.number("half_width", static_cast<double>(far * inputs.rays.ray_scale.x), 2);
+book.number("far_point", text(far_point));
+book.number("p_z", text(p_z));
+book.number("p", text(p));
+book.check(
+    "Texel ({x}, {y}) of the {map} map has the centre u = {u}, v = {v}. The far plane, {far} away, "
+    "reaches {half_width} to each side and {half_height} up and down, so the ray ends at "
+    "({far_point}). With the depth {p_z} of the texel, p = ({p}): the position that the kernel "
+    "uses.",
+    [&] {
+        const Vec3<float> off = p - inputs.rays.p_view(u, v, p_z);
+        return dot(off, off) < 1e-10f;
+    }());
+
+// %% half_size [markdown]
+// The centre of a texel of the half-size map is the corner where four pixels of the picture meet. Its depth must belong
+// to the same place as its ray. Chapter 07 says how it is made of the four pixels' depths, and what happens when the
+// depth of one of them is taken instead.
+//
+// ## From the depth buffer
+//
+// Luna keeps no view depth. It reads NDC depth $d$ from the depth buffer and turns it back first, as chapter 03 has
+// derived: $p_z = B / (d - A)$. How does an error of $d$ come out? The slope of $B/(d - A)$ is
+// $-B / (d - A)^2 = -z^2 / B$, so
+//
+// $$ \Delta z \approx \frac{z^2}{|B|}\, \Delta d $$
+//
+// Twice as far away, the same step of the depth buffer is four times as long.
+
+// %% code_text [markdown]
+// ## The code
+//
+// The lab does not interpolate corners. It computes the same ray from $u$ and $v$, with z = 1: `ray_scale` is
+// $(a \tan(fov_y/2), \tan(fov_y/2))$, the half size of the plane one unit away. In HLSL the pixel shader has one line,
+// `p = (pz / ray.z) * ray`, and the vertex shader hands out the corners. `F` is a `float`, or several side by side.
+
+// %% kernels tags=["setup"]
+book.listing("rasterizer/spaces.h", "p_view",
+             "A position from u, v and a view depth, as every method of this book calls it.");
+book.listing("chapters/props/position_ways.h", "by_far_plane", "X_Jun's way, for comparison.");
+book.listing("chapters/props/position_ways.h", "interpolated",
+             "What a rasterizer makes of the corners: `on_plane` is the corner (x, y) of the "
+             "rectangle at that depth.");
+
+// %% picture
+const AoInputs whole = ao_inputs(shown.gbuffer, view.camera(), xjun_fetch(kXjunSettings));
+book.show("cubes", unit_cubes(shown.gbuffer, view.camera(), by_far_plane),
+          "Unit cubes at the right positions: straight edges, along the floor and the walls.");
+
+// %% how_wrong [markdown]
+// ## How wrong
+//
+// Six ways to a position, all of which somebody has written down, measured over every texel that shows a surface:
+
+// %% table_of_ways
+std::vector<std::vector<std::string>> rows;
+std::vector<double> worst;
+for (const Way& way : kWays) {
+    const PositionError error = position_error(whole, way.position);
+    rows.push_back({way.words, significant_text(error.mean, 2), significant_text(error.most, 2)});
+    worst.push_back(error.most);
+}
+book.table({"p by", "off by, scene units, mean", "at most"}, rows);
+book.number("exact", significant_text(std::max(worst[0], worst[1]), 2));
+book.number("least", significant_text(*std::min_element(worst.begin() + 2, worst.end()), 2));
+book.check(
+    "Rays to the far and to the near plane give p to within {exact} units, the last bits of a "
+    "float.",
+    std::max(worst[0], worst[1]) < 1e-4);
+book.check(
+    "Each of the others is off by {least} units or more somewhere. The radius of the occlusion is "
+    "half a unit.",
+    *std::min_element(worst.begin() + 2, worst.end()) > 0.5);
+
+// %% traps [markdown]
+// ## What can go wrong
+//
+// **A ray of length 1.** Normalising $\mathbf v$ and multiplying it with the view depth takes z for the distance to the
+// eye. Only in the middle of the picture are they the same; towards the rim every point comes too near.
+
+// %% unit_ray
+const WrongWay unit_ray =
+    wrong_way(view, shown, kWays[2], "The ray normalised, the depth taken for a distance.");
+book.compare(unit_ray.wrong, unit_ray.right);
+
+// %% corners_text [markdown]
+// **Corner rays of length 1.** Dividing by $v_z$ afterwards mends the length of a ray, so one would think that the
+// corners may be normalised. But the mean of two rays of the same *length* does not point to the middle between their
+// ends when they had to be shortened by different amounts. A quad whose four corner rays are equally long gets away
+// with it. A single large triangle over the whole screen, whose corners lie outside of it, does not.
+
+// %% unit_corners
+const WrongWay corners =
+    wrong_way(view, shown, kWays[3], "Rays of a single triangle, normalised at its corners.");
+book.compare(corners.wrong, corners.right);
+
+// %% full_text [markdown]
+// **The full size for the half.** SSAO explored takes screen coordinates from -1 to 1 and multiplies them with the
+// width and the height of the far plane. Half of both is meant. Everything comes out twice as far from the axis.
+
+// %% full_size
+const WrongWay full =
+    wrong_way(view, shown, kWays[4], "The whole width and height: every cube has shrunk to half.");
+book.compare(full.wrong, full.right);
+
+// %% ao_of_ways
+std::vector<Notebook::Named> occlusion;
+const char* const kCaptions[] = {"The right positions.", nullptr,
+                                 "Rays of length 1: shade is lost, the more the nearer to the rim.",
+                                 "Normalised corners: open surfaces shade themselves.",
+                                 "Full size: shade where nothing is near."};
+for (const std::size_t i : {0u, 2u, 3u, 4u})
+    occlusion.push_back({std::string("ao_") + kWays[i].name,
+                         ao_picture(ao_at(whole, kWays[i].position)), kCaptions[i]});
+book.show_row(occlusion);
+const Vec3<float> misprint = as_misprinted(inputs.rays, 0.3f, 0.8f, 7);
+book.check(
+    "Luna's formula as it is printed, $(p.z / v / z)\\, v$, is (1, 1, 1) for every pixel.",
+    std::fabs(misprint.x - 1) + std::fabs(misprint.y - 1) + std::fabs(misprint.z - 1) < 1e-5f);
+
+// %% formats_text [markdown]
+// ## What a stored depth is worth
+//
+// So the ray does not matter, if it is right. What matters is the number that $p_z$ is made of. X_Jun stores view depth
+// in a 16-bit float, whose steps grow with z; Luna reads a depth buffer, whose steps grow with $z^2$.
+
+// %% formats
+std::vector<StoredDepthError> errors;
+std::vector<std::vector<std::string>> stored_rows;
+for (const DepthStorage& storage : kDepthStorages) {
+    errors.push_back(stored_depth_error(view.scene(), book.size(), storage));
+    const StoredDepthError& e = errors.back();
+    stored_rows.push_back({storage.name, significant_text(e.most, 2),
+                           significant_text(e.most_of_z, 2), significant_text(e.most_of_z2, 2)});
+}
+book.show_row(
+    {{"stored_half", difference_picture(errors[0].off, 0.01f),
+      "View depth in 16-bit floats: always too near (blue), in stripes of one step each."},
+     {"stored_d16", difference_picture(errors[1].off, 0.01f),
+      "NDC depth in 16 bits: too near or too far (red), the more the farther."}},
+    "The rebuilt minus the true view depth, from -0.01 to 0.01 units. With 24 bits the picture "
+    "would be white.");
+book.table({"stored", "off by at most, units", "over z", "over z^2"}, stored_rows);
+book.number("half_share", significant_text(1024 * errors[0].most_of_z, 4));
+book.number("d16_share", significant_text(1.001 * 131072 * errors[1].most_of_z2, 4));
+book.check(
+    "A 16-bit float of z is off by less than z / 1024: the largest error is {half_share} of that.",
+    errors[0].most_of_z < 1.0 / 1024);
+book.check(
+    "A 16-bit NDC depth is off by about half a step, $z^2 / |B| / 2^{17}$: the largest error is "
+    "{d16_share} of that.",
+    errors[1].most_of_z2 < 1.05 / (1.001 * 131072));
+book.check(
+    "In this scene the 16-bit float of z is the coarser of the two, and 24 bits are fifty times "
+    "better than both.",
+    errors[1].most < errors[0].most && 50 * errors[2].most < errors[1].most);
+
+// %% bounds_text [markdown]
+// How large may the error get in other scenes? The next table takes eight pairs of near and far planes and the largest
+// *relative* error of a view depth between them. *Reversed* depth puts the near plane at 1 and the far plane at 0.
+// Floats have their finest steps near 0, so the far end, where $d$ hardly changes, gets them, and the two effects
+// cancel.
+
+// %% bounds
+const DepthErrorTable table = depth_error_table();
+book.table(table.header, table.rows,
+           "Largest relative error of a view depth. Where it is above 1, the depth is lost.");
+book.number("of_bound", percent_text(table.most_of_bound));
+book.number("reversed", significant_text(table.worst_reversed, 2));
+book.check(
+    "No error exceeds the bound that follows from the formula above; the largest is {of_bound} of "
+    "it.",
+    table.most_of_bound <= 1);
+book.check("Reversed floats are off by no more than {reversed} of z, whatever the planes.",
+           table.worst_reversed < 2e-7);
+book.plot("depth_error", depth_error_plot(),
+          "The relative error over z with planes at 1 and 1000. Dots are measured, lines are "
+          "bounds. Bits that run out grow with z; reversed floats stay level.");
+
+// %% walls_text [markdown]
+// **A step of the depth buffer looks like an occluder.** When two neighbours on a slanted wall fall on two steps, and
+// the steps are farther apart than *epsilon*, the smallest depth difference that counts (chapter 06), the wall shades
+// itself in stripes.
+
+// %% walls
+std::vector<std::vector<std::string>> wall_rows;
+std::vector<WallAo> walls;
+for (const int kind : {0, 1, 3}) {
+    walls.push_back(wall_ao(kDepthKinds[kind]));
+    wall_rows.push_back({kDepthKinds[kind].name});
+    for (const double mean : walls.back().means)
+        wall_rows.back().push_back(significant_text(mean, 3));
+}
+book.compare(
+    {"walls_d24", ao_picture(walls[1].ao),
+     "Occlusion of bare walls 25, 45, 65, 85 and 105 away, from a 24-bit depth buffer: none."},
+    {"walls_d16", ao_picture(walls[0].ao), "From a 16-bit one: the three farthest are striped."});
+book.table({"mean AO of the wall at z =", "25", "45", "65", "85", "105"}, wall_rows);
+const Scene wall_scene = bare_walls();
+const double epsilon = static_cast<double>(kLunaSettings.epsilon);
+const double from_d16 = depth_of_step(wall_scene.camera, DepthFormat::d16, epsilon),
+             from_d24 = depth_of_step(wall_scene.camera, DepthFormat::d24, epsilon);
+book.number("from_d16", from_d16, 0);
+book.number("from_d24", from_d24, 0);
+book.number("epsilon", epsilon, 2);
+book.check(
+    "Between planes at 1 and 1000, a step is longer than an epsilon of {epsilon} from z = "
+    "{from_d16} on with 16 bits, from z = {from_d24} on with 24.",
+    std::fabs(from_d16 - 57.3) < 0.1 && std::fabs(from_d24 - 916.4) < 1);
+book.check("With 16 bits the walls at 25 and 45 are open, those at 85 and 105 striped.",
+           std::min(walls[0].means[0], walls[0].means[1]) > 0.99 &&
+               std::max(walls[0].means[3], walls[0].means[4]) < 0.97);
+book.check("With 24 bits or reversed floats all are open.",
+           std::min(*std::min_element(walls[1].means.begin(), walls[1].means.end()),
+                    *std::min_element(walls[2].means.begin(), walls[2].means.end())) > 0.999);
+
+// %% half_text [markdown]
+// **The sky in a 16-bit float.** X_Jun's depth for the sky, 100,000, is more than such a float can hold: the largest is
+// 65,504. What becomes of it depends on the rounding. Direct3D rounds toward zero, so the largest number is kept. Most
+// C++ libraries round to nearest, which is infinity. Filtering then multiplies a weight of 0 with it, or subtracts it
+// from itself, and both are *NaN*, not a number, which spreads to whatever touches it. HLSL's `max(x, 0)` would turn a
+// NaN to 0; C++'s `std::max(x, 0)` keeps it.
+
+// %% half_floats
+const SkyInHalf cut = sky_in_half(view, book.size(), BufferFormat::float16_toward_zero);
+const SkyInHalf nearest = sky_in_half(view, book.size(), BufferFormat::float16_nearest_even);
+book.compare({"sky_nearest", ao_picture(nearest.ao),
+              "Rounded to nearest: the sky and all outlines against it are NaN (magenta)."},
+             {"sky_toward_zero", ao_picture(cut.ao), "Rounded toward zero, as Direct3D does."});
+book.table({"rounding", "1e5 becomes", "minus itself", "10 + 0 (it - 10)", "NaN, % of texels",
+            "after the blur"},
+           {row_of("toward zero", cut), row_of("to nearest", nearest)});
+book.number("nan_cut", significant_text(cut.nan, 2));
+book.number("nan_nearest", significant_text(nearest.nan, 3));
+book.check(
+    "Toward zero {nan_cut} % of the texels are NaN, and only where r = p (chapter 06); to nearest "
+    "it is {nan_nearest} %.",
+    cut.nan < 0.1 && nearest.nan > 5);
+
+// %% exercises [markdown]
+// ## Exercises
+//
+// 1. The view angle is 60 degrees, the picture 16 by 9, the far plane at 1000. Where are its corners?
+// 2. Run `crevice render columns --param depth_format=d16 --param buffer_format=float16`. Which of the two coarse
+//    formats does X_Jun's AO read, and what does the command print about it?
+// 3. In `chapters/props/position_ways.h`, `by_unit_corners`, take the corners of `interpolated` instead of the large
+//    triangle's. Why is nothing wrong any more?
+// 4. Set `scene.camera.near_plane = 4` in `bare_walls()` of `chapters/props/stored_depth.cpp`. From which depth on does
+//    D16 show stripes now?
+// 5. Add `BufferFormat::float32` to the cell `half_floats` of this chapter. How much of the sky is NaN?
+// 6. (Open) An orthographic camera has no pyramid. What is $p$ there, and which of the traps above are left?
+//
+// <details><summary>Answers</summary>
+//
+// 1. At $(\pm 1026.4, \pm 577.4, 1000)$.
+// 2. On the 16-bit float, which holds its view depth. The depth buffer only decides which surface is nearest; where two
+//    lie closer together than a step of D16, another one may win.
+// 3. All four have the same length, so normalising shrinks them alike, and $v_z$ cancels it.
+// 4. From about 115, behind the last wall. $|B|$ is about $n$, so a step of given length moves out with $\sqrt n$:
+//    twice 57.
+// 5. None of it: 100,000 fits.
+// 6. $p = ((2u - 1)\, w, (1 - 2v)\, h, p_z)$ with fixed $w$ and $h$. NDC depth is linear in z there, so its steps do
+//    not grow. Half sizes remain half sizes.
+//
+// </details>
+
+// %% errata [markdown]
+// <details><summary>Errata of the tutorials</summary>
+//
+// - *Luna, prose:* `p=(p.z/v/z)v` is printed where `p = (p.z / v.z) v` is meant. The check above computes it as
+//   printed.
+// - *SSAO explored:* multiplies x and y in -1 to 1 by the size of the far plane. Half of it is meant: third slider.
+// - *X_Jun, prose:* calls what it keeps in alpha a depth in screen space. It is the z of view space, and no distance:
+//   first slider.
+// - *X_Jun and SSAO explored:* border and clear depth are 1e5, which 16 bits cannot hold. Only Direct3D's rounding
+//   saves them.
+//
+// </details>
+//
+// ## Where to go on
+//
+// We have a point and its normal at every texel. Chapter 05 finds fourteen places around it to ask about. Chapter 22
+// asks what positions are worth in extreme scenes, kilometres away from the eye or a hair's breadth.
+
+// %% end tags=["setup"]
 }
 
 const Chapter kChapter("04", "position_from_depth", "Position from depth", position_from_depth);

@@ -35,8 +35,8 @@ DepthErrorTable depth_error_table() {
     for (const DepthKind& kind : kDepthKinds) table.header.push_back(kind.name);
     table.header.push_back("D24, rebuilt in float");
     for (const auto& planes : kPlanes) {
-        table.rows.push_back(
-            {significant_text(planes.first, 2) + " .. " + significant_text(planes.second, 2)});
+        table.rows.push_back({exact_text(static_cast<float>(planes.first)) + " .. " +
+                              exact_text(static_cast<float>(planes.second))});
         double in_float = 0;
         for (const DepthKind& kind : kDepthKinds) {
             double worst = 0;
@@ -53,18 +53,25 @@ DepthErrorTable depth_error_table() {
     return table;
 }
 
-Picture depth_error_plot() {
-    std::vector<PlotSeries> series;
+Plot depth_error_plot() {
+    Plot plot{"Relative error of a stored view depth",
+              {"view depth z, scene units", true, 1, 1000},
+              {"largest error / z", true, 1e-9, 0.1},
+              {}};
     for (const DepthKind& kind : kDepthKinds) {
         if (kind.format == DepthFormat::d32f && !kind.reversed_z) continue;
-        PlotSeries line{{}, {}, PlotMark::line, kind.colour}, dots{{}, {}, PlotMark::dots, kind.colour};
+        PlotCurve measured{std::string(kind.name) + ", measured", {}, {}, {}, {}, PlotStyle::dots};
+        PlotCurve bound{std::string(kind.name) + ", bound", {}, {}, {}, {}, PlotStyle::smooth};
         each_depth(camera_between({1, 1000}, kind), kind.format, [&](double z, const DepthError& e) {
-            line.x.push_back(z), line.y.push_back(e.bound / z);
-            dots.x.push_back(z), dots.y.push_back(e.error / z);
+            measured.x.push_back(z);
+            measured.y.push_back(e.error / z);
+            bound.x.push_back(z);
+            bound.y.push_back(e.bound / z);
         });
-        series.push_back(line), series.push_back(dots);
+        plot.curves.push_back(measured);
+        plot.curves.push_back(bound);
     }
-    return plot_picture({480, 300}, {1, 1000, 1e-9, 0.1, true}, series);
+    return plot;
 }
 
 }  // namespace crevice

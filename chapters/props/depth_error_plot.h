@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "chapters/notebook/plot_picture.h"
+#include "chapters/notebook/plot.h"
 #include "rasterizer/draw/depth_precision.h"
 
 namespace crevice {
@@ -14,12 +14,11 @@ struct DepthKind {
     const char* name;
     DepthFormat format;
     bool reversed_z;
-    glm::vec3 colour;  // in the plot
 };
-inline constexpr DepthKind kDepthKinds[] = {{"D16", DepthFormat::d16, false, kPlotOrange},
-                                            {"D24", DepthFormat::d24, false, kPlotBlue},
-                                            {"D32F", DepthFormat::d32f, false, glm::vec3(0.5f)},
-                                            {"reversed D32F", DepthFormat::d32f, true, kPlotGreen}};
+inline constexpr DepthKind kDepthKinds[] = {{"D16", DepthFormat::d16, false},
+                                            {"D24", DepthFormat::d24, false},
+                                            {"D32F", DepthFormat::d32f, false},
+                                            {"reversed D32F", DepthFormat::d32f, true}};
 
 struct DepthErrorTable {
     std::vector<std::string> header;
@@ -33,6 +32,6 @@ DepthErrorTable depth_error_table();
 
 // Relative error over z from 1 to 1000, the planes: measured as dots, bounds as lines; D32F, which does as
 // D24, left out.
-Picture depth_error_plot();
+Plot depth_error_plot();
 
 }  // namespace crevice
