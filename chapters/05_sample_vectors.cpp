@@ -1,10 +1,5 @@
-// Question: in which directions does a pixel look for occluders, and are they as even as the text says?
-//
-// The one idea: keep 14 fixed vectors that are spread evenly, and mirror them all at the plane of a random
-// vector, another at each pixel. Mirroring keeps lengths and angles, but only a unit vector makes a mirror.
-//
+// %% setup tags=["setup"]
 // Source: X_Jun, "Generating random samples"; Luna, BuildOffsetVectors and BuildRandomVectorTexture.
-// Look for: the third drawing, pulled out of shape; the histogram, which should be one bar; the bright spots.
 // Run: crevice chapter 05
 #include <algorithm>
 #include <cmath>
@@ -12,6 +7,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "chapters/diagrams/depth_section.h"
+#include "chapters/diagrams/vector_panels.h"
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/switched_ao.h"
 #include "chapters/terminal/number_text.h"
@@ -23,25 +20,65 @@ namespace {
 
 using Vectors = std::array<glm::vec3, kCubeVectors>;
 
-// HLSL's reflect, for the whole set.
+std::string text(float value) { return decimal_text(static_cast<double>(value), 3); }
+std::string text(glm::vec3 v) { return text(v.x) + ", " + text(v.y) + ", " + text(v.z); }
+
+glm::vec3 mirrored(glm::vec3 v, glm::vec3 r) { return v - 2 * glm::dot(v, r) * r; }
 Vectors mirrored(Vectors vectors, glm::vec3 r) {
-    for (glm::vec3& v : vectors) v = v - 2 * glm::dot(v, r) * r;
+    for (glm::vec3& v : vectors) v = mirrored(v, r);
     return vectors;
 }
 
-// The vectors as lines from the origin: x right, y up, z to the upper right. The frame is at 1.6.
-Picture drawing(const Vectors& vectors) {
-    constexpr int kSide = 241;
-    Image3 canvas({kSide, kSide}, glm::vec3(1));
-    for (const glm::vec3& v : vectors) {
-        for (int step = 0; step <= kSide; ++step) {
-            const glm::vec3 p = static_cast<float>(step) / kSide * v;
-            const int x = static_cast<int>(120.5f + 75 * (p.x + 0.35f * p.z));
-            const int y = static_cast<int>(120.5f - 75 * (p.y + 0.25f * p.z));
-            if (x >= 0 && y >= 0 && x < kSide && y < kSide) canvas.set(x, y, 0.4f * glm::normalize(v) + 0.4f);
+// Blue; longer than any sample should be: red.
+VectorPanel panel(const std::string& words, const Vectors& vectors) {
+    VectorPanel result{words, {}};
+    for (const glm::vec3& v : vectors)
+        result.vectors.push_back({v, glm::length(v) > 1.00001f ? kSvgOccluded : kSvgOpen});
+    return result;
+}
+VectorPanel with_mirror(VectorPanel drawn, glm::vec3 r) {
+    drawn.vectors.push_back({r, kSvgPoint, "r"});
+    return drawn;
+}
+
+// The smallest angle between two of the directions, degrees.
+double closest_deg(const Vectors& vectors) {
+    double cosine = -1;
+    for (std::size_t i = 0; i < vectors.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            const glm::dvec3 a(vectors[i]), b(vectors[j]);
+            cosine = std::max(cosine, glm::dot(glm::normalize(a), glm::normalize(b)));
         }
     }
-    return colour_picture(canvas);
+    return 57.29577951308232 * std::acos(cosine);
+}
+
+// The samples of a texel in the vertical plane that holds it; those that have been flipped with where they came from.
+std::string samples_diagram(const AoInputs& inputs, Texel at, const Explanation& texel, double radius,
+                            const std::vector<float>& facing) {
+    const SectionPlane plane{at.x, at.y, {0, 1}};
+    const SectionPoint p = plane.at(texel.p_view);
+    const double reach = 1.5 * radius;
+    SectionDrawing drawing({p.z - 1.2 * reach, p.across - 0.9 * reach},
+                           {p.z + 1.2 * reach, p.across + 0.9 * reach});
+    drawing.surface(depth_section(inputs, plane, 3 * reach));
+    drawing.circle(p, radius, kSvgSoft);
+    for (std::size_t i = 0; i < texel.samples.size(); ++i) {
+        const SectionPoint q = plane.at(texel.samples[i].q_view);
+        if (facing[i] < 0) {
+            const SectionPoint before = plane.at(texel.p_view - texel.samples[i].offset);
+            drawing.segment(before, p, kSvgSoft, true);
+            drawing.point(before, "", kSvgSoft, SectionDrawing::Dot::ring);
+        }
+        drawing.segment(p, q, kSvgOpen);
+        drawing.point(q, "", kSvgOpen);
+    }
+    const SectionPoint tip = plane.at(texel.p_view + 1.1f * static_cast<float>(radius) * texel.n_view);
+    drawing.arrow(p, tip, kSvgPoint);
+    drawing.label(tip, 6, 2, "n", kSvgPoint);
+    drawing.point(p, "", kSvgPoint);
+    drawing.label(p, 6, 20, "p", kSvgPoint);
+    return drawing.svg("Fourteen samples around one texel");
 }
 
 // The 14 directions mirrored at every vector of the map.
@@ -56,121 +93,356 @@ std::vector<glm::vec3> all_mirrored(Vectors offsets, const RandomMap& map, bool 
     return result;
 }
 
-// How often the flipped directions point where, seen along n = +z; equal areas, 1 is the mean.
+std::vector<float> sorted_lengths(const std::vector<glm::vec3>& vectors) {
+    std::vector<float> lengths;
+    for (const glm::vec3& v : vectors) lengths.push_back(glm::length(v));
+    std::sort(lengths.begin(), lengths.end());
+    return lengths;
+}
+
+// The share of the lengths in each twentieth from 0 to 3.
+PlotCurve length_shares(const std::vector<float>& sorted) {
+    PlotCurve curve{"raw r", {}, {}, {}, {}, PlotStyle::smooth};
+    const auto first = [&](float value) { return std::lower_bound(sorted.begin(), sorted.end(), value); };
+    for (int bar = 0; bar < 60; ++bar) {
+        const float low = 0.05f * static_cast<float>(bar);
+        curve.x.push_back(static_cast<double>(low + 0.025f));
+        curve.y.push_back(100.0 * static_cast<double>(first(low + 0.05f) - first(low)) /
+                          static_cast<double>(sorted.size()));
+    }
+    return curve;
+}
+
+// How often the flipped directions point where, seen along n = +z; equal areas, 1 is the mean. A cell is 4 pixels wide.
 Image<float> density(const std::vector<glm::vec3>& directions) {
-    Image<float> result({48, 48}, 0.0f);
+    constexpr int kCells = 48, kEnlarged = 4;
+    Image<float> cells({kCells, kCells}, 0.0f), result({kCells * kEnlarged, kCells * kEnlarged}, 0.0f);
     for (const glm::vec3& d : directions) {
         const glm::vec3 n = d.z < 0 ? -d : d;
         const float scale = 1 / std::sqrt(1 + n.z);
         const auto cell = [&](float a) { return static_cast<int>((a * scale + 1) * 23.99f); };
-        result.at(cell(n.x), 47 - cell(n.y)) += 3.14159265f * 24 * 24 / static_cast<float>(directions.size());
+        cells.at(cell(n.x), kCells - 1 - cell(n.y)) +=
+            3.14159265f * 24 * 24 / static_cast<float>(directions.size());
+    }
+    for (int y = 0; y < result.size.height; ++y) {
+        for (int x = 0; x < result.size.width; ++x) result.at(x, y) = cells.at(x / kEnlarged, y / kEnlarged);
     }
     return result;
 }
 
-// Bars over 0 to 3, a twentieth wide, light below 1.
-Picture histogram(const std::vector<float>& sorted) {
-    Image<float> canvas({60, 40}, 1.0f);
-    const auto first = [&](float value) { return std::lower_bound(sorted.begin(), sorted.end(), value); };
-    for (int bar = 0; bar < 60; ++bar) {
-        const auto low = 0.05f * static_cast<float>(bar);
-        const auto inside = first(low + 0.05f) - first(low);
-        const auto height = 300 * inside / static_cast<std::ptrdiff_t>(sorted.size());
-        for (int y = 0; y < height && y < 40; ++y) canvas.at(bar, 39 - y) = bar < 20 ? 0.6f : 0.2f;
-    }
-    return grey_picture(canvas, 0, 1);
-}
-
-void show_all_mirrored(Notebook& book, const Vectors& offsets, const RandomMap& map) {
-    const std::vector<glm::vec3> directions = all_mirrored(offsets, map, true);
-    std::vector<float> unit, raw;
-    for (const glm::vec3& d : directions) unit.push_back(glm::length(d));
-    for (const glm::vec3& d : all_mirrored(offsets, map, false)) raw.push_back(glm::length(d));
-    for (std::vector<float>* lengths : {&unit, &raw}) std::sort(lengths->begin(), lengths->end());
-    book.show("lengths", histogram(raw), "|d| / |o| from 0 to 3, r as published; light below 1, dark above.");
-    const double mean = std::accumulate(raw.begin(), raw.end(), 0.0) / static_cast<double>(raw.size());
-    const float p1 = raw[raw.size() / 100], p99 = raw[raw.size() / 100 * 99];
-    book.table({"mean |d| / |o|", "1 %", "99 %", "largest"},
-               {{std::to_string(mean), exact_text(p1), exact_text(p99), exact_text(raw.back())}});
-    book.check("a unit r keeps every length", unit.front() > 0.99999f && unit.back() < 1.00001f);
-    book.check("as published, 1 sample in 100 lies over 2.5 times too far, the worst over 4, none 5",
-               p99 > 2.5f && raw.back() > 4 && raw.back() < 5);
-    book.show("density", grey_picture(density(directions), 0, 3),
-              "Where all flipped directions point, seen along n (1, dark, is even): near the originals.");
-}
-
-// What vectors that are not unit do to the picture, at a column's foot.
-void show_raw_vectors(Notebook& book) {
-    const SwitchedView view = column_foot(book);
-    std::vector<Image<float>> pictures;
-    std::vector<double> noise;
-    for (const char* kind : {"unit", "raw"}) {
-        const Words words = {std::string("random_vectors=") + kind, "exponent=1"};
-        const SwitchedAo linear = view.ao(words);
-        constexpr int kSeeds = 32;
-        noise.push_back(
-            compare_images(linear.raw, luna_limit(linear.inputs, linear.settings, kSeeds).mean).rmse);
-        pictures.push_back(view.ao({words[0]}).raw);
-    }
-    book.show_row("AO with unit vectors; with raw ones, " + view.command({"random_vectors=raw"}) +
-                      "; raw minus unit: less shade at the foot, more further out, and more grain.",
-                  {{"ao_unit", ao_picture(pictures[0])},
-                   {"ao_raw", ao_picture(pictures[1])},
-                   {"raw_minus_unit", difference_picture(difference_of(pictures[1], pictures[0]))}});
-    book.check("raw vectors make at least a quarter more noise (RMS from their own mean over 32 seeds)",
-               noise[1] > 1.25 * noise[0], decimal_text(noise[0], 4) + " and " + decimal_text(noise[1], 4));
-    book.text(
-        "Long samples may also pass the near plane, where no pixel shows what is there. The lab rejects "
-        "those with raw vectors too; the tutorials go on to divide by `q_z <= 0`.");
-}
-
-void sample_vectors(Notebook& book) {
-    book.text(R"(
-        # 05 Sample vectors
-
-        Fixed directions would show as bands, independent ones would clump. The tutorial takes 14 vectors `o`
-        to a cube's corners and faces, a quarter to one unit long, mirrors them at the random `r` of a pixel,
-        and flips to the front those behind the surface:
-
-            d = o - 2 (o . r) r        q = p + sign(d . n) radius d
-    )");
-    const Vectors offsets = cube_offsets(book.seed());
-    const glm::vec3 r = glm::normalize(glm::vec3(0.3f, 0.8f, 0.5f));
-    const Vectors turned = mirrored(offsets, r);
-    book.show_row("The vectors: as stored; mirrored with |r| = 1; with |r| = 1.4, which is no mirror.",
-                  {{"stored", drawing(offsets)},
-                   {"mirrored", drawing(turned)},
-                   {"stretched", drawing(mirrored(offsets, 1.4f * r))}});
-    glm::vec3 mean(0);
-    float opposite = 1;  // cosine
-    for (std::size_t i = 0; i < turned.size(); i += 2) {
-        const glm::vec3 first = glm::normalize(turned[i]), second = glm::normalize(turned[i + 1]);
-        mean += (first + second) / 14.0f;
-        opposite = std::min(opposite, -glm::dot(first, second));
-    }
-    book.check("the mean direction is 0: no side is preferred", glm::length(mean) < 1e-6f);
-    book.check("flipping sends both of a pair the same way: 7 directions, not 14", opposite > 0.99999f);
-
-    const RandomMap map = random_map(book.seed());
-    Image3 vectors({256, 256}, glm::vec3(0));
+Image3 as_image(const RandomMap& map) {
+    Image3 vectors({kRandomMapSide, kRandomMapSide}, glm::vec3(0));
     vectors.x.pixels.assign(map.x.begin(), map.x.end());
     vectors.y.pixels.assign(map.y.begin(), map.y.end());
     vectors.z.pixels.assign(map.z.begin(), map.z.end());
-    book.show("random_map", normal_picture(vectors), "The random map: 256 x 256 vectors r, hardly one unit.");
-    show_all_mirrored(book, offsets, map);
-    show_raw_vectors(book);
-    book.try_it({
-        "Draw with `1.1f * r` instead of `1.4f * r`: a tenth too long is enough to spoil the set.",
-        "In `all_mirrored`, keep every second `d` only: the same density, the other half repeats it.",
-        "Run with `--seed 2`: other lengths and another map, but the same statistics.",
-    });
-    book.errata({
-        "*X_Jun, shader:* `r` is used as fetched: `reflect` does not reflect (histogram, last row).",
-        "*X_Jun:* mirrored vectors are certain to be uniform. One pixel's are, all together are not.",
-        "*X_Jun:* opposite neighbours spread fewer than 14 samples. Flipping makes them one direction.",
-        "*Luna, prose:* 14 vectors in the hemisphere. They fill the sphere; the shader flips them.",
-        "*X_Jun:* `random_device` seeds both tables: no two runs give the same picture.",
-    });
+    return vectors;
+}
+
+// The share of the map's vectors that are longer or shorter than 1 by more than a twentieth.
+double not_unit_share(const RandomMap& map) {
+    double off = 0;
+    for (std::size_t i = 0; i < map.x.size(); ++i)
+        off += std::fabs(glm::length(glm::vec3(map.x[i], map.y[i], map.z[i])) - 1) > 0.05f ? 1 : 0;
+    return off / static_cast<double>(map.x.size());
+}
+
+// RMS difference of an AO map, without contrast, from its own mean over many seeds.
+double noise_of(const SwitchedView& view, const std::string& vectors) {
+    constexpr int kSeeds = 32;
+    const SwitchedAo linear = view.ao({vectors, "exponent=1"});
+    return compare_images(linear.raw, luna_limit(linear.inputs, linear.settings, kSeeds).mean).rmse;
+}
+
+// clang-format off: cells stand at the margin, where notebooks look for them.
+void sample_vectors(Notebook& book) {
+// %% question [markdown]
+// # Sample vectors
+//
+// From every point we want to ask in all directions whether something is near. There is time for about fourteen
+// questions. The picture below asks at every texel in the same fourteen directions, and it shows: where the edge of a
+// column passes one of the fourteen, all texels of a whole line notice it together. These steps are called *banding*.
+
+// %% start
+const SwitchedView view = column_foot(book);
+const Words none = {"random_vectors=none"};
+const SwitchedAo banded = view.ao(none), shown = view.ao();
+book.show("banded", ao_picture(banded.raw),
+          "Occlusion with the same fourteen directions everywhere (" + view.command(none) +
+              "). Every band is the outline of the column, once more for each direction.");
+
+// %% idea [markdown]
+// ## The idea
+//
+// If each texel drew fourteen directions of its own at random, the bands would be gone, but the draws would be uneven:
+// some texels would ask mostly upwards, others mostly sideways, and the picture would be full of coarse grain. So:
+//
+// **Keep one set of fourteen vectors that are spread evenly, turn the whole set at every texel at random, and flip to
+// the front what points into the surface.**
+//
+// ## Fourteen even directions
+//
+// Take a cube and go from its middle to its eight corners and to the middles of its six faces. No side is preferred,
+// and the directions keep their distance from one another. Opposite ones are stored next to each other, so the first
+// eight or ten of them are still balanced. Each gets a random length between a quarter and one, once and for all: the
+// samples shall lie everywhere inside the ball around $p$, not only on its rim. We call these vectors $o$, for
+// *offset*.
+//
+// ## Turning by mirroring
+//
+// One could turn the set by a rotation matrix. A mirror does as well and needs a single vector: let $r$ be the normal
+// of the mirror's plane. The part of $o$ along $r$ is $(o \cdot r)\, r$; a mirror reverses it, so twice of it must be
+// subtracted:
+//
+// $$ d = o - 2\, (o \cdot r)\, r $$
+//
+// HLSL calls this `reflect`. Does it keep lengths? Multiply out:
+//
+// $$ |d|^2 = |o|^2 - 4\, (o \cdot r)^2 + 4\, (o \cdot r)^2\, |r|^2 $$
+//
+// The last two terms cancel if and only if $|r| = 1$. A mirror with a *unit* vector keeps all lengths and all angles,
+// and the turned set is as even as the first.
+
+// %% vectors
+const Vectors offsets = cube_offsets(book.seed());
+const glm::vec3 mirror = glm::normalize(glm::vec3(0.3f, 0.8f, 0.5f));
+const float stretch = 1.2f;
+const Vectors turned = mirrored(offsets, mirror);
+book.draw(
+    "turned",
+    vector_panels(
+        "One set of vectors",
+        {panel("as stored", offsets), with_mirror(panel("mirrored, |r| = 1", turned), mirror),
+         with_mirror(panel("a longer r: no mirror", mirrored(offsets, stretch * mirror)),
+                     stretch * mirror)}),
+    "The fourteen offsets as they are stored; mirrored at the unit vector r; and \"mirrored\" at a "
+    "longer r, which pulls them out of shape: red ones lie outside of the ball.");
+book.number("closest", closest_deg(offsets), 1);
+glm::vec3 mean_direction(0);
+float opposite = 1;  // cosine
+for (std::size_t i = 0; i < turned.size(); i += 2) {
+    const glm::vec3 first = glm::normalize(turned[i]), second = glm::normalize(turned[i + 1]);
+    mean_direction += (first + second) / 14.0f;
+    opposite = std::min(opposite, -glm::dot(first, second));
+}
+book.check(
+    "The mean of the fourteen directions is 0, and no two are closer than {closest} degrees, "
+    "before and after.",
+    glm::length(mean_direction) < 1e-6f &&
+        std::fabs(closest_deg(turned) - closest_deg(offsets)) < 0.01);
+
+// %% flip_text [markdown]
+// ## To the front
+//
+// Half of the directions point into the surface. Nothing can be seen there, so these are flipped over: with the normal
+// $n$ and the length *radius* $R$, half a scene unit in both tutorials,
+//
+// $$ q = p + \mathrm{sign}(d \cdot n)\, R\, d $$
+//
+// The point $q$ is called a *sample*: the place that chapter 06 asks about. Here is the texel that we follow.
+
+// %% one_texel
+const LunaKernel kernel(shown.inputs, shown.settings);
+const RandomMap map = random_map(shown.settings.seed);
+const Texel at = followed_texel(shown.inputs.size());
+const Explanation texel = view.explanation(shown, at.x, at.y);
+const LunaPoint<float> point = kernel.point_at<float>(map, at.x, at.y);
+const glm::vec3 r(point.random.x, point.random.y, point.random.z);
+std::vector<float> facing;
+for (const glm::vec3& o : kernel.offsets) facing.push_back(glm::dot(mirrored(o, r), texel.n_view));
+const std::size_t flipped = static_cast<std::size_t>(
+    std::find_if(facing.begin(), facing.end(), [](float f) { return f < 0; }) - facing.begin());
+const glm::vec3 o = kernel.offsets[flipped];
+book.number("x", std::to_string(at.x));
+book.number("y", std::to_string(at.y));
+book.draw(
+    "hemisphere",
+    samples_diagram(shown.inputs, at, texel, static_cast<double>(shown.settings.radius), facing),
+    "The fourteen samples of texel ({x}, {y}), seen from the side. Dashed: where those were that "
+    "pointed into the ground. The dotted circle is the radius. The plane of the drawing shows all "
+    "vectors shortened that do not lie in it.");
+
+// %% one_texel_numbers
+book.number("r", text(r));
+book.number("i", std::to_string(flipped + 1));
+book.number("o", text(o));
+book.number("o_r", text(glm::dot(o, r)));
+book.number("d", text(mirrored(o, r)));
+book.number("d_n", text(facing[flipped]));
+book.number("q", text(texel.samples[flipped].q_view));
+const glm::vec3 by_hand = texel.p_view - shown.settings.radius * mirrored(o, r);
+book.check(
+    "The random vector of this texel is r = ({r}). For offset number {i}, o = ({o}), $o \\cdot r$ "
+    "is {o_r}, so d = ({d}). As $d \\cdot n$ = {d_n} is negative, the sample lies on the other "
+    "side: q = p - R d = ({q}).",
+    glm::length(by_hand - texel.samples[flipped].q_view) < 1e-5f);
+
+// %% seven [markdown]
+// Flipping has a price. The opposite of a direction that is flipped lands on the same side as its partner: of the
+// fourteen directions only **seven** are left, with two samples of different lengths along each.
+
+// %% seven_directions
+book.check(
+    "Every second direction is the reverse of the one before it, so flipping sends both the same "
+    "way.",
+    opposite > 0.99999f);
+
+// %% map_text [markdown]
+// ## Where r comes from
+//
+// A shader has no random numbers, so they are made once and stored in a texture, the *random map*: 256 by 256 vectors,
+// each component drawn evenly from -1 to 1 and kept as one of 256 values. The map is laid over the picture four times
+// across and four times down, whatever the picture's shape, and it wraps round at its ends, so there is no seam. A
+// texel looks it up at $(4u, 4v)$, and the four nearest vectors are mixed *linearly*.
+
+// %% the_map
+book.show("random_map", normal_picture(as_image(map)),
+          "The random map. The colour of each texel is its vector: x is red, y green, z blue, and "
+          "grey stands for 0.");
+book.number("step", 1024.0 / shown.inputs.size().width, 1);
+book.number("not_unit", percent_text(not_unit_share(map)));
+book.check(
+    "From one texel of the AO map to the next it is {step} vectors of the random map, so "
+    "neighbours turn their sets differently. {not_unit} of the vectors are more than a twentieth "
+    "longer or shorter than 1.",
+    not_unit_share(map) > 0.8);
+
+// %% code_text [markdown]
+// ## The code
+//
+// The lab normalises $r$ after looking it up; then the mirror is one. In HLSL: `d = reflect(offset, r)`, and
+// `q = p + sign(dot(d, n)) * radius * d`.
+
+// %% kernels tags=["setup"]
+book.listing("ssao/inputs/random_vectors.cpp", "cube_offsets",
+             "The fourteen offsets. `hash_of` gives every sample a random number that depends on "
+             "the seed alone.");
+book.listing("ssao/methods/luna_occlusion.h", "random_vector",
+             "r of a texel. `raw` leaves it as the map has it, as the tutorials do; `none` leaves "
+             "the offsets where they are.");
+book.listing("ssao/methods/luna_occlusion.h", "sample_point",
+             "One sample: mirror, flip, step away from p.");
+book.listing("ssao/methods/luna_occlusion.h", "visible",
+             "A sample that comes to lie in front of the near plane has no place on the screen. It "
+             "takes nothing from p, but it is counted among the fourteen all the same.");
+
+// %% picture [markdown]
+// ## The picture it makes
+//
+// The bands have dissolved into grain. What was a wrong line is now a right mean with noise around it, and noise can be
+// blurred away.
+
+// %% raw_ao
+book.compare(
+    {"fixed", ao_picture(banded.raw), "The same fourteen directions everywhere: bands."},
+    {"turned_ao", ao_picture(shown.raw),
+     "Turned at random at every texel: grain, and the shade of the column is smooth on average."});
+
+// %% raw_text [markdown]
+// ## What can go wrong
+//
+// **A mirror that is none.** Both tutorials use $r$ as it comes from the map. Since hardly one vector has the length 1,
+// most sets are pulled along $r$ or squeezed. Here is how long the samples get that should have the length 1:
+
+// %% lengths
+const std::vector<glm::vec3> directions = all_mirrored(offsets, map, true);
+const std::vector<float> unit = sorted_lengths(directions),
+                         raw = sorted_lengths(all_mirrored(offsets, map, false));
+const double mean = std::accumulate(raw.begin(), raw.end(), 0.0) / static_cast<double>(raw.size());
+const float p1 = raw[raw.size() / 100], p99 = raw[raw.size() / 100 * 99];
+book.plot("lengths",
+          {"Length of a mirrored vector",
+           {"|d| / |o|", false, 0, 3},
+           {"share of the samples, %"},
+           {length_shares(raw)},
+           {{1, "unit r"}}},
+          "With vectors as they come from the map, lengths spread from almost nothing to several "
+          "radii. With unit vectors all of them stand at 1.");
+book.table({"mean |d| / |o|", "1 % are below", "1 % are above", "the largest"},
+           {{decimal_text(mean, 3), text(p1), text(p99), text(raw.back())}});
+book.number("p99", text(p99));
+book.number("longest", text(raw.back()));
+book.check("A unit vector keeps every length.", unit.front() > 0.99999f && unit.back() < 1.00001f);
+book.check(
+    "As published, one sample in a hundred lies more than {p99} times too far away, the worst "
+    "{longest} times. It cannot be more than five.",
+    p99 > 2.5f && raw.back() > 4 && raw.back() < 5);
+
+// %% raw_and_unit
+const Words raw_words = {"random_vectors=raw"};
+const SwitchedAo published = view.ao(raw_words);
+book.compare({"ao_raw", ao_picture(published.raw),
+              "Vectors as they come (" + view.command(raw_words) + ")."},
+             {"ao_unit", ao_picture(shown.raw), "Unit vectors: finer grain."});
+book.show("raw_minus_unit", difference_picture(difference_of(published.raw, shown.raw)),
+          "The first minus the second: less shade at the foot (red), more further out (blue), and "
+          "grain everywhere.");
+const double noise_raw = noise_of(view, "random_vectors=raw"),
+             noise_unit = noise_of(view, "random_vectors=unit");
+book.number("noise_raw", noise_raw, 4);
+book.number("noise_unit", noise_unit, 4);
+book.check(
+    "Vectors as they come make at least a quarter more noise: {noise_raw} against {noise_unit}, "
+    "RMS difference from the mean over 32 seeds.",
+    noise_raw > 1.25 * noise_unit);
+
+// %% near_text [markdown]
+// Long samples may also end in front of the near plane, or behind the eye. The tutorials go on to divide by $q_z \le 0$
+// there. This lab rejects them, with raw vectors too.
+//
+// **Even at one texel is not even over all.** Each turned set is even. But of all mirrors most stand nearly edge-on to
+// a given direction, and such a mirror hardly moves it. Collected over the whole map, the directions crowd around the
+// places where the fourteen began.
+
+// %% density
+const Image<float> often = density(directions);
+book.number("densest", buffer_statistics(often).max, 1);
+book.show(
+    "density", grey_picture(often, 0, 4),
+    "Where all flipped directions point, seen along the normal z. The disc is the hemisphere; "
+    "equal areas stand for equal solid angles. A quarter of white is even. The light spots come up "
+    "to {densest} times as often as they should: they are the fourteen first directions.");
+
+// %% exercises [markdown]
+// ## Exercises
+//
+// 1. Run `crevice chapter 05 --seed 2`. What changes, and what does not?
+// 2. In the cell `vectors` of this chapter set `stretch` to 1.1. How long does the longest sample get at most, as a
+//    formula?
+// 3. With $|r|^2 = 1/2$ and $o$ along $r$: what is $d$, and what does the sample then ask?
+// 4. In `all_mirrored` keep only every second `d`. Why does the density stay the same?
+// 5. (Open) Find a distribution of $r$ that makes the density even. How would you store it?
+//
+// <details><summary>Answers</summary>
+//
+// 1. The lengths and the random map, so the grain; not the statistics, and not the shade.
+// 2. $d$ along $r$ is $(1 - 2 |r|^2)\, o$, so $2 |r|^2 - 1$ times as long: 1.42 with 1.1. In the corner of the map,
+//    $|r|^2 = 3$, it is 5.
+// 3. $d = o - 2 \cdot \tfrac12\, o = 0$: the sample lies on $p$ itself. Chapter 06 says what that comes to.
+// 4. The other half are opposites, which flipping sends to the same places.
+// 5. No distribution of mirrors that is itself even will do: $d \cdot o = 1 - 2 (o \cdot r)^2$ prefers 1. Take random
+//    rotations instead, for example unit quaternions, whose four components fit into the four channels of the map.
+//
+// </details>
+
+// %% errata [markdown]
+// <details><summary>Errata of the tutorials</summary>
+//
+// - *X_Jun, shader:* `r` is used as it is fetched, so `reflect` does not reflect: the plot of the lengths.
+// - *X_Jun, prose:* mirrored vectors are certain to be uniform. One texel's are; all texels' together are not: the last
+//   picture.
+// - *X_Jun, comment:* opposite neighbours in the list spread fewer than fourteen samples evenly. Flipping makes them
+//   one direction.
+// - *Luna, prose:* fourteen vectors in the hemisphere. They fill the sphere; the shader flips them.
+// - *X_Jun:* `random_device` seeds both tables, so no two runs give the same picture. Here a seed is stated.
+//
+// </details>
+//
+// ## Where to go on
+//
+// Fourteen points lie around every texel. Chapter 06 asks at each of them whether something stands in the way. Chapter
+// 13 has another way to random directions: a hemisphere that is rotated with a 4 by 4 tile of noise.
+
+// %% end tags=["setup"]
 }
 
 const Chapter kChapter("05", "sample_vectors", "Sample vectors", sample_vectors);
