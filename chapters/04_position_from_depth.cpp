@@ -415,8 +415,9 @@ book.check(
 // ## Exercises
 //
 // 1. The view angle is 60 degrees, the picture 16 by 9, the far plane at 1000. Where are its corners?
-// 2. Run `crevice render columns --param depth_format=d16 --param buffer_format=float16`. Which of the two coarse
-//    formats does X_Jun's AO read, and what does the command print about it?
+// 2. Run `crevice render columns --only ao_blurred --out a`, then the same with `--param buffer_format=float16 --out b`
+//    and with `--param depth_format=d16 --out c`. Now `crevice compare a/ao_blurred.npy b/ao_blurred.npy`, and likewise
+//    for c. Which of the two formats does X_Jun's AO depend on? Why does the other one change it at all?
 // 3. In `chapters/props/position_ways.h`, `by_unit_corners`, take the corners of `interpolated` instead of the large
 //    triangle's. Why is nothing wrong any more?
 // 4. Set `scene.camera.near_plane = 4` in `bare_walls()` of `chapters/props/stored_depth.cpp`. From which depth on does
