@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "chapters/notebook/plot_picture.h"
 #include "rasterizer/lanes/approx_math.h"
 #include "scenes/builtin_scenes.h"
 #include "ssao/rays/ray_cast_ao.h"
@@ -15,7 +14,6 @@ namespace crevice {
 
 namespace {
 
-constexpr Size kSize = {320, 200};
 constexpr int kPositions = 20;
 constexpr double kFarthest = 4;  // scene units
 constexpr float kWallRadius = 4;
@@ -52,36 +50,39 @@ ClosedForm beside_a_wall() {
 }
 
 // `away`: the way from x = 0 along the floor.
-ClosedFormPlot plotted(const Scene& scene, glm::vec3 away, const ClosedForm& form, RayAoSettings settings) {
+ClosedFormPlot plotted(const Scene& scene, glm::vec3 away, const ClosedForm& form, RayAoSettings settings,
+                       const std::string& title, const std::string& distance) {
     const RayScene rays = ray_scene(scene, glm::dvec3(0));
     std::vector<SurfacePoint> points;
     for (const double x : form.x) points.push_back({static_cast<float>(x) * away, {0, 1, 0}, {0, 1, 0}});
-    std::vector<PlotSeries> series;
-    double worst = 0;
+    ClosedFormPlot result{{title, {distance, false, 0, kFarthest}, {"accessibility", false, 0, 1}, {}}, 0};
     for (const RayWeight weight : {RayWeight::cosine, RayWeight::uniform}) {
         const bool cosine = weight == RayWeight::cosine;
         const std::vector<double>& exact = cosine ? form.cosine : form.uniform;
+        const std::string name = cosine ? "cosine" : "uniform";
         settings.weight = weight;
         const std::vector<float> open = ray_cast_ao(rays, points, settings);
         for (std::size_t i = 0; i < open.size(); ++i)
-            worst = std::max(worst, std::fabs(static_cast<double>(open[i]) - exact[i]));
-        series.push_back({form.x, exact, PlotMark::line, glm::vec3(0)});
-        series.push_back(
-            {form.x, {open.begin(), open.end()}, PlotMark::dots, cosine ? kPlotBlue : kPlotOrange});
+            result.worst = std::max(result.worst, std::fabs(static_cast<double>(open[i]) - exact[i]));
+        result.plot.curves.push_back({name + ", closed form", form.x, exact, {}, {}, PlotStyle::smooth});
+        result.plot.curves.push_back(
+            {name + ", rays", form.x, {open.begin(), open.end()}, {}, {}, PlotStyle::dots});
     }
-    return {plot_picture(kSize, {0, kFarthest, 0, 1}, series), worst};
+    return result;
 }
 
 }  // namespace
 
 ClosedFormPlot sphere_on_plane_plot(int rays, std::uint32_t seed) {
     return plotted(sphere_on_plane_scene(), {1, 0, 0}, beside_a_sphere(),
-                   {.rays = rays, .radius = std::numeric_limits<float>::infinity(), .seed = seed});
+                   {.rays = rays, .radius = std::numeric_limits<float>::infinity(), .seed = seed},
+                   "Beside a resting sphere", "distance from the contact, radii of the sphere");
 }
 
 ClosedFormPlot long_wall_plot(int rays, std::uint32_t seed) {
     return plotted(wall_corner_scene(), {0, 0, -1}, beside_a_wall(),
-                   {.rays = rays, .radius = kWallRadius, .seed = seed});
+                   {.rays = rays, .radius = kWallRadius, .seed = seed}, "Before a long wall",
+                   "distance from the wall, scene units");
 }
 
 }  // namespace crevice

@@ -6,13 +6,12 @@
 
 #include <cstdint>
 
-#include "chapters/notebook/picture.h"
+#include "chapters/notebook/plot.h"
 
 namespace crevice {
 
 struct ClosedFormPlot {
-    Picture picture;   // x from 0 to 4 scene units, y from 0 to 1; closed forms black lines, rays dots:
-                       // cosine-weighted blue, uniform orange
+    Plot plot;         // accessibility over the distance, 0 to 4 scene units; closed forms lines, rays dots
     double worst = 0;  // the largest difference between dots and lines
 };
 
