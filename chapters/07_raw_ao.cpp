@@ -1,70 +1,85 @@
-// Question: what does the AO pass produce before any blur, and where does its grain come from?
-//
-// The one idea: 14 samples a texel are far too few. A random vector per texel turns their error from bands
-// into fine grain, which an average over neighbours can remove.
-//
+// %% setup tags=["setup"]
 // Source: X_Jun, "Finishing the computation" and the full listing; Luna, Ssao.hlsl.
-// Look for: the bands where no random vector breaks them up; the step from 1 to 2 samples, which gains next
-//           to nothing; how the exponent alone makes shade out of hints; the picture's rim under three
-//           borders.
 // Run: crevice chapter 07
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "chapters/diagrams/sample_fans.h"
 #include "chapters/notebook/chapter.h"
+#include "chapters/props/crops.h"
 #include "chapters/props/switched_ao.h"
 #include "chapters/terminal/number_text.h"
 #include "scenes/builtin_scenes.h"
+#include "ssao/inputs/texel_fetch.h"
 #include "ssao/judge/luna_limit.h"
 #include "ssao/judge/metrics.h"
 #include "ssao/light/widened_ao.h"
 #include "ssao/methods/luna_ssao.h"
-#include "ssao/methods/xjun_ssao.h"
 
 namespace crevice {
 namespace {
 
 constexpr int kSeeds = 32;
 
-void both_tutorials(Notebook& book, const Image<float>& ao, const AoInputs& inputs) {
-    book.show("xjun", ao_picture(ao), "X_Jun's raw AO, half the picture's size: grain in the shade.");
-    const Scene luna = find_builtin_scene("columns_luna")->make();
-    const GBuffer luna_gbuffer = normal_depth(luna, luna.camera, book.size());
-    book.show("luna", ao_picture(luna_ssao(luna_gbuffer, luna.camera).ao),
-              "Luna's: occluders fade by 1.0 instead of 2.0 units, and the exponent is 6 instead of 4.");
+std::string text(float value) { return decimal_text(static_cast<double>(value), 3); }
+std::string text(glm::vec3 v) { return text(v.x) + ", " + text(v.y) + ", " + text(v.z); }
 
-    int sky = 0, darkened = 0;
-    for (std::size_t i = 0; i < ao.pixels.size(); ++i) {
-        if (inputs.view_depth.pixels[i] < std::numeric_limits<float>::infinity()) continue;
-        ++sky;
-        if (ao.pixels[i] != 1) ++darkened;
-    }
-    const BufferStatistics all = buffer_statistics(ao);
-    book.check("the sky is exactly 1", sky > 0 && darkened == 0, std::to_string(sky) + " texels");
-    book.check("every texel is in [0,1], none is NaN", all.min >= 0 && all.max <= 1 && all.nan == 0,
-               statistics_text(all));
+// Four neighbours of a map in a row, the followed texel first.
+std::vector<SampleFan> four_neighbours(const SwitchedView& view, const SwitchedAo& shown) {
+    const Texel at = followed_texel(shown.inputs.size());
+    std::vector<SampleFan> fans;
+    for (int x = at.x; x < at.x + 4; ++x)
+        fans.push_back({"AO " + text(shown.raw.at(x, at.y)), view.explanation(shown, x, at.y)});
+    return fans;
 }
 
-void sample_counts(Notebook& book, const AoInputs& inputs) {
-    const LunaSettings linear{.exponent = 1, .seed = book.seed()};
-    const Image<float> limit = luna_limit(inputs, linear, kSeeds).mean;
-    std::vector<Notebook::Named> pictures;
-    std::vector<std::vector<std::string>> rows;
-    std::vector<double> noise;
-    for (const int samples : {1, 2, 4, 7, 10, 14}) {
-        const LunaSettings settings{.samples = samples, .exponent = 1, .seed = book.seed()};
-        const Image<float> ao = luna_occlusion(inputs, settings, {}).ao;
-        noise.push_back(compare_images(ao, limit).rmse);
-        pictures.push_back({"samples_" + std::to_string(samples), ao_picture(ao)});
-        rows.push_back({std::to_string(samples), decimal_text(noise.back(), 4),
-                        decimal_text(noise.back() / noise.front(), 4)});
+// Where the mean of four pixels' depths is farthest from the nearest one's surface, all four showing something.
+Texel most_mixed(const SwitchedAo& nearest, const SwitchedAo& mixed) {
+    Texel most;
+    float farthest = 0;
+    const Image<float>& z = nearest.gbuffer.view_depth;
+    for (int y = 0; y < z.size.height / 2; ++y) {
+        for (int x = 0; x < z.size.width / 2; ++x) {
+            const float sum =
+                z.at(2 * x, 2 * y) + z.at(2 * x + 1, 2 * y) + z.at(2 * x, 2 * y + 1) + z.at(2 * x + 1, 2 * y + 1);
+            const float apart = mixed.inputs.view_depth.at(x, y) - nearest.inputs.view_depth.at(x, y);
+            if (std::isfinite(sum) && apart > farthest) farthest = apart, most = {x, y};
+        }
     }
-    book.show_row("1, 2, 4, 7, 10 and 14 samples, exponent 1: the noise shrinks, the shade stays.", pictures);
-    book.table({"samples", "RMS noise before the exponent", "over that of 1"}, rows);
-    book.check("14 samples have less than half the noise of one", noise.back() < 0.5 * noise.front());
-    book.check("2 samples gain less over 1 than 4 over 2: a pair looks the same way (chapter 05)",
-               noise[0] / noise[1] < noise[1] / noise[2]);
+    return most;
+}
+
+// The pixels that a texel of half size lies between, and what becomes of them.
+std::vector<std::vector<std::string>> pixels_of(const Texel& at, const SwitchedAo& nearest,
+                                                const SwitchedAo& mixed) {
+    std::vector<std::vector<std::string>> rows;
+    const char* const names[] = {"upper left pixel", "upper right", "lower left", "lower right"};
+    for (int i = 0; i < 4; ++i) {
+        const int x = 2 * at.x + i % 2, y = 2 * at.y + i / 2;
+        rows.push_back({names[i], text(nearest.gbuffer.normal.at(x, y)),
+                        text(nearest.gbuffer.view_depth.at(x, y))});
+    }
+    rows.push_back({"mean of the four (X_Jun)", text(mixed.inputs.normal.at(at.x, at.y)),
+                    text(mixed.inputs.view_depth.at(at.x, at.y))});
+    rows.push_back({"this lab's texel", text(nearest.inputs.normal.at(at.x, at.y)),
+                    text(nearest.inputs.view_depth.at(at.x, at.y))});
+    return rows;
+}
+
+struct SkyTexels {
+    int count = 0, darkened = 0;
+};
+SkyTexels sky_texels(const SwitchedAo& shown) {
+    SkyTexels sky;
+    for (int y = 0; y < shown.raw.size.height; ++y) {
+        for (int x = 0; x < shown.raw.size.width; ++x) {
+            if (std::isfinite(shown.inputs.view_depth.at(x, y))) continue;
+            ++sky.count;
+            if (shown.raw.at(x, y) != 1) ++sky.darkened;
+        }
+    }
+    return sky;
 }
 
 // The share of an error's square that two neighbours have in common: 1 bands, 0 grain.
@@ -80,155 +95,379 @@ double likeness_of_neighbours(const Image<float>& error) {
     return product / square;
 }
 
-// Bands without random vectors, and what the blur of chapter 08 makes of bands and of grain.
-void bands_and_grain(Notebook& book) {
-    const SwitchedView view = column_foot(book);
-    const SwitchedAo grain = view.ao(), bands = view.ao({"random_vectors=none"});
-    const Image<float> limit = luna_limit(grain.inputs, grain.settings, kSeeds).mean;
-    const Image<float> band_error = difference_of(bands.raw, limit),
-                       grain_error = difference_of(grain.raw, limit);
-    book.show_row("Grain without blur, " + view.command({"blur_iterations=0"}) +
-                      "; bands without random vectors, " + view.command({"random_vectors=none"}) +
-                      "; both blurred four times.",
-                  {{"grain", ao_picture(grain.raw)},
-                   {"bands", ao_picture(bands.raw)},
-                   {"grain_blurred", ao_picture(grain.blurred)},
-                   {"bands_blurred", ao_picture(bands.blurred)}});
-    const double alike = likeness_of_neighbours(band_error), unlike = likeness_of_neighbours(grain_error);
-    book.check("without random vectors neighbours err alike, with them much less", alike > 1.5 * unlike,
-               "correlation " + decimal_text(alike, 4) + " and " + decimal_text(unlike, 4));
-    const Image<float> blurred = bilateral_blur(limit, grain.inputs, grain.blur).ao;
-    const double bands_left = compare_images(bands.blurred, blurred).rmse,
-                 grain_left = compare_images(grain.blurred, blurred).rmse;
-    book.check("the blur removes grain and leaves bands", grain_left < 0.9 * bands_left,
-               "RMS from the blurred mean of 32 seeds " + decimal_text(grain_left, 4) + " and " +
-                   decimal_text(bands_left, 4));
-}
-
-// Whether the random map repeats after a quarter of the picture.
-void noise_pattern(Notebook& book, Size size) {
-    const RandomMap map = random_map(book.seed());
+// The largest change of a random vector from one quarter of the picture to the next, over a row of texels.
+float change_a_quarter_on(const RandomMap& map, int texels) {
     float change = 0;
-    for (int x = 0; x < size.width; ++x) {
-        const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(size.width);
-        const Vec3<float> step = map.sample(4 * u + 1, 0.5f) - map.sample(4 * u, 0.5f);
-        change = max_of(change, dot(step, step));
+    for (int x = 0; x < texels; ++x) {
+        const float u = kRandomMapRepeats * (static_cast<float>(x) + 0.5f) / static_cast<float>(texels);
+        const Vec3<float> step = map.sample(u + 1, 0.5f) - map.sample(u, 0.5f);
+        change = std::max(change, std::sqrt(dot(step, step)));
     }
-    book.check("a quarter of the picture further right, texels read the same random vectors", change < 1e-6f);
+    return change;
 }
 
-// Half against full size, and a half-size texel that takes a neighbour's point for its own.
-void texels_and_pixels(Notebook& book, const SwitchedView& view) {
-    const Image<float> half = view.ao().raw, full = view.ao({}, 1).raw;
-    const Image<float> change = difference_of(ao_at_picture_size(half, book.size()), full);
-    book.show_row("Full size, `--ao-scale 1`, and half minus full: thin lines are lost, the rest is noise.",
-                  {{"full_size", ao_picture(full)}, {"half_minus_full", difference_picture(change)}});
-    const double mean = buffer_statistics(change).mean;
-    book.check("on average half size is about as dark as full size", std::fabs(mean) < 0.03,
-               decimal_text(mean, 4));
-
-    const SwitchedView walls(book, "cornell");
-    const Image<float> exact = walls.ao().raw, off = walls.ao({"texel_centre=off"}).raw;
-    book.show_row("A room: the point at the texel's centre; a pixel's half a pixel off, " +
-                      walls.command({"texel_centre=off"}) + "; off minus exact.",
-                  {{"texel_exact", ao_picture(exact)},
-                   {"texel_off", ao_picture(off)},
-                   {"off_minus_exact", difference_picture(difference_of(off, exact))}});
-    const double darker = buffer_statistics(difference_of(off, exact)).mean;
-    book.check("misplaced points lie behind their own walls, which darken", darker < -0.002,
-               decimal_text(darker, 4));
+// The foot of the column in its view.
+PixelRect foot_of_column(Size size) {
+    return {size.width * 2 / 5, size.height / 4, size.width * 3 / 4, size.height * 3 / 4};
 }
 
-void sky_in_a_half(Notebook& book, const SwitchedView& view) {
-    const Words finite_words = {"buffer_format=float16_nearest", "edge_texels=mixed"};
-    const Words words = {"buffer_format=float16_nearest", "edge_texels=mixed", "sky_depth=as_stored"};
-    const SwitchedAo finite = view.ao(finite_words), infinite = view.ao(words);
-    book.show_row("1e5 in a half-float kept at 65504; rounded to nearest, which is infinite, " +
-                      view.command(words) +
-                      "; infinite minus finite: a few texels at "
-                      "silhouettes meet infinity, and lose their shade (red).",
-                  {{"sky_finite", ao_picture(finite.raw)},
-                   {"sky_infinite", ao_picture(infinite.raw)},
-                   {"infinite_minus_finite", difference_picture(difference_of(infinite.raw, finite.raw))}});
-    const SwitchedAo truncated = view.ao({"buffer_format=float16", "sky_depth=as_stored"});
-    const float sky = infinite.inputs.depth_map.at(0, 0), kept = truncated.inputs.depth_map.at(0, 0);
-    const float filtered = sky + 0 * (kept - sky);
-    book.check("toward zero 65504, to nearest infinity, and a filter that touches infinity gives NaN",
-               kept == 65504 && std::isinf(sky) && std::isnan(filtered));
-    const Image<float> change = difference_of(infinite.raw, finite.raw);
-    const auto lost =
-        std::count_if(change.pixels.begin(), change.pixels.end(), [](float a) { return a > 0.01f; });
-    book.check("texels that saw a NaN lose their shade; none leaves the pass",
-               lost > 0 && buffer_statistics(infinite.raw).nan == 0, std::to_string(lost) + " texels");
+// A difference of blurred maps: on a finer scale than those of raw ones.
+Picture error_picture(const Image<float>& ao, const Image<float>& mean, const PixelRect& part) {
+    constexpr float kScale = 0.1f;
+    return difference_picture(cropped(difference_of(ao, mean), part), kScale);
 }
 
-void beyond_the_border(Notebook& book) {
-    Camera camera = find_builtin_scene("columns")->make().camera;
-    camera.eye = {-4.6, -1.4, -2.6}, camera.target = {-3.9, -2.8, 0};
-    SwitchedView view(book, "columns");
-    view.look(camera, "--eye -4.6,-1.4,-2.6 --target -3.9,-2.8,0");
-    const Image<float> far = view.ao().blurred, edge = view.ao({"border=edge"}).blurred,
-                       wrap = view.ao({"border=wrap"}).blurred;
-    book.show_row("Beyond the picture: nothing; its last pixel, " + view.command({"border=edge"}) +
-                      "; its other side, " + view.command({"border=wrap"}) + "; edge and wrap minus nothing.",
-                  {{"border_far", ao_picture(far)},
-                   {"border_edge", ao_picture(edge)},
-                   {"border_wrap", ao_picture(wrap)},
-                   {"edge_minus_far", difference_picture(difference_of(edge, far))},
-                   {"wrap_minus_far", difference_picture(difference_of(wrap, far))}});
-    const auto most = [](const Image<float>& change) {
-        const BufferStatistics s = buffer_statistics(change);
-        return max_of(-s.min, s.max);
-    };
-    book.check("a border changes the picture, and no policy knows what is really there",
-               most(difference_of(edge, far)) > 0.05f && most(difference_of(wrap, far)) > 0.05f,
-               "by up to " + decimal_text(static_cast<double>(most(difference_of(edge, far))), 4) + " and " +
-                   decimal_text(static_cast<double>(most(difference_of(wrap, far))), 4));
+// The house of X_Jun's scene.
+PixelRect house_of(Size size) {
+    return {size.width * 3 / 10, size.height * 2 / 5, size.width * 7 / 10, size.height * 5 / 6};
 }
 
+float most(const Image<float>& change) {
+    const BufferStatistics s = buffer_statistics(change);
+    return std::max(-s.min, s.max);
+}
+
+// clang-format off: cells stand at the margin, where notebooks look for them.
 void raw_ao(Notebook& book) {
-    book.text(R"(
-        # 07 Raw ambient occlusion
 
-        Chapters 05 and 06 for every texel of a map half as wide and high as the picture, then contrast:
+// %% question [markdown]
+// # Raw ambient occlusion
+//
+// Chapter 06 has judged one texel by fourteen samples. Here every texel of a map is judged so, all of them in the same
+// fourteen directions. The shade at the foot of the column ought to fade out softly. Instead it breaks into *bands*:
+// flat patches with hard borders, at places where there is nothing in the scene that has a border.
 
-            access = 1 - (1/14) sum of dp * occlusion(dz)          AO = access ^ exponent
-    )");
-    const SwitchedView view(book, "columns");
-    const SwitchedAo shown = view.ao({"seed=" + std::to_string(book.seed())});
-    both_tutorials(book, shown.raw, shown.inputs);
-    sample_counts(book, shown.inputs);
-    noise_pattern(book, shown.inputs.size());
-    bands_and_grain(book);
-    texels_and_pixels(book, view);
-    sky_in_a_half(book, view);
-    beyond_the_border(book);
+// %% bands
+const SwitchedView foot = column_foot(book);
+const Words seed = {"seed=" + std::to_string(book.seed())}, unturned = {seed[0], "random_vectors=none"};
+const SwitchedAo grain = foot.ao(seed), bands = foot.ao(unturned);
+const PixelRect part = foot_of_column(bands.raw.size);
+book.show("bands", ao_picture(cropped(bands.raw, part)),
+          "The foot of a column. Fourteen samples a texel, the same directions everywhere (" + foot.command({unturned[1]}) + ").");
 
-    std::vector<Notebook::Named> powers;
-    std::vector<double> means;
-    for (const char* exponent : {"1", "2", "4", "6"}) {
-        const Image<float> ao = view.ao({std::string("exponent=") + exponent}).raw;
-        powers.push_back({std::string("exponent_") + exponent, ao_picture(ao)});
-        means.push_back(1 - buffer_statistics(ao).mean);
-    }
-    book.show_row("Exponents 1, 2, 4 (X_Jun) and 6 (Luna): contrast by taste, not physics. " +
-                      view.command({"exponent=6"}),
-                  powers);
-    book.check("6 instead of 4 takes at least a sixth more light away", means[3] > 7 * means[2] / 6,
-               "mean occlusion " + decimal_text(means[2], 4) + " and " + decimal_text(means[3], 4));
-    book.try_it({
-        "Pass `{\"as_published=true\"}` to `view.ao`: raw vectors, mixed edge texels: wider shade, more "
-        "noise.",
-        "Pass `{\"radius=2\"}`: shade reaches four times as far, and so does the noise.",
-        "Run with `--seed 2`: other grain at the same places.",
-    });
-    book.errata({
-        "*X_Jun:* a snippet divides by `g_SampleCount`; what the listing has is `sampleCount`.",
-        "*X_Jun:* half size hardly matters, as AO is of low frequency. Thin contacts are not: the roof.",
-        "*X_Jun:* 1e5 as clear value of a 16-bit float. D3D keeps 65504, others infinity (above).",
-        "*Luna:* the exponent is 4 in the prose and 6 in the listing.",
-        "*Both:* `sign(0)` is 0: then q = r = p and `normalize(0)` is NaN, which HLSL's `max` hides.",
-    });
+// %% idea [markdown]
+// ## The idea
+//
+// **Fourteen samples are far too few; but if every texel looks in directions of its own, neighbours err independently of
+// each other, and an average over neighbours removes their errors.**
+//
+// Where neighbours look the same way, they hit and miss the same things, so they err alike, and a patch of equal errors is
+// a band. Chapter 05 turns the fourteen vectors by another random vector at every texel. The error of one texel does not
+// become smaller by that. But bands turn into *grain*: noise that changes from texel to texel, which chapter 08 can average
+// away.
+
+// %% fans
+std::vector<SampleFan> fans = four_neighbours(foot, bands);
+const std::vector<SampleFan> turned = four_neighbours(foot, grain);
+fans.insert(fans.end(), turned.begin(), turned.end());
+book.draw("fans", sample_fans("Four neighbours and their samples, unturned and turned", fans, 4,
+                              static_cast<double>(grain.settings.radius)),
+          "The samples of four texels side by side, as the eye sees them; the first is the one that we follow. Blue samples "
+          "are open, red ones occluded. Above, all four look the same way and come to nearly the same AO; below, each is "
+          "turned by its own random vector, and the results scatter.");
+
+// %% numbers_of_one_texel
+const Texel at = followed_texel(grain.inputs.size());
+const Explanation texel = foot.explanation(grain, at.x, at.y);
+float sum = 0;
+for (const ExplainedSample& sample : texel.samples) sum += sample.contribution;
+const float access = 1 - sum / kCubeVectors;
+book.number("x", std::to_string(at.x));
+book.number("y", std::to_string(at.y));
+book.number("sum", text(sum));
+book.number("access", text(access));
+book.number("ao_4", text(grain.raw.at(at.x, at.y)));
+book.number("ao_6", text(std::pow(access, 6.0f)));
+book.number("background", decimal_text(static_cast<double>(kBackgroundOverFar) * foot.camera().far_plane, 0));
+book.number("cosine", decimal_text(static_cast<double>(kSameSurfaceCosine), 1));
+book.number("pixels", decimal_text(static_cast<double>(kSameSurface_px), 0));
+
+// %% formula [markdown]
+// ## From samples to a map
+//
+// Each of the $N = 14$ samples takes $dp \cdot \mathrm{occlusion}(dz)$ from the texel. Their mean is the texel's occlusion;
+// one minus that is its *accessibility*, 1 where nothing is in the way. A power for contrast ends the pass:
+//
+// $$ access = 1 - \frac1N \sum_{i=1}^{N} dp_i \cdot \mathrm{occlusion}(dz_i), \qquad AO = access^{\,k} $$
+//
+// A sample that was rejected has taken nothing, but it stays among the $N$. At our texel $({{x}}, {{y}})$ the samples take
+// {sum} together, so $access = {{access}}$. With X_Jun's exponent $k = 4$ that becomes {ao_4}, with Luna's $k = 6$ it would
+// be {ao_6}. The exponent has no physical meaning: it makes shade out of hints.
+
+// %% exponents
+const SwitchedView view(book, "columns");
+const SwitchedAo shown = view.ao(seed);
+std::vector<double> occlusions;
+std::vector<Image<float>> powers;
+for (const char* exponent : {"1", "4", "6"}) {
+    powers.push_back(view.ao({seed[0], std::string("exponent=") + exponent}).raw);
+    occlusions.push_back(1 - buffer_statistics(powers.back()).mean);
+}
+book.compare({"exponent_1", ao_picture(powers[0]), "k = 1: what the samples say."},
+             {"exponent_4", ao_picture(powers[1]), "k = 4, X_Jun's contrast."});
+book.number("occlusion_4", occlusions[1], 4);
+book.number("occlusion_6", occlusions[2], 4);
+book.check("The exponent 6 instead of 4 raises the mean occlusion of the picture from {occlusion_4} to {occlusion_6}, by "
+           "more than a sixth.", occlusions[2] > 7 * occlusions[1] / 6);
+
+// %% half_size [markdown]
+// ## A texel between four pixels
+//
+// This pass costs more than all others, so both tutorials make the map half as wide and half as high as the picture. The
+// centre of each texel is then the corner at which four pixels meet. Which normal and which depth does it take?
+//
+// X_Jun's sampler filters linearly, and gives the mean of the four. On one surface that is right. Across an edge it is the
+// normal and the depth of a surface that does not exist, as the table shows; its samples then find the real surfaces in
+// front of it, and what remains is a line of dark dots along every edge. (Luna takes the normal of one of the four pixels
+// and the mean of the stored depths.)
+//
+// This lab first asks whether the four show one surface: normals whose cosine with that of the pixel nearest to the eye is at least
+// {cosine}, and points that lie within {pixels} pixels' width of that pixel's plane. If so, it takes the mean. If not, it takes
+// the nearest pixel's normal, and the depth that the nearest pixel's plane has at the centre of the texel.
+
+// %% edge_texel
+const SwitchedAo mixed = foot.ao({seed[0], "edge_texels=mixed"});
+const Texel edge = most_mixed(grain, mixed);
+const float z_mixed = mixed.inputs.view_depth.at(edge.x, edge.y);
+const float z_nearest = grain.inputs.view_depth.at(edge.x, edge.y);
+book.table({"texel (" + std::to_string(edge.x) + ", " + std::to_string(edge.y) + ")", "normal", "view depth"},
+           pixels_of(edge, grain, mixed), "A texel at a silhouette, and the four pixels that it lies between.");
+book.number("z_apart", text(z_mixed - z_nearest));
+book.check("The mean lies {z_apart} units behind the nearer surface, at a depth where there is nothing.",
+           z_mixed > z_nearest + 0.5f);
+book.compare({"edge_mixed", ao_picture(cropped(mixed.blurred, part)), "Blurred, from the mean of four pixels, whatever they show (" +
+              foot.command({"edge_texels=mixed"}) + "): dark dots along the column's edges."},
+             {"edge_nearest", ao_picture(cropped(grain.blurred, part)), "From the nearest surface where they disagree: the edges are clean."});
+
+// %% nothing_there [markdown]
+// ## Where there is nothing
+//
+// Two cases need an answer before the loop can run everywhere.
+//
+// **The sky** has neither $p$ nor $n$. Its texels are computed like any other, with harmless numbers, and the result is then
+// replaced by 1: `select(surface, ao, 1)`.
+//
+// **Beyond the picture** the depth map has no pixels, but a sample near the rim asks for them. The map answers as for the
+// sky. X_Jun writes "nothing" as a large depth, {background} here, a hundred times the far plane; in Luna's map of NDC depths
+// it is 1, the far plane. Either way $dz = p_z - r_z$ is far below 0, and nothing occludes.
+
+// %% the_code [markdown]
+// ## The code
+//
+// The whole pass is a loop over texels with the following body. The HLSL of the tutorials ends in the same three steps:
+// divide by the sample count, subtract from one, `saturate(pow(access, k))`.
+
+// %% kernel_texel tags=["setup"]
+book.listing("ssao/methods/luna_occlusion.h", "texels_at",
+             "One texel, or several side by side: what surrounds p, what the samples leave, and 1 for the sky.");
+book.listing("ssao/methods/luna_occlusion.h", "accessibility_of_sum", "The mean of the samples.");
+book.listing("ssao/methods/luna_occlusion.h", "stored", "Contrast, and rounding to the format of the map.");
+book.listing("ssao/inputs/texel_fetch.h", "one_surface", "Whether the four pixels of a texel show one surface.");
+
+// %% picture [markdown]
+// ## The picture it makes
+//
+// Shade at the feet of the columns, under the eaves and between the tiles of the roof; open floor and sky are white. It is
+// full of grain, as it must be.
+
+// %% raw_ao
+const Scene luna_scene = find_builtin_scene("columns_luna")->make();
+const Image<float> luna = luna_ssao(normal_depth(luna_scene, luna_scene.camera, book.size()), luna_scene.camera).ao;
+book.show("xjun", ao_picture(shown.raw), "X_Jun's raw AO, half the picture's size.");
+book.show("luna", ao_picture(luna), "Luna's scene and settings: occluders fade out by 1 unit instead of 2, and k is 6.");
+const SkyTexels sky = sky_texels(shown);
+const BufferStatistics all = buffer_statistics(shown.raw);
+book.number("sky", std::to_string(sky.count));
+book.number("least", text(all.min));
+book.check("None of the {sky} sky texels is darkened.", sky.count > 0 && sky.darkened == 0);
+book.check("Every texel lies between 0 and 1, the darkest at {least}, and none is NaN.",
+           all.min >= 0 && all.max <= 1 && all.nan == 0);
+
+// %% noise_text [markdown]
+// ## How much noise
+//
+// What would the same method show without noise? The mean over many seeds tells: each draws other lengths and other random
+// vectors. Against the mean of 32 of them, with $k = 1$, we can measure what more samples buy. Errors of $N$ independent
+// samples fall like $1/\sqrt N$. These start worse: samples 1 and 2 are opposite corners of the cube, which the flip to the
+// normal's side turns into the same direction. So the second gains next to nothing.
+
+// %% noise
+const Image<float> limit_1 = luna_limit(shown.inputs, {.exponent = 1}, kSeeds).mean;
+PlotCurve measured{"measured", {}, {}}, ideal{"1 / sqrt(N)", {}, {}, {}, {}, PlotStyle::smooth};
+std::vector<Image<float>> by_samples;
+for (const int samples : {1, 2, 4, 7, 10, 14}) {
+    by_samples.push_back(luna_occlusion(shown.inputs, {.samples = samples, .exponent = 1, .seed = book.seed()}, {}).ao);
+    measured.x.push_back(samples);
+    measured.y.push_back(compare_images(by_samples.back(), limit_1).rmse);
+}
+for (int i = 10; i <= 140; ++i) {
+    ideal.x.push_back(0.1 * i);
+    ideal.y.push_back(measured.y[0] / std::sqrt(0.1 * i));
+}
+book.plot("noise_by_samples", {"Noise by the number of samples", {"samples a texel, N"},
+                               {"RMS difference from the mean of 32 seeds", false, 0}, {measured, ideal}},
+          "Every sample after the second helps, each less than the one before.");
+book.show_row({{"samples_1", ao_picture(cropped(by_samples[0], house_of(shown.raw.size))), "One sample."},
+               {"samples_4", ao_picture(cropped(by_samples[2], house_of(shown.raw.size))), "Four samples."},
+               {"samples_14", ao_picture(cropped(by_samples[5], house_of(shown.raw.size))), "Fourteen: less noise, the same shade."}});
+book.number("noise_1", measured.y[0], 4);
+book.number("noise_2", measured.y[1], 4);
+book.number("noise_14", measured.y[5], 4);
+book.check("Fourteen samples have less than half the noise of one: {noise_14} instead of {noise_1}.",
+           measured.y[5] < 0.5 * measured.y[0]);
+book.check("The second sample only brings it to {noise_2}; going from 2 to 4 gains more.",
+           measured.y[0] / measured.y[1] < measured.y[1] / measured.y[2]);
+
+// %% blurred_text [markdown]
+// ## Why grain is better than bands
+//
+// Texel by texel both maps of the column's foot are wrong by about as much. Blur both as in chapter 08, and compare them with the
+// blurred mean of 32 seeds. What remains of the bands is broad and strong, since a band is as wide as the filter. The grain is
+// gone; a faint even tint remains, because the lengths of the fourteen vectors are drawn once for the whole map, and no mean over
+// neighbours changes those.
+
+// %% blurred
+const Image<float> limit = luna_limit(grain.inputs, grain.settings, kSeeds).mean;
+const double alike = likeness_of_neighbours(difference_of(bands.raw, limit));
+const double unlike = likeness_of_neighbours(difference_of(grain.raw, limit));
+const Image<float> limit_blurred = bilateral_blur(limit, grain.inputs, grain.blur).ao;
+const double bands_left = compare_images(bands.blurred, limit_blurred).rmse;
+const double grain_left = compare_images(grain.blurred, limit_blurred).rmse;
+book.compare({"bands_left", error_picture(bands.blurred, limit_blurred, part), "What the blur leaves of the bands: blue is too dark, red "
+              "too bright."},
+             {"grain_left", error_picture(grain.blurred, limit_blurred, part), "What it leaves of the grain, on the same scale."});
+book.number("bands_raw", compare_images(bands.raw, limit).rmse, 4);
+book.number("grain_raw", compare_images(grain.raw, limit).rmse, 4);
+book.number("alike", alike, 2);
+book.number("unlike", unlike, 2);
+book.number("bands_left", bands_left, 4);
+book.number("grain_left", grain_left, 4);
+book.check("The errors of neighbours correlate by {alike} in the bands, by {unlike} in the grain.", alike > 1.5 * unlike);
+book.check("The RMS error of the bands falls from {bands_raw} to {bands_left} in the blur, that of the grain from {grain_raw} to "
+           "{grain_left}.",
+           grain_left < 0.9 * bands_left);
+
+// %% repeats
+book.check("The random map repeats four times across the picture: a quarter of the picture further right a texel reads the "
+           "same random vector, so grain that is not blurred shows a faint grid.",
+           change_a_quarter_on(random_map(book.seed()), shown.inputs.size().width) < 1e-3f);
+
+// %% thin_text [markdown]
+// ## What can go wrong
+//
+// **Half size loses thin lines.** Noise is no coarser in the end, since the blur follows; but a joint that is one pixel wide
+// may fall between the texels.
+
+// %% thin
+const Image<float> full = view.ao(seed, 1).raw;
+const Image<float> half = ao_at_picture_size(shown.raw, book.size());
+const PixelRect house = house_of(book.size());
+const double mean_change = buffer_statistics(difference_of(half, full)).mean;
+book.compare({"half_size", ao_picture(cropped(half, house)), "The house at half size."},
+             {"full_size", ao_picture(cropped(full, house)), "At full size (`--ao-scale 1`), four times the work: the "
+              "joints of the roof are whole."});
+book.number("mean_change", mean_change, 4);
+book.check("On average both are equally dark: half size minus full size is {mean_change}.", std::fabs(mean_change) < 0.03);
+
+// %% centre_text [markdown]
+// **A point half a pixel off lies behind its own wall.** If a texel takes the depth of one of its four pixels and believes it to
+// belong to the texel's centre, then on a slanted wall its point is too deep or too shallow. Where it is too deep, its own
+// wall stands in front of it.
+
+// %% centre
+const SwitchedView walls(book, "cornell");
+const Image<float> exact = walls.ao(seed).raw, off = walls.ao({seed[0], "texel_centre=off"}).raw;
+const double darker = buffer_statistics(difference_of(off, exact)).mean;
+book.compare({"centre_off", ao_picture(off), "Half a pixel off: the side walls are speckled (" + walls.command({"texel_centre=off"}) + ")."},
+             {"centre_exact", ao_picture(exact), "The depth at the texel's centre."});
+book.number("darker", -darker, 4);
+book.check("Misplaced points darken the room by {darker} on average.", darker < -0.002);
+
+// %% sky_text [markdown]
+// **A large number that does not fit.** X_Jun keeps depths as 16-bit floats, whose largest number is 65504, and clears them to
+// 1e5. Direct3D rounds toward zero and stores 65504. Other machines round to nearest and store infinity; a linear filter
+// then computes $0 \cdot \infty$, which is NaN, and every comparison with NaN is false. The samples that meet it take
+// nothing: texels at silhouettes lose their shade.
+
+// %% sky_in_a_half
+const Words nearest_even = {seed[0], "buffer_format=float16_nearest", "edge_texels=mixed"};
+const Words infinite = {seed[0], nearest_even[1], nearest_even[2], "sky_depth=as_stored"};
+const SwitchedAo finite_sky = view.ao(nearest_even), infinite_sky = view.ao(infinite);
+const SwitchedAo truncated = view.ao({"buffer_format=float16", "sky_depth=as_stored"});
+const float stored_sky = infinite_sky.inputs.depth_map.at(0, 0), kept = truncated.inputs.depth_map.at(0, 0);
+const Image<float> change = difference_of(infinite_sky.raw, finite_sky.raw);
+const PixelRect where = part_around_largest(change, {40, 30});
+const auto lost = std::count_if(change.pixels.begin(), change.pixels.end(), [](float a) { return a > 0.01f; });
+book.compare({"sky_infinite", ao_picture(cropped(infinite_sky.raw, where)), "An infinite sky, 40 by 30 texels at a silhouette."},
+             {"sky_finite", ao_picture(cropped(finite_sky.raw, where)), "The sky at 65504: the shade is back."});
+book.number("lost", std::to_string(lost));
+book.check("Rounded toward zero 1e5 becomes 65504, to nearest infinity, and a filter that touches infinity gives NaN.",
+           kept == 65504 && std::isinf(stored_sky) && std::isnan(stored_sky + 0 * (kept - stored_sky)));
+book.check("With the infinite sky {lost} texels lose their shade. No NaN leaves the pass.",
+           lost > 0 && buffer_statistics(infinite_sky.raw).nan == 0);
+
+// %% border_text [markdown]
+// **What lies beyond the picture is a guess.** "Nothing" makes the rim too bright. To repeat the last pixel makes walls go
+// on, right or wrong. To wrap around lets things on the left cast shade on the right.
+
+// %% border
+SwitchedView rim(book, "columns");
+Camera camera = rim.camera();
+camera.eye = {-4.6, -1.4, -2.6}, camera.target = {-3.9, -2.8, 0};
+rim.look(camera, "--eye -4.6,-1.4,-2.6 --target -3.9,-2.8,0");
+const Image<float> nothing = rim.ao(seed).blurred, last = rim.ao({seed[0], "border=edge"}).blurred;
+const Image<float> other_side = rim.ao({seed[0], "border=wrap"}).blurred;
+const Image<float> last_minus = difference_of(last, nothing), wrap_minus = difference_of(other_side, nothing);
+book.show_row({{"border_far", ao_picture(nothing), "Nothing beyond the picture: the tutorials', and the default here."},
+               {"border_edge", ao_picture(last), "The last pixel again (" + rim.command({"border=edge"}) + ")."},
+               {"border_wrap", ao_picture(other_side), "The other side (" + rim.command({"border=wrap"}) + ")."}});
+book.show_row({{"edge_minus_far", difference_picture(last_minus), "The last pixel minus nothing: blue is darker."},
+               {"wrap_minus_far", difference_picture(wrap_minus), "The other side minus nothing."}});
+book.number("last_change", text(most(last_minus)));
+book.number("wrap_change", text(most(wrap_minus)));
+book.check("Single texels change by up to {last_change} and {wrap_change}; no policy knows what is really there.",
+           most(last_minus) > 0.05f && most(wrap_minus) > 0.05f);
+
+// %% exercises [markdown]
+// ## Exercises
+//
+// 1. Run `crevice chapter 07 --seed 2`. What stays, and what changes?
+// 2. Run `crevice chapter 07 --cell raw_ao --param radius=2`. How far does the shade reach now, and what has become of the
+//    noise?
+// 3. Run `crevice chapter 07 --cell raw_ao --param as_published=true`, which takes random vectors that are not unit vectors
+//    and mixes edge texels, as X_Jun's text does. Why is the shade wider?
+// 4. The roof's joints vanish at half size. Could a blur at full size bring them back?
+//
+// <details><summary>Answers</summary>
+//
+// 1. The shade stays at its places; the grain is another one.
+// 2. It reaches four times as far. Fourteen samples now stand for sixteen times the area, so the noise is coarser, and far
+//    columns darken the floor between them.
+// 3. A vector that is not a unit vector makes no mirror: it lengthens some of the samples, up to five radii. They find
+//    occluders farther away.
+// 4. No: what no texel has seen is not in the map. It takes full size, or more texels along edges.
+//
+// </details>
+
+// %% errata [markdown]
+// <details><summary>Errata of the tutorials</summary>
+//
+// - *X_Jun:* a snippet divides by `g_SampleCount`; the shader's parameter is called `sampleCount`, and that is what the
+//   listing has.
+// - *X_Jun:* half size hardly matters, as AO is of low frequency. Thin contacts are not: the joints of the roof above are
+//   lost.
+// - *X_Jun:* 1e5 as the clear value of a 16-bit float. Direct3D stores 65504, other machines infinity, as shown above.
+// - *Luna:* the exponent is 4 in the prose and 6 in the listing.
+// - *Both:* `sign(0)` is 0. Then $q = r = p$, and `normalize(0)` is NaN, which HLSL's `max` happens to hide.
+//
+// </details>
+//
+// ## Where to go on
+//
+// The map is right on average and grainy everywhere. Chapter 08 averages neighbours, without carrying shade from one
+// surface to another.
+
+// %% end tags=["setup"]
 }
 
 const Chapter kChapter("07", "raw_ao", "Raw ambient occlusion", raw_ao);

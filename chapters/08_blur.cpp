@@ -1,16 +1,12 @@
-// Question: how does one blur away the grain but not the edges, and is that better than a plain blur?
-//
-// The one idea: average only over neighbours on the same surface: their normal must be nearly the centre's
-// (n . n >= 0.8), and their depth too (|z - z| <= 0.2). The weights of the others leave the divisor as well.
-//
+// %% setup tags=["setup"]
 // Source: X_Jun, "The blur (bilateral)" and exercise 1; Luna, SsaoBlur.hlsl; SSAO explored, on its blur.
-// Look for: shade that the plain blur carries over silhouettes; the far floor in the last row, black without
-//           the cure.
 // Run: crevice chapter 08
 #include <algorithm>
 #include <cmath>
 
+#include "chapters/diagrams/blur_taps.h"
 #include "chapters/notebook/chapter.h"
+#include "chapters/props/crops.h"
 #include "chapters/props/switched_ao.h"
 #include "chapters/terminal/number_text.h"
 #include "ssao/blur/blur_edges.h"
@@ -21,17 +17,114 @@
 namespace crevice {
 namespace {
 
-// The share of texels that one iteration took out of the range of the raw values near them in depth: within
-// two limits, one for the horizontal and one for the vertical step.
+constexpr int kSeeds = 64;
+constexpr int kTaps = 2 * kBlurRadius + 1;
+constexpr double kLunaSigma = 2.5;  // texels
+
+// Without a minus in front of a zero.
+std::string text(float value, int decimals = 3) {
+    const float step = std::pow(10.0f, static_cast<float>(-decimals));
+    return decimal_text(std::fabs(value) < step / 2 ? 0 : static_cast<double>(value), decimals);
+}
+
+bool inside(Size size, int x, int y) { return x >= 0 && y >= 0 && x < size.width && y < size.height; }
+
+// What the two tests ask of texel (x, y) and one of its neighbours.
+struct Likeness {
+    float cosine, apart;  // n_c . n_i, |z_c - z_i|
+    bool counts(const BlurSettings& blur) const {
+        return cosine >= blur.normal_threshold && apart <= blur.depth_threshold;
+    }
+};
+Likeness likeness(const AoInputs& in, int x, int y, int tap_x, int tap_y) {
+    return {dot(spread<float>(in.normal.at(x, y)), spread<float>(in.normal.at(tap_x, tap_y))),
+            std::fabs(in.view_depth.at(x, y) - in.view_depth.at(tap_x, tap_y))};
+}
+
+// The tutorials' pixel shader: one texel of a pass along (dx, dy).
+float mean_along(const Image<float>& ao, const AoInputs& in, const BlurSettings& blur, int x, int y, int dx,
+                 int dy) {
+    float sum = blur.weights[kBlurRadius] * ao.at(x, y);
+    float total = blur.weights[kBlurRadius];
+    for (int i = -kBlurRadius; i <= kBlurRadius; ++i) {
+        const int tap_x = x + i * dx, tap_y = y + i * dy;
+        if (i == 0 || !inside(ao.size, tap_x, tap_y)) continue;
+        if (!likeness(in, x, y, tap_x, tap_y).counts(blur)) continue;
+        const float weight = blur.weights[static_cast<std::size_t>(i + kBlurRadius)];
+        sum += weight * ao.at(tap_x, tap_y);
+        total += weight;
+    }
+    return sum / total;
+}
+
+// Horizontally, then vertically, a number of times.
+Image<float> blurred_naively(Image<float> ao, const AoInputs& in, const BlurSettings& blur) {
+    for (int pass = 0; pass < 2 * blur.iterations; ++pass) {
+        const Image<float> source = ao;
+        for (int y = 0; y < ao.size.height; ++y) {
+            for (int x = 0; x < ao.size.width; ++x)
+                ao.at(x, y) = mean_along(source, in, blur, x, y, 1 - pass % 2, pass % 2);
+        }
+    }
+    return ao;
+}
+
+// A texel whose row crosses a step in depth, not too high to be drawn: some taps are rejected, and by their depth.
+Texel texel_at_a_step(const AoInputs& in, const BlurSettings& blur) {
+    Texel best;
+    float least = 1e30f;
+    for (int y = 0; y < in.size().height; ++y) {
+        for (int x = kBlurRadius; x + kBlurRadius < in.size().width; ++x) {
+            int counting = 0;
+            float farthest = 0;
+            for (int i = -kBlurRadius; i <= kBlurRadius; ++i) {
+                const Likeness tap = likeness(in, x, y, x + i, y);
+                counting += tap.counts(blur) ? 1 : 0;
+                farthest = std::max(farthest, tap.apart);
+            }
+            if (counting >= 6 && counting <= 8 && farthest > 2 * blur.depth_threshold && farthest < least)
+                least = farthest, best = {x, y};
+        }
+    }
+    return best;
+}
+
+double gaussian_weight(int i, double sigma) {
+    double total = 0;
+    for (int j = -kBlurRadius; j <= kBlurRadius; ++j) total += std::exp(-j * j / (2 * sigma * sigma));
+    return std::exp(-i * i / (2 * sigma * sigma)) / total;
+}
+
+PlotCurve weights_curve(const std::string& name, const BlurWeights& weights) {
+    PlotCurve curve{name, {}, {}};
+    for (int i = -kBlurRadius; i <= kBlurRadius; ++i) {
+        curve.x.push_back(i);
+        curve.y.push_back(static_cast<double>(weights[static_cast<std::size_t>(i + kBlurRadius)]));
+    }
+    return curve;
+}
+double variance_of(const BlurWeights& weights) {
+    double total = 0, squares = 0;
+    for (int i = -kBlurRadius; i <= kBlurRadius; ++i) {
+        const double weight = static_cast<double>(weights[static_cast<std::size_t>(i + kBlurRadius)]);
+        total += weight;
+        squares += weight * i * i;
+    }
+    return squares / total;
+}
+
+// The share of texels that one iteration took out of the range of the raw values near them in depth: within two limits,
+// one for the horizontal and one for the vertical step.
 double leaked_share(const Image<float>& blurred, const Image<float>& raw, const Image<float>& depth) {
     double leaked = 0;
     for (int y = 0; y < raw.size.height; ++y) {
         for (int x = 0; x < raw.size.width; ++x) {
             float least = raw.at(x, y), most = least;
-            for (int k = 0; k < 11 * 11; ++k) {
-                const int column = std::clamp(x + k % 11 - 5, 0, raw.size.width - 1);
-                const int row = std::clamp(y + k / 11 - 5, 0, raw.size.height - 1);
-                if (!(std::fabs(depth.at(column, row) - depth.at(x, y)) <= 2 * 0.2f)) continue;
+            for (int k = 0; k < kTaps * kTaps; ++k) {
+                const int column = std::clamp(x + k % kTaps - kBlurRadius, 0, raw.size.width - 1);
+                const int row = std::clamp(y + k / kTaps - kBlurRadius, 0, raw.size.height - 1);
+                if (!(std::fabs(depth.at(column, row) - depth.at(x, y)) <= 2 * kXjunBlur.depth_threshold))
+                    continue;
                 least = std::min(least, raw.at(column, row));
                 most = std::max(most, raw.at(column, row));
             }
@@ -39,34 +132,6 @@ double leaked_share(const Image<float>& blurred, const Image<float>& raw, const 
         }
     }
     return leaked / (raw.size.width * raw.size.height);
-}
-
-// Exercise 1: which blur is nearer to the method without its noise, and where.
-void gaussian_or_bilateral(Notebook& book, const SwitchedView& view, const SwitchedAo& bilateral,
-                           const SwitchedAo& plain) {
-    constexpr int kSeeds = 64;
-    const ReferenceImage limit = luna_limit(bilateral.inputs, bilateral.settings, kSeeds);
-    const Image<SurfaceKind> kinds =
-        surface_kinds(normal_depth(view.scene(), view.camera(), bilateral.inputs.size()), view.camera());
-    std::vector<std::vector<std::string>> rows;
-    const auto error = [&](const Image<float>& ao, Region region) {
-        return mean_error(ao, limit, kinds, region).squared.root();
-    };
-    for (const Region region : {Region::edge, Region::crease, Region::flat, Region::surface}) {
-        rows.push_back({region_name(region), decimal_text(error(bilateral.raw, region), 4),
-                        decimal_text(error(bilateral.blurred, region), 4),
-                        decimal_text(error(plain.blurred, region), 4)});
-    }
-    book.table({"texels", "RMS error, raw", "bilateral", "plain"}, rows);
-    const auto better = [&](Region region) {
-        return error(bilateral.blurred, region) < error(plain.blurred, region);
-    };
-    book.check("exercise 1: the bilateral blur is better, at edges and in creases and on flats",
-               better(Region::edge) && better(Region::crease) && better(Region::flat));
-    book.text(
-        "Against the mean of 64 seeds. On flats, where one neighbour is nearly as good as another, the "
-        "two are nearly equal; at edges the plain one paints one surface's shade on the other. Either "
-        "blur moves further from the mean than the grain was: but grain hurts the eye more.");
 }
 
 // Vertical taps that count, 0 to 10, and how many do on the far floor.
@@ -87,10 +152,10 @@ KeptTaps kept_taps(const AoInputs& in, const BlurSettings& settings, float limit
             const BlurSurface<float> own = surface(x, y);
             const Vec3<float> p = rays.p_view<float>(x, y, own.view_depth);
             float& kept = taps.kept.at(x, y);
-            for (int row = std::max(y - 5, 0); row <= std::min(y + 5, in.size().height - 1); ++row) {
+            for (int row = y - kBlurRadius; row <= y + kBlurRadius; ++row) {
+                if (row == y || !inside(in.size(), x, row)) continue;
                 const BlurSurface<float> other = surface(x, row);
                 const Vec3<float> q = rays.p_view<float>(x, row, other.view_depth);
-                if (row == y) continue;
                 kept += settings.edges == BlurEdges::slope ? counts_on_slope<float>(own, p, other, q, least)
                                                            : counts<float>(own, other, least);
             }
@@ -103,75 +168,319 @@ KeptTaps kept_taps(const AoInputs& in, const BlurSettings& settings, float limit
     return taps;
 }
 
-// The tutorial's 0.2 on the floor, and the slope-aware cure.
-void grazing_floor(Notebook& book, const SwitchedView& view, const SwitchedAo& fixed) {
-    const AoInputs& in = fixed.inputs;
-    // On a floor 3 below the eye, rows are z^2 / (3 f) apart in depth; f is the focal length in texels.
-    const float focal_px = static_cast<float>(in.size().height) / (2 * in.rays.ray_scale.y);
-    const float limit_z = std::sqrt(0.2f * 3 * focal_px);
-    const SwitchedAo slope = view.ao({"blur_edges=slope"});
-    const KeptTaps of_fixed = kept_taps(in, fixed.blur, limit_z),
-                   of_slope = kept_taps(in, slope.blur, limit_z);
-    book.show_row("Taps kept above and below, 0 black to all 10 white: fixed; from the plane, " +
-                      view.command({"blur_edges=slope"}) + "; and the AO that gives, minus the fixed one's.",
-                  {{"kept_taps", grey_picture(of_fixed.kept, 0, 10)},
-                   {"kept_taps_slope", grey_picture(of_slope.kept, 0, 10)},
-                   {"slope_minus_fixed", difference_picture(difference_of(slope.blurred, fixed.blurred))}});
-    book.check("past z = sqrt(0.2 * 3 f) the floor keeps next to none: the blur is horizontal only",
-               of_fixed.without > 0.9 * of_fixed.far_floor,
-               "z = " + exact_text(limit_z) + ", share " +
-                   decimal_text(double{1} * of_fixed.without / of_fixed.far_floor, 4));
-    book.check("measured from the centre's plane it keeps nearly all ten",
-               of_slope.taps > 7 * of_slope.far_floor && of_fixed.taps < 0.5 * of_fixed.far_floor,
-               "on average " + decimal_text(of_slope.taps / of_slope.far_floor, 4) + " instead of " +
-                   decimal_text(of_fixed.taps / of_fixed.far_floor, 4));
+// The left part of the house, and columns beside it.
+PixelRect left_of_house(Size size) {
+    return {size.width / 7, size.height * 2 / 5, size.width * 4 / 7, size.height * 4 / 5};
 }
 
+// clang-format off: cells stand at the margin, where notebooks look for them.
 void blur(Notebook& book) {
-    book.text(R"(
-        # 08 The bilateral blur
 
-        Over 5 texels to each side, horizontally, then vertically; X_Jun does both four times. Normals and
-        depths stay the same meanwhile, so this lab decides only once which neighbours count.
-    )");
-    const SwitchedView view(book, "columns");
-    const Words seed = {"seed=" + std::to_string(book.seed())};
-    std::vector<Notebook::Named> pictures;
-    SwitchedAo bilateral;
-    for (const char* iterations : {"0", "1", "2", "4"}) {
-        bilateral = view.ao({seed[0], std::string("blur_iterations=") + iterations});
-        pictures.push_back({std::string("blurred_") + iterations, ao_picture(bilateral.blurred)});
-    }
-    book.show_row("After 0, 1, 2 and 4 iterations: the grain goes, silhouettes stay sharp.", pictures);
-    const Words gaussian = {"blur_edges=none", "blur_weights=luna"};
-    const SwitchedAo plain = view.ao({seed[0], gaussian[0], gaussian[1]});
-    book.show_row("Exercise 1: four times a plain Gaussian, " + view.command(gaussian) +
-                      ", and that minus bilateral. Blue is shade that leaked.",
-                  {{"plain", ao_picture(plain.blurred)},
-                   {"leak", difference_picture(difference_of(plain.blurred, bilateral.blurred))}});
-    gaussian_or_bilateral(book, view, bilateral, plain);
-    const double drift = buffer_statistics(bilateral.blurred).mean - buffer_statistics(bilateral.raw).mean;
-    book.check("four iterations keep the mean", std::fabs(drift) < 0.005, decimal_text(drift, 4));
-    const AoInputs& in = bilateral.inputs;
-    const auto leak = [&](BlurEdges edges) {
-        const BlurSettings once{.iterations = 1, .edges = edges};
-        return leaked_share(bilateral_blur(bilateral.raw, in, once).ao, bilateral.raw, in.view_depth);
-    };
-    book.check("nothing crosses a step in depth; blurred plainly, much does",
-               leak(BlurEdges::fixed) == 0 && leak(BlurEdges::none) > 0.01,
-               "share of all texels " + decimal_text(leak(BlurEdges::none), 4));
-    grazing_floor(book, view, bilateral);
-    book.try_it({
-        "Add `\"blur_depth=10\"`: only normals hold shade back; floors get soft, parallel walls leak.",
-        "Add `\"blur_weights=luna\"` and 3 iterations: Luna's blur, a little less detail lost.",
-        "Add `\"blur_normal=-1\"`: shade turns corners; roof lines and steps fade.",
-    });
-    book.errata({
-        "*SSAO explored:* blurs vertically first, X_Jun and Luna horizontally; the order changes the result.",
-        "*X_Jun, Luna and SSAO explored:* a fixed 0.2 makes the blur one-dimensional on far floors (last "
-        "row).",
-        "*Luna, UpdateSsaoCB:* the weights are read as 12 floats; radius 5 has only 11 of them.",
-    });
+// %% question [markdown]
+// # The bilateral blur
+//
+// Chapter 07 leaves a map full of grain. Its errors differ from texel to texel, so the mean of a texel and its neighbours should
+// be free of them. The picture on the right of the slider takes that mean without asking any questions. The grain is gone.
+// So are the edges: the shade of the columns spills over the sky and the floor behind them, and in a lit picture it would surround everything
+// with a dirty fringe.
+
+// %% plain
+const SwitchedView view(book, "columns");
+const Words seed = {"seed=" + std::to_string(book.seed())};
+const Words gaussian = {"blur_edges=none", "blur_weights=luna"};
+const SwitchedAo shown = view.ao(seed), plain = view.ao({seed[0], gaussian[0], gaussian[1]});
+book.compare({"raw", ao_picture(shown.raw), "The raw AO map."},
+             {"plain", ao_picture(plain.blurred), "The plain mean of neighbours, weighted by a Gaussian, four times (" +
+              view.command(gaussian) + ")."});
+
+// %% idea [markdown]
+// ## The idea
+//
+// **Average only over neighbours that show the same surface.**
+//
+// Which neighbours are those? The first pass has left us the normal and the view depth of every texel. If a neighbour's normal is
+// nearly ours, and its depth too, it most likely lies on our surface. A mean that weighs neighbours by their place *and* by
+// their likeness is called a *bilateral filter*. Here likeness is yes or no.
+
+// %% one_texel
+const SwitchedView foot = column_foot(book);
+const SwitchedAo near = foot.ao(seed);
+const AoInputs& in = near.inputs;
+const Texel step = texel_at_a_step(in, near.blur);
+std::vector<BlurTap> taps;
+std::vector<std::vector<std::string>> tap_rows;
+double kept_weight = 0;
+for (int i = -kBlurRadius; i <= kBlurRadius; ++i) {
+    const Likeness like = likeness(in, step.x, step.y, step.x + i, step.y);
+    const float weight = near.blur.weights[static_cast<std::size_t>(i + kBlurRadius)];
+    taps.push_back({step.x + i, like.counts(near.blur)});
+    kept_weight += taps.back().counts ? static_cast<double>(weight) : 0;
+    tap_rows.push_back({std::to_string(i), text(weight, 2), text(like.cosine), text(like.apart),
+                        taps.back().counts ? "counts" : "rejected", text(near.raw.at(step.x + i, step.y))});
+}
+book.number("step_x", std::to_string(step.x));
+book.number("step_y", std::to_string(step.y));
+book.draw("taps", blur_taps_diagram(in, step.x, step.y, taps, "A texel and its neighbours on one row, at a step in depth"),
+          "A cut through the depth buffer along the row of texel ({step_x}, {step_y}), seen from above; the eye is on the left. The "
+          "blue neighbours of the green texel c lie on its surface. The red ones face another way and lie farther back; "
+          "their AO says nothing about c.");
+
+// %% numbers
+book.number("middle", text(kXjunBlurWeights[5], 1));
+book.number("inner", text(kXjunBlurWeights[4], 1));
+book.number("outer", text(kXjunBlurWeights[0], 2));
+book.number("cosine", text(kXjunBlur.normal_threshold, 1));
+book.number("angle", std::acos(static_cast<double>(kXjunBlur.normal_threshold)) * 57.29578, 0);
+book.number("depth", text(kXjunBlur.depth_threshold, 1));
+book.number("iterations", std::to_string(kXjunBlur.iterations));
+book.number("luna_iterations", std::to_string(kLunaBlur.iterations));
+book.number("luna_sigma", std::sqrt(variance_of(kLunaBlurWeights)), 1);
+book.number("luna_sigma_3", std::sqrt(kLunaBlur.iterations * variance_of(kLunaBlurWeights)), 1);
+book.number("sigma_1", std::sqrt(variance_of(kXjunBlurWeights)), 1);
+book.number("sigma_4", std::sqrt(kXjunBlur.iterations * variance_of(kXjunBlurWeights)), 1);
+
+// %% weights_text [markdown]
+// ## The weights
+//
+// The filter runs along rows, then along columns: two passes of eleven *taps* each, the texel itself and five neighbours to
+// either side, where one pass over a square would need 121. The weight $w_i$ of a tap falls with its distance $i$ in texels.
+// Luna's weights are a Gaussian,
+//
+// $$ w_i = \frac{e^{-i^2 / 2\sigma^2}}{\sum_{j=-5}^{5} e^{-j^2 / 2\sigma^2}}, \qquad \sigma = 2.5 \text{ texels}, $$
+//
+// whose radius of five is $2\sigma$. X_Jun's are set by hand: {middle} for the texel itself, {inner} for the three nearest on
+// either side, {outer} for the last two.
+//
+// X_Jun does both passes {iterations} times, Luna {luna_iterations} times. Repeating a filter adds up the squares of its widths: one
+// iteration of X_Jun's weights has a standard deviation of {sigma_1} texels, four have {sigma_4}.
+
+// %% weights
+double off = 0;
+for (int i = -kBlurRadius; i <= kBlurRadius; ++i) {
+    const float weight = kLunaBlurWeights[static_cast<std::size_t>(i + kBlurRadius)];
+    off = std::max(off, std::fabs(static_cast<double>(weight) - gaussian_weight(i, kLunaSigma)));
+}
+book.plot("weights", {"The weights of the eleven taps", {"distance from the texel, texels"}, {"weight", false, 0},
+                      {weights_curve("X_Jun", kXjunBlurWeights), weights_curve("Luna", kLunaBlurWeights)}},
+          "Both add up to 1. X_Jun's are flat with a peak in the middle, Luna's a Gaussian.");
+book.number("off", off * 1e9, 1);
+book.check("Luna's eleven weights are the formula's, within {off} billionths.", off < 1e-7);
+
+// %% tests_text [markdown]
+// ## The two tests, and what is left
+//
+// A neighbour $i$ counts for the centre $c$ when both of these hold:
+//
+// $$ n_c \cdot n_i \ge {{cosine}} \qquad\text{and}\qquad |z_c - z_i| \le {{depth}} $$
+//
+// The first allows {angle} degrees between the normals, so that round things are one surface and the two sides of a corner are
+// not. The second is a length in scene units, and tells parallel surfaces apart.
+//
+// A rejected neighbour's weight must leave the divisor as well as the sum. Otherwise texels at edges would become darker with each
+// neighbour they lose. So we divide by the weights that were used:
+//
+// $$ A'_c = \frac{\sum_{\text{counting}} w_i\, A_i}{\sum_{\text{counting}} w_i} $$
+//
+// The centre always counts, so the divisor is never 0. Beyond the picture there are no neighbours. A texel of the sky has no
+// normal and infinite depth; nothing counts for it, and it counts for nobody.
+
+// %% taps_table
+const float across = mean_along(near.raw, in, near.blur, step.x, step.y, 1, 0);
+book.number("kept_weight", kept_weight, 2);
+book.number("raw_step", text(near.raw.at(step.x, step.y)));
+book.number("across_step", text(across));
+book.table({"tap i", "weight", "n_c . n_i", "|z_c - z_i|", "verdict", "AO"}, tap_rows,
+           "The eleven taps of the texel in the figure. Those that count have a total weight of {kept_weight}; divided by it, their mean "
+           "is {across_step}, where the texel itself had {raw_step}.");
+
+// %% the_code [markdown]
+// ## The code
+//
+// Here is the pixel shader of the tutorials, written out for one texel. The first pass goes along $(1, 0)$, the second along
+// $(0, 1)$.
+
+// %% shader tags=["setup"]
+book.listing("chapters/08_blur.cpp", "mean_along", "One texel of one pass: tests, weights, and the division by what was used.");
+book.listing("ssao/blur/blur_edges.h", "counts", "The tests as the lab's kernel makes them, for several texels side by side. Without "
+             "a surface the distance is infinite or not a number, and the comparison false.");
+book.listing("ssao/blur/blur_rows.h", "total_weight", "The divisor, from one bit for each tap that counts.");
+
+// %% decided_once [markdown]
+// Normals and depths stay the same through all iterations, and if $a$ counts for $b$, then $b$ counts for $a$. So the lab's kernel decides each pair
+// once and keeps one bit for it, where a shader repeats both tests eight times.
+
+// %% same_as_shader
+const Image<float> by_shader = blurred_naively(near.raw, in, near.blur);
+const double apart = static_cast<double>(buffer_statistics(difference_of(by_shader, near.blurred)).max);
+book.number("apart", apart * 1e6, 2);
+book.check("Written like the shader or decided once, four iterations give the same map, within {apart} millionths.", apart < 1e-6);
+
+// %% picture [markdown]
+// ## The picture it makes
+//
+// Watch the wall of the house: the grain goes, the edges stay. Watch the floor beside the columns, too. The streaks that remain
+// there run sideways only; the last section says why.
+
+// %% iterations
+const Texel at = followed_texel(in.size());
+const PixelRect part = left_of_house(shown.raw.size);
+std::vector<Notebook::Named> pictures;
+std::vector<float> of_texel;
+for (const auto& [iterations, caption] : {std::pair{"1", "After one iteration the grain is coarser and weaker."},
+                                          std::pair{"2", "After two, only soft blotches are left of it."},
+                                          std::pair{"4", "After four the shade is smooth, and the silhouettes are sharp."}}) {
+    const std::string word = std::string("blur_iterations=") + iterations;
+    pictures.push_back({std::string("blurred_") + iterations, ao_picture(cropped(view.ao({seed[0], word}).blurred, part)), caption});
+    of_texel.push_back(foot.ao({seed[0], word}).blurred.at(at.x, at.y));
+}
+book.show_row(pictures);
+book.number("x", std::to_string(at.x));
+book.number("y", std::to_string(at.y));
+book.number("of_texel_0", text(near.raw.at(at.x, at.y)));
+book.number("of_texel_1", text(of_texel[0]));
+book.number("of_texel_4", text(of_texel[2]));
+
+// %% followed [markdown]
+// The texel that we follow, $({{x}}, {{y}})$ in the view of the column's foot, had {of_texel_0} in the raw map. It has {of_texel_1}
+// after one iteration and {of_texel_4} after four.
+
+// %% keeps
+const double drift = buffer_statistics(shown.blurred).mean - buffer_statistics(shown.raw).mean;
+const auto leak = [&](BlurEdges edges) {
+    const BlurSettings once{.iterations = 1, .edges = edges};
+    return leaked_share(bilateral_blur(shown.raw, shown.inputs, once).ao, shown.raw, shown.inputs.view_depth);
+};
+const double leaked = leak(BlurEdges::none);
+book.compare({"leaking", ao_picture(plain.blurred), "The plain Gaussian: shade leaks over every silhouette."},
+             {"holding", ao_picture(shown.blurred), "The bilateral blur: it stays where it belongs."});
+book.show("leak", difference_picture(difference_of(plain.blurred, shown.blurred)),
+          "Plain minus bilateral: blue is shade that leaked onto another surface or the sky, red is shade lost to it.");
+book.number("drift", drift, 4);
+book.number("leaked", percent_text(leaked));
+book.check("Four iterations change the mean of the map by {drift} only.", std::fabs(drift) < 0.005);
+book.check("In one iteration nothing crosses a step in depth; of the plainly blurred map {leaked} shows what no raw value near it in "
+           "depth has.", leak(BlurEdges::fixed) == 0 && leaked > 0.01);
+
+// %% error_text [markdown]
+// ## How wrong it is
+//
+// Which blur is better (X_Jun's first exercise)? The mean of many seeds is the method without its noise; let us measure how far
+// each map is from that. *Edges* are texels beside a step in depth, *creases* those where surfaces meet, *flats* all others.
+
+// %% errors
+const ReferenceImage limit = luna_limit(shown.inputs, shown.settings, kSeeds);
+const Image<float> limit_blurred = bilateral_blur(limit.mean, shown.inputs, shown.blur).ao;
+const Image<SurfaceKind> kinds = surface_kinds(normal_depth(view.scene(), view.camera(), shown.inputs.size()), view.camera());
+const auto error = [&](const Image<float>& ao, Region region) {
+    return mean_error(ao, limit, kinds, region).squared.root();
+};
+std::vector<std::vector<std::string>> rows;
+for (const Region region : {Region::edge, Region::crease, Region::flat, Region::surface}) {
+    rows.push_back({region_name(region), decimal_text(error(shown.raw, region), 4), decimal_text(error(shown.blurred, region), 4),
+                    decimal_text(error(plain.blurred, region), 4), decimal_text(error(limit_blurred, region), 4)});
+}
+book.table({"texels", "raw", "bilateral", "plain", "no noise, but blurred"}, rows, "RMS error against the mean of 64 seeds.");
+const double noise_left = compare_images(shown.blurred, limit_blurred).rmse, noise_raw = compare_images(shown.raw, limit.mean).rmse;
+book.number("error_raw", error(shown.raw, Region::surface), 4);
+book.number("error_blurred", error(shown.blurred, Region::surface), 4);
+book.number("error_limit", error(limit_blurred, Region::surface), 4);
+book.number("noise_raw", noise_raw, 4);
+book.number("noise_left", noise_left, 4);
+const auto better = [&](Region region) { return error(shown.blurred, region) < error(plain.blurred, region); };
+book.check("The bilateral blur is better than the plain one at edges, in creases and on flats.",
+           better(Region::edge) && better(Region::crease) && better(Region::flat));
+book.check("The blur takes away more than half of the noise, and the error that it adds is there without any noise as well.",
+           noise_left < 0.5 * noise_raw && error(limit_blurred, Region::surface) > error(shown.raw, Region::surface));
+
+// %% why_text [markdown]
+// Something in the table looks wrong: the blurred map is *further* from the mean than the raw one was, {error_blurred} instead of
+// {error_raw} over all surfaces. Look at the last column. There the mean itself, which has no noise at all, went through the same blur, and it
+// comes out just as far off, at {error_limit}. So this error is not what the blur has left of the noise; it is what the blur has taken
+// from the shade. The dark line where a column meets the floor is a few texels wide, narrower than the filter, and is evened out.
+//
+// Of the noise little is left: the raw map differs from the mean by {noise_raw}, the blurred map from the blurred mean by only
+// {noise_left} (both with the sky). The blur trades an error that the eye sees at once, grain that crawls when the camera moves, for one
+// that it forgives, shade that is a little too soft. Contact shade is what it costs.
+
+// %% rows_of_a_floor
+constexpr float kEyeHeight = 3;  // over X_Jun's floor, scene units
+const float focal_px = static_cast<float>(shown.inputs.size().height) / (2 * shown.inputs.rays.ray_scale.y);
+const float limit_z = std::sqrt(kXjunBlur.depth_threshold * kEyeHeight * focal_px);
+book.number("h", text(kEyeHeight, 0));
+book.number("f", text(focal_px, 1));
+book.number("limit_z", text(limit_z, 1));
+
+// %% floor_text [markdown]
+// ## What breaks it: a floor seen at a slant
+//
+// Rows of the map that show a floor are not equally far apart. From an eye at the height $h$ above the floor, the row $s$ texels
+// below the horizon shows the depth $z = hf / s$, where $f$ is the focal length in texels, half the map's height over
+// $\tan(fov_y/2)$. From one row to the next the depth therefore changes by
+//
+// $$ \Delta z = \frac{h f}{s} - \frac{h f}{s + 1} \approx \frac{z^2}{h f} $$
+//
+// Past $z = \sqrt{ {{depth}}\, h f }$ even the next row is more than {depth} units away. Then no tap above or below counts, and the
+// blur has only one dimension left. In X_Jun's scene $h = {{h}}$ and $f = {{f}}$ here, so that happens at $z = {{limit_z}}$.
+//
+// The cure asks for the distance from the centre's *plane* instead: $|n_c \cdot (p_c - p_i)|$, and the same with the
+// neighbour's normal, at most {depth}. All of the floor lies in that plane, however it is seen.
+
+// %% grazing_floor
+const SwitchedAo slope = view.ao({seed[0], "blur_edges=slope"});
+const KeptTaps of_fixed = kept_taps(shown.inputs, shown.blur, limit_z), of_slope = kept_taps(shown.inputs, slope.blur, limit_z);
+book.compare({"kept_taps", grey_picture(of_fixed.kept, 0, 10), "How many of the ten taps above and below count, 0 black to 10 "
+              "white: the far floor loses all, in rows."},
+             {"kept_taps_slope", grey_picture(of_slope.kept, 0, 10), "Measured from the plane (" +
+              view.command({"blur_edges=slope"}) + "): the floor is white up to the horizon."});
+book.show("slope_minus_fixed", difference_picture(difference_of(slope.blurred, shown.blurred)),
+          "What the cure changes in the AO map. The open floor is 1 anyway; what changes is the shade on surfaces seen at a slant.");
+book.number("without", percent_text(double{1} * of_fixed.without / of_fixed.far_floor));
+book.number("taps_fixed", of_fixed.taps / of_fixed.far_floor, 1);
+book.number("taps_slope", of_slope.taps / of_slope.far_floor, 1);
+book.check("Past that depth {without} of the floor's texels keep no tap at all above or below.", of_fixed.without > 0.9 * of_fixed.far_floor);
+book.check("Measured from the plane they keep {taps_slope} of ten on average instead of {taps_fixed}.",
+           of_slope.taps > 7 * of_slope.far_floor && of_fixed.taps < 0.5 * of_fixed.far_floor);
+
+// %% exercises [markdown]
+// ## Exercises
+//
+// 1. (X_Jun's first) Replace the bilateral filter by a Gaussian. Which is better, and where?
+// 2. Run `crevice chapter 08 --cell iterations --param blur_depth=10`. Only the normals hold shade back now. Which edges stay
+//    sharp, and which do not?
+// 3. Run it with `--param blur_normal=-1` instead. What becomes of the roof and of the steps?
+// 4. Luna's filter is `--param blur_weights=luna` with three iterations. Compute its width, and compare the maps.
+// 5. The filter is not exactly separable any more. Where does the order of the two passes matter?
+//
+// <details><summary>Answers</summary>
+//
+// 1. The bilateral filter, everywhere, as the table shows. On flats, where one neighbour is as good as another, the two are
+//    nearly equal; at edges the plain one paints one surface's shade onto the other.
+// 2. Corners stay sharp. Parallel surfaces at different depths, a column and the wall behind it, share their shade.
+// 3. Shade turns corners: lines on the roof and the contact of column and floor fade.
+// 4. Its weights have a standard deviation of {luna_sigma} texels, three iterations one of {luna_sigma_3}: less noise is removed, and a little more
+//    detail is kept.
+// 5. Where a row crosses an edge that the column does not. A neighbour of a neighbour may count along one way and not along
+//    the other.
+//
+// </details>
+
+// %% errata [markdown]
+// <details><summary>Errata of the tutorials</summary>
+//
+// - *SSAO explored:* blurs vertically first, X_Jun and Luna horizontally. The order changes the result.
+// - *X_Jun, Luna and SSAO explored:* a fixed limit of 0.2 units in depth makes the blur one-dimensional on far floors, as shown
+//   above.
+// - *Luna, UpdateSsaoCB:* reads the weights as three vectors of four floats. A radius of five has only eleven, so the last one
+//   is read from beyond the end of the array.
+//
+// </details>
+//
+// ## Where to go on
+//
+// The map is ready. Chapter 09 puts it into the picture; chapter 12 runs both passes in groups of threads. Other blurs for
+// other noise come with the methods of chapters 13 to 19.
+
+// %% end tags=["setup"]
 }
 
 const Chapter kChapter("08", "blur", "The bilateral blur", blur);

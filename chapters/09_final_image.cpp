@@ -1,28 +1,28 @@
-// Question: how does the AO map get into the picture, and what does it change there?
-//
-// The one idea: draw the scene a second time with all its lights, look the AO map up at each pixel, and
-// multiply the ambient term by it. The first pass has left the depth of the nearest surface behind, so with
-// the test EQUAL each pixel is lit exactly once, by the surface that is seen.
-//
+// %% setup tags=["setup"]
 // Source: X_Jun, "Using the ambient map"; Luna, Default.hlsl; SSAO explored, "Applying SSAO".
-// Look for: the feet of the columns, the house under its eaves, the eyes of the head; the joints between the
-//           bricks, which the tutorials' AO does not see.
 // Run: crevice chapter 09
 #include <cmath>
 
+#include "chapters/diagrams/lookup_weights.h"
 #include "chapters/notebook/chapter.h"
+#include "chapters/props/crops.h"
+#include "chapters/props/limit_scenes.h"
+#include "chapters/props/switched_ao.h"
 #include "chapters/terminal/number_text.h"
 #include "scenes/builtin_scenes.h"
-#include "ssao/blur/bilateral_blur.h"
+#include "ssao/judge/metrics.h"
+#include "ssao/light/ao_lookup.h"
 #include "ssao/light/scene_shadow.h"
 #include "ssao/light/shade.h"
 #include "ssao/light/sky.h"
 #include "ssao/light/widened_ao.h"
 #include "ssao/methods/luna_ssao.h"
-#include "ssao/methods/xjun_ssao.h"
 
 namespace crevice {
 namespace {
+
+std::string text(float value) { return decimal_text(static_cast<double>(value), 3); }
+std::string text(glm::vec3 v) { return text(v.x) + ", " + text(v.y) + ", " + text(v.z); }
 
 // The share of the pixels that show a surface, and are not `left_out` of the second pass.
 double covered_share(const Image3& lit, const Image<float>& view_depth, glm::vec3 left_out) {
@@ -48,33 +48,57 @@ double darkened_share(const Image3& a, const Image3& b) {
     return darker / (a.size().width * a.size().height);
 }
 
-struct Tutorial {
-    const char* scene;
-    LunaSettings ao;
-    AoFetch fetch;
-    BlurSettings blur;
-};
-
-// Everything that one tutorial's last pass reads.
+// A tutorial's scene with textures, shadow and sky, and everything that its last pass reads.
 struct Drawn {
+    SwitchedView view;
     Scene scene;
-    GBuffer gbuffer;
-    Image<float> ao;
+    SwitchedAo ao;
     ShadowMap shadow;
 
-    Image3 lit(const Scene& shown, bool with_shadow, bool with_ao) const {
-        return shade(shown, shown.camera, gbuffer.depth, with_ao ? ao : Image<float>(), ShadeSettings{}, {},
-                     with_shadow ? &shadow : nullptr);
+    Drawn(const Notebook& book, const std::string& name, const std::string& method, const Words& words)
+        : view(book, name, method),
+          scene(find_builtin_scene(book.scene(name))->make(SceneDetail::surfaces)),
+          ao(view.ao(words)),
+          shadow(throws_shadow(scene) ? scene_shadow(scene) : ShadowMap()) {}
+    // The same with other words.
+    Drawn(const Drawn& other, const Words& words)
+        : view(other.view), scene(other.scene), ao(view.ao(words)), shadow(other.shadow) {}
+
+    Image3 lit(const Scene& shown, bool with_shadow, const Image<float>& accessibility) const {
+        const bool shadowed = with_shadow && !shadow.depth.codes.empty();
+        return shade(shown, scene.camera, ao.gbuffer.depth, accessibility, ShadeSettings{}, {},
+                     shadowed ? &shadow : nullptr);
+    }
+    Image3 finished(const Image<float>& accessibility) const {
+        const Image3 picture = lit(scene, true, accessibility);
+        if (scene.sky_cube == nullptr) return picture;
+        return with_sky(picture, ao.gbuffer.depth, scene.camera, *scene.sky_cube);
     }
 };
 
-Drawn drawn(const Tutorial& tutorial, Size size) {
-    Drawn d{find_builtin_scene(tutorial.scene)->make(SceneDetail::surfaces), {}, {}, {}};
-    d.gbuffer = normal_depth(d.scene, d.scene.camera, size);
-    const AoInputs inputs = ao_inputs(d.gbuffer, d.scene.camera, tutorial.fetch);
-    d.ao = bilateral_blur(luna_occlusion(inputs, tutorial.ao, {}).ao, inputs, tutorial.blur).ao;
-    d.shadow = scene_shadow(d.scene);
-    return d;
+// The picture of a tutorial, built up piece by piece.
+struct Steps {
+    Image3 textures, normal_maps, shadow, mirrored, with_ao, finished;
+    double covered = 0;  // share of the surface's pixels that the second drawing lights
+    double in_shadow = 0, in_ao = 0;  // shares of the picture that either darkens visibly
+};
+Steps steps_of(const Drawn& d) {
+    Scene bumpy = d.scene, marked = d.scene;
+    bumpy.sky_cube = nullptr;
+    Scene textured = bumpy;
+    for (Material& material : textured.materials) material.normal_map = nullptr;
+    marked.sky = glm::vec3(-1);  // no lit colour is negative
+    Steps s;
+    s.textures = d.lit(textured, false, {});
+    s.normal_maps = d.lit(bumpy, false, {});
+    s.shadow = d.lit(bumpy, true, {});
+    s.mirrored = d.lit(d.scene, true, {});
+    s.with_ao = d.lit(d.scene, true, d.ao.blurred);
+    s.finished = d.finished(d.ao.blurred);
+    s.covered = covered_share(d.lit(marked, true, d.ao.blurred), d.ao.gbuffer.view_depth, marked.sky);
+    s.in_shadow = darkened_share(s.normal_maps, s.shadow);
+    s.in_ao = darkened_share(s.mirrored, s.with_ao);
+    return s;
 }
 
 Image<float> every_fourth(const Image<float>& map) {
@@ -85,94 +109,314 @@ Image<float> every_fourth(const Image<float>& map) {
     return small;
 }
 
-// One tutorial's picture, built up piece by piece.
-void pipeline(Notebook& book, const Tutorial& tutorial) {
-    const Drawn d = drawn(tutorial, book.size());
-    const std::string name = tutorial.scene;
-    Scene textured = d.scene;
-    textured.sky_cube = nullptr;
-    for (Material& material : textured.materials) material.normal_map = nullptr;
-    Scene bumpy = d.scene;
-    bumpy.sky_cube = nullptr;
-    const Image3 shadowed = d.lit(d.scene, true, false), with_ao = d.lit(d.scene, true, true);
-    const Image3 finished = with_sky(with_ao, d.gbuffer.depth, d.scene.camera, *d.scene.sky_cube);
-    book.show_row(name + ": textures; their normal maps; the light's shadow.",
-                  {{name + "_textures", lit_picture(d.lit(textured, false, false))},
-                   {name + "_normal_maps", lit_picture(d.lit(bumpy, false, false))},
-                   {name + "_shadow", lit_picture(d.lit(bumpy, true, false))}});
-    std::vector<Notebook::Named> last = {{name + "_with_ao", lit_picture(with_ao)},
-                                         {name, lit_picture(finished)}};
-    const bool mirrors = d.scene.lighting == LightingModel::blinn_schlick;  // X_Jun has none
-    if (mirrors) last.insert(last.begin(), {name + "_mirrored", lit_picture(shadowed)});
-    book.show_row(mirrors ? "What is mirrored; the ambient term times AO; the sky."
-                          : "The ambient term times AO; the sky.",
-                  last);
-    book.show_row("The blurred AO map; what the light sees, white the farthest.",
-                  {{name + "_ao", ao_picture(ao_at_picture_size(d.ao, book.size()))},
-                   {name + "_shadow_map", ndc_depth_picture(every_fourth(ndc_depth(d.shadow.depth)))}});
-
-    Scene marked = d.scene;
-    marked.sky = glm::vec3(-1);  // no lit colour is negative
-    const double covered = covered_share(d.lit(marked, true, true), d.gbuffer.view_depth, marked.sky);
-    const double dark = darkened_share(d.lit(bumpy, false, false), d.lit(bumpy, true, false));
-    const double ao_dark = darkened_share(shadowed, with_ao);
-    book.check(name + ": EQUAL lights every pixel that shows a surface", covered == 1,
-               std::to_string(100 * covered) + " %");
-    book.check(name + ": the shadow darkens between 1 and 30 % of the picture", dark > 0.01 && dark < 0.3,
-               std::to_string(100 * dark) + " %");
-    book.check(name + ": AO is a detail, it changes 0.5 to 16 % of the picture visibly",
-               ao_dark > 0.005 && ao_dark < 0.16, std::to_string(100 * ao_dark) + " %");
+// Every channel times accessibility, pixel by pixel.
+Image3 times(Image3 lit, const Image<float>& accessibility) {
+    for (int y = 0; y < lit.size().height; ++y) {
+        for (int x = 0; x < lit.size().width; ++x) lit.set(x, y, accessibility.at(x, y) * lit.at(x, y));
+    }
+    return lit;
 }
 
-// The tutorials' AO knows the vertices' normals only; from the normal maps' it finds shade in every joint.
-void mapped_normals(Notebook& book, const Tutorial& tutorial) {
-    const Scene scene = find_builtin_scene(tutorial.scene)->make(SceneDetail::surfaces);
-    const auto ao_with = [&](bool mapped) {
-        NormalDepthSettings buffers;
-        buffers.mapped_normals = mapped;
-        const GBuffer g = normal_depth(scene, scene.camera, book.size(), buffers);
-        return luna_occlusion(ao_inputs(g, scene.camera, tutorial.fetch), tutorial.ao, {}).ao;
-    };
-    const Image<float> plain = ao_with(false);
-    Image<float> more = ao_with(true);
-    for (std::size_t i = 0; i < more.pixels.size(); ++i) more.pixels[i] -= plain.pixels[i];
-    book.show("mapped_minus_plain", difference_picture(more),
-              "Raw AO from mapped normals minus that from vertex normals: blue is darker. `crevice render "
-              "columns_luna --param ao_normals=mapped`");
-    const BufferStatistics change = buffer_statistics(more);
-    book.check("mapped normals change AO, here and there by a lot, on the whole by little",
-               change.min < -0.1f && std::fabs(change.mean) < 0.05, exact_text(change.min) + " at most");
+PixelRect middle_of(Size size) {
+    return {size.width * 2 / 5, size.height * 3 / 10, size.width * 3 / 5, size.height * 7 / 10};
+}
+bool all_sky(const Image3& lit, glm::vec3 sky) {
+    for (int y = 0; y < lit.size().height; ++y) {
+        for (int x = 0; x < lit.size().width; ++x) {
+            if (lit.at(x, y) != sky) return false;
+        }
+    }
+    return true;
 }
 
+Image3 difference_of(Image3 a, const Image3& b) {
+    for (int y = 0; y < a.size().height; ++y) {
+        for (int x = 0; x < a.size().width; ++x) a.set(x, y, a.at(x, y) - b.at(x, y));
+    }
+    return a;
+}
+
+// Raw AO from the normals that the normal maps make.
+Image<float> mapped_ao(const Drawn& d, Size size) {
+    const GBuffer gbuffer = normal_depth(d.scene, d.scene.camera, size, {.mapped_normals = true});
+    return luna_occlusion(ao_inputs(gbuffer, d.scene.camera, luna_fetch(d.ao.settings)), d.ao.settings, {}).ao;
+}
+
+// clang-format off: cells stand at the margin, where notebooks look for them.
 void final_image(Notebook& book) {
-    book.text(R"(
-        # 09 The final image
 
-        For each tutorial, what its last pass puts together. The AO map is half as wide and high as the
-        picture and read with a linear filter at each pixel's centre.
+// %% question [markdown]
+// # The final image
+//
+// Here is X_Jun's scene as its text of 2020 shows it: textured, with a strong *ambient light*, the constant that stands for all
+// light which has been reflected before it arrives. Without occlusion the columns seem to float, and the house is flat under its eaves. Move the slider: only the
+// ambient light has changed.
 
-            colour = texture * (access * ambient + shadow * diffuse) + shadow * specular
-    )");
-    LunaSettings xjun = kXjunSettings, luna = kLunaSettings;
-    xjun.seed = luna.seed = book.seed();
-    const Tutorial xjun_tutorial{"columns_2022", xjun, xjun_fetch(xjun), kXjunBlur},
-        luna_book{"columns_luna", luna, luna_fetch(luna), kLunaBlur};
-    pipeline(book, xjun_tutorial);
-    pipeline(book, luna_book);
-    mapped_normals(book, luna_book);
-    book.try_it({
-        "Replace `kXjunBlur` by `{.iterations = 0}`: grain in the walls, crisp lines on the roof.",
-        "Set `xjun.ao_scale = 1`: the lines between the roof tiles become even, at four times the cost.",
-        "Multiply the whole colour by AO instead of the ambient term: lit corners look dirty.",
-    });
-    book.errata({
-        "*X_Jun, vertex shader:* adds (w, w) to clip x, y before scaling by (0.5, -0.5), not (w, -w): v "
-        "is too small by 1, which WRAP hides. Chapter 11 shows it, and `--param ao_lookup=slip_clamp`.",
-        "*X_Jun, pixel shader:* multiplies only the ambient terms of directional lights. Those of other "
-        "lights would shine into every crevice; this lab multiplies each ambient term.",
-        "*Luna, repository:* AO does not scale what the mirror spheres reflect, and neither does this lab: "
-        "a mirror in a niche shows a sky that it cannot see.",
-    });
+// %% headline
+const Words seed = {"seed=" + std::to_string(book.seed())};
+const Drawn headline(book, "columns", "xjun", seed);
+const Image3 ao_off = headline.finished({}), ao_on = headline.finished(headline.ao.blurred);
+book.compare({"ao_off", lit_picture(ao_off), "AO off: all ambient light arrives everywhere."},
+             {"ao_on", lit_picture(ao_on), "AO on: look at the feet of the columns, below the spheres, and under the eaves."});
+
+// %% idea [markdown]
+// ## The idea
+//
+// **Draw the scene a second time, now with all its lights, look the AO map up at each pixel, and multiply the ambient light by
+// what you find there.**
+//
+// The light of X_Jun's shader is a sum of three terms for each lamp: *ambient* $A$, *diffuse* $D$ and *specular* $S$. The texture
+// multiplies the first two. Accessibility and shadow each have their own place in it:
+//
+// $$ colour = texture \cdot (access \cdot A + shadow \cdot D) + shadow \cdot S $$
+//
+// Why does AO not multiply everything? It answers how much light arrives *from all around*, the mean over a hemisphere. A lamp
+// stands in one direction. Whether its light arrives is what the shadow map knows, and a corner can be in full sun.
+
+// %% one_pixel
+const SwitchedView foot = column_foot(book);
+const SwitchedAo near = foot.ao(seed);
+const Texel at = followed_texel(near.inputs.size());
+const int x = 2 * at.x, y = 2 * at.y;
+const Image<float> at_pixels = ao_at_picture_size(near.blurred, book.size());
+const Image3 near_off = shade(foot.scene(), foot.camera(), near.gbuffer.depth, {});
+const Image3 near_on = shade(foot.scene(), foot.camera(), near.gbuffer.depth, near.blurred);
+const Image3 near_dark = shade(foot.scene(), foot.camera(), near.gbuffer.depth, Image<float>({1, 1}, 0.0f));
+book.number("texel_x", std::to_string(at.x));
+book.number("texel_y", std::to_string(at.y));
+book.number("x", std::to_string(x));
+book.number("y", std::to_string(y));
+book.number("access", text(at_pixels.at(x, y)));
+book.number("direct", text(near_dark.at(x, y)));
+book.number("ambient", text(near_off.at(x, y) - near_dark.at(x, y)));
+book.number("colour_off", text(near_off.at(x, y)));
+book.number("colour_on", text(near_on.at(x, y)));
+book.draw("lookup", lookup_diagram(near.blurred, book.size(), x, y, "One pixel and the four texels around it"),
+          "Texels are drawn black, pixels grey. The centre of pixel ({x}, {y}), green, lies a quarter of a texel from the nearest "
+          "texel's centre in each direction; the blue lines carry the weights.");
+
+// %% from_half_size [markdown]
+// ## From half size to full size
+//
+// The map has half the picture's width and height, so no pixel lies on the centre of a texel. A linear sampler takes the
+// four texels around it, weighted by how near they are: $\frac34 \cdot \frac34$, twice $\frac34 \cdot \frac14$, and $\frac14 \cdot \frac14$.
+//
+// Our texel $({{texel_x}}, {{texel_y}})$ is the nearest to the pixel $({{x}}, {{y}})$, whose accessibility comes out as {access}. The
+// ambient light reflected there is $({{ambient}})$ in red, green and blue, all other light $({{direct}})$. Without AO the pixel has their
+// sum, $({{colour_off}})$; with it $({{colour_on}})$.
+
+// %% sum_of_terms
+const glm::vec3 expected = near_dark.at(x, y) + at_pixels.at(x, y) * (near_off.at(x, y) - near_dark.at(x, y));
+const glm::vec3 error = expected - near_on.at(x, y);
+book.check("Direct light plus {access} times the ambient light is the lit pixel's colour.",
+           std::fabs(error.x) + std::fabs(error.y) + std::fabs(error.z) < 1e-5f);
+
+// %% second_drawing_text [markdown]
+// ## The second drawing
+//
+// The first pass has drawn the same triangles from the same eye, and has left the depth of the nearest surface at every
+// pixel in the depth buffer. The second one uses that. Its depth state differs in three ways from the usual one.
+//
+// - **The test is EQUAL.** Only the surface whose depth is in the buffer passes, so each pixel is lit exactly once, however many
+//   surfaces lie behind each other. The expensive shader never runs for what is hidden.
+// - **No depth is written.** The value that would be written is there already.
+// - **Depth is not cleared in between.** The colours are; but in a depth buffer cleared to 1 no surface would be found
+//   equal, and the picture would be sky.
+//
+// EQUAL compares bits. Both passes must compute the depth by the same operations in the same order; chapter 10 shows what
+// happens otherwise. The sky is drawn last, at depth 1 with LESS_EQUAL, where nothing else is.
+
+// %% second_drawing
+const Drawn luna(book, "columns_luna", "luna", seed);
+const auto second_drawing = [&](DepthFunction function, const DepthBuffer& depth) {
+    return shade(luna.scene, luna.scene.camera, depth, luna.ao.blurred, ShadeSettings{function, PositionOrder::relative, {}});
+};
+DepthBuffer cleared = luna.ao.gbuffer.depth;
+cleared.codes = Image<std::int32_t>(book.size(), depth_code(cleared.format, 1.0f, 0.0));
+const Image3 always = second_drawing(DepthFunction::always, luna.ao.gbuffer.depth);
+const Image3 equal = second_drawing(DepthFunction::equal, luna.ao.gbuffer.depth);
+book.compare({"test_always", lit_picture(cropped(always, middle_of(book.size()))), "Luna's head without a depth test: what was drawn "
+              "last wins, so parts that lie behind others cover these."},
+             {"test_equal", lit_picture(cropped(equal, middle_of(book.size()))), "EQUAL: each pixel shows the surface that is seen."});
+book.check("With LESS instead of EQUAL nothing is lit at all, since no surface is nearer than the nearest; with a cleared "
+           "depth buffer EQUAL lights nothing either.",
+           all_sky(second_drawing(DepthFunction::less, luna.ao.gbuffer.depth), luna.scene.sky) &&
+               all_sky(second_drawing(DepthFunction::equal, cleared), luna.scene.sky));
+
+// %% the_code [markdown]
+// ## The code
+//
+// X_Jun's pixel shader samples the map and writes `ambient += ambientAccess * A` for each of its directional lights. This
+// lab's function does the same for every light of the scene.
+
+// %% kernel_light tags=["setup"]
+book.listing("ssao/light/lighting.h", "phong",
+             "Ambient, diffuse and specular light of all lamps. `s.ambient` is the accessibility, one for each colour.");
+book.listing("ssao/light/widened_ao.h", "at", "The lookup: two rows of the map, brought to the picture's width before, are "
+             "mixed by how near they are.");
+
+// %% picture [markdown]
+// ## The picture, piece by piece
+//
+// X_Jun's repository of 2022 has a quarter of the ambient light and more direct light.
+
+// %% xjun_2022
+const Drawn xjun(book, "columns_2022", "xjun", seed);
+const Steps s = steps_of(xjun);
+book.show_row({{"columns_2022_textures", lit_picture(s.textures), "Textures, and the lamps' light."},
+               {"columns_2022_normal_maps", lit_picture(s.normal_maps), "Normal maps: joints and grain."},
+               {"columns_2022_shadow", lit_picture(s.shadow), "The first lamp's shadow."}});
+book.show_row({{"columns_2022_ao", ao_picture(ao_at_picture_size(xjun.ao.blurred, book.size())), "The AO map at the picture's size."},
+               {"columns_2022_with_ao", lit_picture(s.with_ao), "The ambient light times that map."},
+               {"columns_2022", lit_picture(s.finished), "The sky, where the depth is 1."}});
+book.number("dark_2022", percent_text(s.in_shadow));
+book.number("ao_2022", percent_text(s.in_ao));
+book.check("EQUAL has lit every pixel that shows a surface.", s.covered == 1);
+book.check("The shadow darkens {dark_2022} of the picture.", s.in_shadow > 0.01 && s.in_shadow < 0.3);
+book.check("AO is a detail: it darkens {ao_2022} of the picture visibly.", s.in_ao > 0.005 && s.in_ao < 0.16);
+
+// %% luna_text [markdown]
+// Luna's light has one ambient term, $access \cdot ambient \cdot albedo$, and its smooth materials mirror the sky.
+
+// %% luna
+const Steps t = steps_of(luna);
+book.show_row({{"columns_luna_textures", lit_picture(t.textures), "Textures."},
+               {"columns_luna_normal_maps", lit_picture(t.normal_maps), "Normal maps."},
+               {"columns_luna_shadow", lit_picture(t.shadow), "The shadow of the first lamp."}});
+book.show_row({{"columns_luna_mirrored", lit_picture(t.mirrored), "The mirrored sky, which AO does not touch."},
+               {"columns_luna_with_ao", lit_picture(t.with_ao), "The ambient term times AO."},
+               {"columns_luna", lit_picture(t.finished), "The sky."}});
+book.show_row({{"columns_luna_ao", ao_picture(ao_at_picture_size(luna.ao.blurred, book.size())), "The AO map."},
+               {"columns_luna_shadow_map", ndc_depth_picture(every_fourth(ndc_depth(luna.shadow.depth))),
+                "The depth map that the lamp sees, from which shadows come: white is farthest."}});
+book.number("dark_luna", percent_text(t.in_shadow));
+book.number("ao_luna", percent_text(t.in_ao));
+book.check("Here too EQUAL lights every pixel of a surface; the shadow darkens {dark_luna}, AO {ao_luna} of the picture.",
+           t.covered == 1 && t.in_shadow > 0.01 && t.in_shadow < 0.3 && t.in_ao > 0.005 && t.in_ao < 0.16);
+
+// %% truth_text [markdown]
+// ## How wrong it is
+//
+// Rays tell how open a point really is (chapter 02). Cast 64 from every texel, as long as the tutorials' radius, put their share
+// into the same picture, and compare.
+
+// %% truth
+const GBuffer texels = normal_depth(headline.scene, headline.scene.camera, headline.ao.inputs.size());
+const Image<float> by_rays = ray_picture(headline.scene, headline.scene.camera, texels, {.rays = 64, .radius = headline.ao.settings.radius});
+const Image3 true_light = headline.finished(by_rays);
+const Image3 wrong_by = difference_of(ao_on, true_light);
+book.compare({"lit_by_rays", lit_picture(true_light), "Accessibility by rays."},
+             {"lit_by_ssao", lit_picture(ao_on), "Accessibility by SSAO."});
+book.show("ssao_minus_rays", difference_picture(wrong_by), "SSAO minus rays: blue is too dark, red too bright. The walls are too dark, for the exponent exaggerates; the joints of the roof are lost at "
+          "half size; and the red corners below belong to columns beside the picture, which rays meet and SSAO cannot see.");
+book.number("rmse", compare_images(ao_on, true_light).rmse, 4);
+book.number("rmse_without", compare_images(ao_off, true_light).rmse, 4);
+book.check("With SSAO the picture is off by {rmse} (RMS, of colours between 0 and 1), without any AO by {rmse_without}.",
+           compare_images(ao_on, true_light).rmse < compare_images(ao_off, true_light).rmse);
+
+// %% published_text [markdown]
+// ## As published
+//
+// What do the pictures look like with every number kept as the tutorials keep it: random vectors that are no unit vectors,
+// normals and depths in 16-bit floats, depth buffers of 24 bits, edge texels mixed? The shade gets wider and is less even; look at the roof.
+
+// %% as_published
+const Words published = {seed[0], "as_published=true", "buffer_format=float16", "depth_format=d24"};
+const Words shown_words = {published[1], published[2], published[3]};
+const Drawn xjun_published(headline, published), luna_published(luna, published);
+const Image3 ao_published = xjun_published.finished(xjun_published.ao.blurred);
+book.compare({"xjun_published", lit_picture(ao_published), "X_Jun as published (" + headline.view.command(shown_words) + ")."},
+             {"xjun_repaired", lit_picture(ao_on), "With the cures of chapters 05 to 07, this lab's default."});
+book.compare({"luna_published", lit_picture(luna_published.finished(luna_published.ao.blurred)), "Luna as published (" +
+              luna.view.command(shown_words) + ")."},
+             {"luna_repaired", lit_picture(t.finished), "Luna repaired."});
+book.number("published_rmse", compare_images(ao_published, true_light).rmse, 4);
+
+// %% published_error [markdown]
+// Against the picture by rays, X_Jun's as published is off by {published_rmse}, the repaired one by {rmse}. Most of either error is
+// the method's own; the cures remove dots and speckles, which such a number hardly sees and the eye does.
+
+// %% dirty_text [markdown]
+// ## What can go wrong
+//
+// **Multiply the whole colour by AO, and sunlit corners are dirty.** The direct light loses what it never lost on its way.
+
+// %% dirty
+const Image3 unoccluded = xjun.lit(xjun.scene, true, {});
+const Image3 all_dark = times(unoccluded, ao_at_picture_size(xjun.ao.blurred, book.size()));
+const PixelRect dirtiest = part_around_largest(difference_of(all_dark, s.with_ao).y, {160, 90});
+book.compare({"whole_colour", lit_picture(cropped(all_dark, dirtiest)), "The whole colour times AO: dark outlines in full light."},
+             {"ambient_only", lit_picture(cropped(s.with_ao, dirtiest)), "Only the ambient light times AO."});
+const double whole = darkened_share(unoccluded, all_dark);
+book.number("whole", percent_text(whole));
+book.check("So done, AO darkens {whole} of the picture visibly instead of {ao_2022}.", whole > s.in_ao);
+
+// %% joint_text [markdown]
+// **A linear filter knows no edges.** At a silhouette two of the four texels may belong to another surface, and what the blur has kept
+// apart is mixed again, over one pixel. *Joint upsampling* weighs the four texels by their likeness to the pixel as well.
+
+// %% joint
+const Image<float> linear = ao_at_picture_size(headline.ao.blurred, book.size());
+const Image<float> joint = looked_up(headline.ao.blurred, headline.ao.inputs, headline.ao.gbuffer, AoLookup::joint);
+const PixelRect fringe = part_around_largest(difference_of(linear, joint), {64, 40});
+book.compare({"lookup_linear", ao_picture(cropped(linear, fringe)), "Linear, 64 by 40 pixels: a fringe along the edge."},
+             {"lookup_joint", ao_picture(cropped(joint, fringe)), "By likeness (" + headline.view.command({"ao_lookup=joint"}) + ")."});
+
+// %% mapped_text [markdown]
+// **The AO of the tutorials does not see what normal maps draw.** Its normals are those of the vertices. Given the bent normals, it finds
+// shade in every joint; but the depth map knows nothing of the joints, so this shade is a guess.
+
+// %% mapped
+const Image<float> plain_normals = luna.view.ao(seed).raw, mapped_normals = mapped_ao(luna, book.size());
+const Image<float> more = difference_of(mapped_normals, plain_normals);
+const BufferStatistics change = buffer_statistics(more);
+book.compare({"normals_plain", ao_picture(plain_normals), "Raw AO from the vertices' normals."},
+             {"normals_mapped", ao_picture(mapped_normals), "From the mapped ones (`crevice render columns_luna --param ao_normals=mapped`)."});
+book.show("mapped_minus_plain", difference_picture(more), "Mapped minus plain: blue is darker.");
+book.number("mapped_most", text(-change.min));
+book.number("mapped_mean", change.mean, 4);
+book.check("Mapped normals darken single texels by up to {mapped_most} and change the mean by {mapped_mean} only.",
+           change.min < -0.1f && std::fabs(change.mean) < 0.05);
+
+// %% exercises [markdown]
+// ## Exercises
+//
+// 1. Run `crevice render columns_2022 --param blur_iterations=0` and look at `lit.png`. Where does the grain show, and where not?
+// 2. Run `crevice render columns_2022 --ao-scale 1`. What becomes of the lines between the tiles of the roof, and what does it
+//    cost (`passes.json`)?
+// 3. Why is the AO map not needed where no ambient light is?
+// 4. In the second drawing, would LESS_EQUAL do as well as EQUAL?
+// 5. AO does not scale what the mirrors of Luna's scene reflect. What would a mirror in a niche have to know?
+//
+// <details><summary>Answers</summary>
+//
+// 1. On walls in the shadow, which only ambient light reaches. In full sun the direct light is most of the colour.
+// 2. They become even, since no texel lies across them any more, at four times the cost of the AO pass.
+// 3. It multiplies the ambient term only: where that is 0, so is the product.
+// 4. Yes, if both passes compute the same depths. Nothing is nearer than the nearest, so LESS_EQUAL passes what EQUAL passes.
+//    Where they do not, it hides half of the damage: chapter 10.
+// 5. In which directions it is open, not only how much: chapters 18 and 19 compute a mean open direction, the bent normal.
+//
+// </details>
+
+// %% errata [markdown]
+// <details><summary>Errata of the tutorials</summary>
+//
+// - *X_Jun, vertex shader:* adds $(w, w)$ to clip $x, y$ before scaling by $(0.5, -0.5)$, where $(w, -w)$ is meant. $v$ is too
+//   small by 1, which a sampler that wraps hides. Chapter 11 shows it, and so does `--param ao_lookup=slip_clamp`.
+// - *X_Jun, pixel shader:* multiplies only the ambient terms of the directional lights. Those of other lights would shine into every
+//   crevice; this lab multiplies each ambient term.
+// - *Luna, repository:* AO does not scale what the mirror spheres reflect, and neither does this lab: a mirror in a niche shows a
+//   sky that it cannot see.
+//
+// </details>
+//
+// ## Where to go on
+//
+// You have now seen every pass: normals and depth, raw AO, blur, and the lit picture. Chapter 10 breaks EQUAL; chapter 11
+// shows what no AO in screen space can know. Part II, from chapter 13 on, has other methods for the same map.
+
+// %% end tags=["setup"]
 }
 
 const Chapter kChapter("09", "final_image", "The final image", final_image);

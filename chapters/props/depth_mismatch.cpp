@@ -64,18 +64,6 @@ std::vector<double> depth_differences(const Scene& scene, const Camera& camera, 
     return shares;
 }
 
-Picture bars_picture(const std::vector<double>& shares) {
-    constexpr int kWide = 12, kHigh = 120;
-    Image<float> canvas({kWide * static_cast<int>(shares.size()), kHigh}, 1.0f);
-    for (int x = 0; x < canvas.size.width; ++x) {
-        if (x % kWide == kWide - 1) continue;
-        const int steps = x / kWide - kMostSteps;
-        const double height = 2 * kHigh * shares[static_cast<std::size_t>(x / kWide)];
-        for (int y = 0; y < kHigh && y < height; ++y) canvas.at(x, kHigh - 1 - y) = steps == 0 ? 0.6f : 0.2f;
-    }
-    return grey_picture(canvas, 0, 1);
-}
-
 Scene lattice_scene() {
     Scene scene = find_builtin_scene("columns")->make();
     scene.sky = kMagenta;

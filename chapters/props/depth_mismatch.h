@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "chapters/notebook/picture.h"
 #include "rasterizer/draw/normal_depth.h"
 
 namespace crevice {
@@ -23,8 +22,6 @@ LitShares lit_shares(const Image3& lit, const Image3& right, const Image<float>&
 inline constexpr int kMostSteps = 9;
 std::vector<double> depth_differences(const Scene& scene, const Camera& camera, Size size, DepthFormat format,
                                       PositionOrder first, PositionOrder second);
-// A bar for each, 0 light; half the surface fills the height.
-Picture bars_picture(const std::vector<double>& shares);
 
 // X_Jun's scene behind a lattice with holes.
 Scene lattice_scene();
