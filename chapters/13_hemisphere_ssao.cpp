@@ -8,6 +8,7 @@
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/crops.h"
 #include "chapters/props/house_front.h"
+#include "chapters/props/points_beside_wall.h"
 #include "chapters/props/surface_mean.h"
 #include "chapters/terminal/number_text.h"
 #include "scenes/builtin_scenes.h"
@@ -21,32 +22,8 @@ namespace {
 std::string text(float value) { return decimal_text(static_cast<double>(value), 3); }
 std::string text(glm::vec3 v) { return text(v.x) + ", " + text(v.y) + ", " + text(v.z); }
 
-// Of the points over a floor, the share that lies beyond a wall `distance` radii away: each point, turned about the normal,
-// spends a share of its turns there.
-double share_beyond_wall(const std::vector<glm::vec3>& points, double distance) {
-    double sum = 0;
-    for (const glm::vec3& point : points) {
-        const double across = std::hypot(static_cast<double>(point.x), static_cast<double>(point.y));
-        if (across > distance) sum += std::acos(distance / across) / 3.14159265358979;
-    }
-    return sum / static_cast<double>(points.size());
-}
-
-PlotCurve wall_curve(const std::string& name, double (*access)(double)) {
-    PlotCurve curve{name, {}, {}, {}, {}, PlotStyle::smooth};
-    for (int i = 0; i <= 100; ++i) {
-        curve.x.push_back(i / 100.0);
-        curve.y.push_back(access(i / 100.0));
-    }
-    return curve;
-}
-double points_beside_wall(double distance) {
-    constexpr int kMany = 4096;
-    static const std::vector<glm::vec3> points =
-        hemisphere_points(kMany, {.shortest = 0.1f, .shortened = true}, 1);
-    return 1 - share_beyond_wall(points, distance);
-}
-double rays_beside_wall(double distance) { return 1 - (1 - distance) / 2; }
+constexpr HemisphereLengths kLengths = {.shortest = 0.1f, .shortened = true};
+double points_at(double distance) { return points_beside_wall(kLengths, distance); }
 
 // A level floor without anything on it, seen from low above.
 Scene bare_floor() {
@@ -132,8 +109,8 @@ book.number("hidden_points", std::to_string(hidden_points));
 book.number("sum", text(sum));
 book.draw(
     "half_ball",
-    hemisphere_diagram(shown.raw.inputs, at.x, at.y, texel, static_cast<double>(settings.radius),
-                       "The points of one texel that lie near the cut"),
+    hemisphere_diagram(shown.raw.inputs, at.x, at.y, texel, strongest_sample(texel),
+                       static_cast<double>(settings.radius), "The points of one texel that lie near the cut"),
     "A cut through the depth buffer at texel ({x}, {y}) of the picture, on the door, next to the jamb. Of the "
     "{samples} "
     "points, those near the plane of the cut are drawn: red dots are hidden by the surface in front of them, blue "
@@ -246,13 +223,13 @@ book.plot(
     {"Accessibility beside a wall",
      {"distance from the wall over the radius"},
      {"accessibility", false, 0.45, 1.02},
-     {wall_curve("rays, every direction alike", rays_beside_wall), wall_curve("points", points_beside_wall)}},
+     {wall_curve("rays, every direction alike", rays_beside_wall), wall_curve("points", points_at)}},
     "Both curves begin at one half, in the corner. That of the points has come most of the way up at a third of the "
     "radius: the shade looks narrower than the radius that you asked for.");
 book.number("half_way_rays", rays_beside_wall(0.3), 3);
-book.number("half_way_points", points_beside_wall(0.3), 3);
+book.number("half_way_points", points_at(0.3), 3);
 book.check("At three tenths of the radius rays find {half_way_rays}, the points {half_way_points}.",
-           points_beside_wall(0.3) > rays_beside_wall(0.3) + 0.1);
+           points_at(0.3) > rays_beside_wall(0.3) + 0.1);
 
 // %% error_text [markdown]
 // The nearest question that rays can be asked is: of all directions, each counting the same, which share meets nothing

@@ -33,8 +33,8 @@ std::size_t strongest_sample(const Explanation& explanation) {
 }
 
 std::string hemisphere_diagram(const AoInputs& inputs, int x, int y, const Explanation& explanation,
-                               double radius, const std::string& title) {
-    const SectionPlane plane = plane_through(x, y, explanation.samples[strongest_sample(explanation)]);
+                               std::size_t through, double radius, const std::string& title) {
+    const SectionPlane plane = plane_through(x, y, explanation.samples[through]);
     const SectionPoint p = plane.at(explanation.p_view), n = plane.at(explanation.n_view);
     const double reach = 1.35 * radius;
     SectionDrawing drawing({p.z - 1.5 * reach, p.across - reach}, {p.z + 1.1 * reach, p.across + reach});

@@ -8,11 +8,11 @@
 
 namespace crevice {
 
-// The cut contains the eye's ray through texel (x, y) and the sample that takes most. Of the texel's samples it shows the
+// The cut contains the eye's ray through texel (x, y) and q of the sample `through`. Of the texel's samples it shows the
 // points q that lie near its plane: red dots those that take something, blue rings the others. The half circle of `radius`
 // scene units over p lies on the side of n.
 std::string hemisphere_diagram(const AoInputs& inputs, int x, int y, const Explanation& explanation,
-                               double radius, const std::string& title);
+                               std::size_t through, double radius, const std::string& title);
 
 // The index of the sample that takes most; the first of those that take the same.
 std::size_t strongest_sample(const Explanation& explanation);
