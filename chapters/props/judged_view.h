@@ -1,0 +1,88 @@
+// One view of a built-in scene on which methods stand side by side: their maps, the numbers of one texel, and how far
+// each is from ray-cast truth of its own question.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "chapters/frame/frame_settings.h"
+#include "chapters/notebook/notebook.h"
+#include "chapters/props/switched_ao.h"
+#include "ssao/judge/reference_error.h"
+#include "ssao/rays/ray_cast_ao.h"
+
+namespace crevice {
+
+// The size at which the chapters measure errors, whatever the size of their pictures.
+inline constexpr Size kJudgedSize = {240, 135};
+inline constexpr int kJudgedRays = 64;  // a pixel
+
+// What a method makes of the view.
+struct MethodMap {
+    const Method* method = nullptr;
+    MethodSettings settings;
+    RawAo raw;
+    Image<float> denoised;  // AO map size
+    Image<float> picture;   // the same at picture size, as the lit pass reads it
+};
+
+// Ray-cast accessibility, which a method's question asks for.
+struct Truth {
+    AoQuestion question;
+    ReferenceImage image;
+    double noise = 0;  // root mean square of its own standard error, over the pixels that show a surface
+};
+
+// Over the pixels that show a surface, without the noise of the truth.
+struct MapError {
+    double rmse = 0, bias = 0;
+};
+
+class JudgedView {
+ public:
+    // From the scene's own camera. Throws UsageError for a scene there is not.
+    JudgedView(const std::string& scene, Size size, std::uint32_t seed);
+    // The same as the reader of a chapter wants it: with his scene instead of this one, and his parameters for every
+    // method that has them. `own`, the chapter's, is given all, so that what no method knows is an error.
+    JudgedView(const Notebook& book, const std::string& scene, const std::string& own, Size size);
+    JudgedView(const Notebook& book, const std::string& scene, const std::string& own)
+        : JudgedView(book, scene, own, book.size()) {}
+    // From another camera; `flags` is how the command line says so.
+    void look(const Camera& camera, const std::string& flags);
+
+    // Throws UsageError as settings_of().
+    MethodMap map(const std::string& method, const Words& words = {}) const;
+    Explanation explanation(const MethodMap& map, int x, int y) const;
+    Truth truth(const AoQuestion& question) const;
+    AoQuestion question_of(const MethodMap& map) const;
+    MapError error(const MethodMap& map, const Truth& truth) const;
+    // Map minus truth; 0 where there is no surface.
+    Picture difference(const MethodMap& map, const Truth& truth) const;
+    // "crevice render SCENE ...", Markdown.
+    std::string command(const std::string& method, const Words& words = {}) const;
+
+    const Scene& scene() const { return scene_; }
+    const Camera& camera() const { return camera_; }
+    const GBuffer& gbuffer() const { return gbuffer_; }
+
+ private:
+    void draw();
+
+    Scene scene_;
+    Camera camera_;
+    Size size_;
+    std::uint32_t seed_;
+    std::string flags_;
+    std::string own_;
+    Words reader_words_;
+    GBuffer gbuffer_;
+    std::shared_ptr<const RayScene> rays_;
+};
+
+// X_Jun's columns from near the foot of one, as column_foot() has them.
+JudgedView judged_column_foot(const Notebook& book, const std::string& own, Size size);
+
+// A method's name, its error and its bias, as a row of a table.
+std::vector<std::string> error_row(const std::string& name, const MapError& error);
+
+}  // namespace crevice
