@@ -1,163 +1,517 @@
-// Question: how far is a method from the truth, why, and what would less error cost?
-//
-// The one idea: one number hides three errors. Rays through the scene (T), rays against the depth buffer (S) and the
-// method with ever more samples (C) tell apart what the depth buffer lost, what the method never asked for and what
-// is noise.
-//
-// Source: the three references after Timonen 2013, "Screen-Space Far-Field Ambient Obscurance" (S); errors with
-//         their spread after Celarek et al. 2019, "Quantifying the error of light transport algorithms".
-// Look for: curves that go flat, where more samples buy nothing; halves of contact shadows that S has lost.
+// %% setup tags=["setup"]
+// Source: the three references after Timonen 2013, "Screen-Space Far-Field Ambient Obscurance" (S); errors with their
+// spread after Celarek et al. 2019, "Quantifying the error of light transport algorithms".
 // Run: crevice chapter 21; for times crevice bench --error columns
 #include <algorithm>
 #include <cmath>
 
 #include "chapters/notebook/chapter.h"
-#include "chapters/notebook/plot_picture.h"
+#include "chapters/notebook/svg.h"
+#include "chapters/props/switched_ao.h"
 #include "chapters/study/error_study.h"
+#include "chapters/study/method_view.h"
 #include "chapters/terminal/number_text.h"
-#include "scenes/builtin_scenes.h"
 
 namespace crevice {
 namespace {
 
-ErrorPlan chapter_plan(Size size) {
+constexpr int kSampleCounts[] = {1, 2, 4, 7, 10, 14}, kRayCounts[] = {1, 2, 4, 8, 16, 32};
+
+// Of half the chapter's size each way: rays for a picture are many.
+ErrorPlan chapter_plan(Size size, int seeds) {
+    constexpr Size kSmallest = {160, 90};
     ErrorPlan plan;
-    plan.size = size;
-    for (const int blurs : {0, 4}) {
-        for (const int samples : {1, 2, 4, 7, 10, 14}) plan.settings.push_back({samples, 1, blurs, false});
+    plan.size = {std::max(size.width / 2, kSmallest.width), std::max(size.height / 2, kSmallest.height)};
+    for (const auto& [scale, blurs] : {std::pair{1.0f, 0}, std::pair{1.0f, 4}, std::pair{0.5f, 4}}) {
+        for (const int samples : kSampleCounts) plan.settings.push_back({samples, scale, blurs, false});
     }
-    plan.cast_rays = {1, 2, 4, 8, 16, 32};
-    plan.seeds = 4;
-    plan.reference_rays = 256;
-    plan.limit_seeds = 128;
+    plan.cast_rays.assign(std::begin(kRayCounts), std::end(kRayCounts));
+    plan.seeds = seeds;
+    plan.reference_rays = 128;
+    plan.limit_seeds = 64;
     return plan;
 }
 
-void show_references(Notebook& book, const References& r) {
-    book.show_row(
-        "T: rays through the scene. S: the same rays against the depth buffer. C: the method without noise.",
-        {{"truth", ao_picture(r.soft.image.mean)},
-         {"screen", ao_picture(r.screen.image.mean)},
-         {"limit", ao_picture(r.limit.image.mean)}});
-    std::vector<std::vector<std::string>> rows;
-    const std::pair<const char*, const Reference*> references[] = {
-        {"T", &r.soft}, {"S", &r.screen}, {"C", &r.limit}};
-    for (const auto& [name, reference] : references)
-        rows.push_back({name, std::to_string(reference->rays), decimal_text(reference->mean, 4),
-                        decimal_text(reference->mean_error, 4)});
-    book.table({"reference", "rays or seeds", "mean", "mean standard error"}, rows);
-}
-
-void show_regions(Notebook& book, const ErrorStudy& study) {
-    const References& r = study.references;
-    const ReferenceError error =
-        reference_error(r.limit.image.mean, r.soft.image, surface_kinds(r.gbuffer, study.camera));
-    std::vector<std::vector<std::string>> rows;
-    for (const Region region : kRegions) {
-        const RegionError& e = error.over(region);
-        rows.push_back({region_name(region), std::to_string(e.pixels), decimal_text(e.bias, 4),
-                        decimal_text(e.rmse(), 4), decimal_text(e.p50, 4), decimal_text(e.p95, 4),
-                        decimal_text(e.max_abs, 4)});
-    }
-    book.text("The limit of `xjun` against T, by the kind of place; SSIM " + decimal_text(error.ssim, 3) +
-              ", FLIP " + decimal_text(error.flip_mean.value_or(0), 3) + ":");
-    book.table({"where", "pixels", "bias", "RMSE", "p50", "p95", "max"}, rows);
-    book.check("no NaN, no infinity", !error.failed());
-    book.check("edges and creases are where it is wrong",
-               error.over(Region::flat).rmse() <
-                   std::max(error.over(Region::edge).rmse(), error.over(Region::crease).rmse()));
-}
-
-void show_parts(Notebook& book, const ErrorStudy& study) {
-    std::vector<std::vector<std::string>> rows;
-    std::vector<Notebook::Named> pictures;
-    double bias = 0, share = 0;
-    for (const ErrorPart& part : study.parts.parts) {
-        bias += part.bias, share += part.share;
-        rows.push_back({part.step, decimal_text(part.bias, 5), decimal_text(part.rmse, 4),
-                        decimal_text(1e6 * part.share, 1)});
-        std::string name = std::string(study.method->name) + "_" + part.step;
-        std::replace_if(
-            name.begin(), name.end(), [](char c) { return c == ' ' || c == ','; }, '_');
-        pictures.push_back({name, difference_picture(part.difference)});
-    }
-    const ErrorPart& total = study.parts.total;
-    rows.push_back({"total", decimal_text(total.bias, 5), decimal_text(total.rmse, 4),
-                    decimal_text(1e6 * total.share, 1)});
-    book.show_row(std::string(study.method->name) +
-                      ", step by step from T to the frame's AO: red too open, blue too "
-                      "closed.",
-                  pictures);
-    book.table({"step", "bias", "RMSE alone", "share of the MSE, millionths"}, rows);
-    book.check("the parts add up to the whole error, bias and square",
-               std::fabs(bias - total.bias) < 1e-12 && std::fabs(share - total.share) < 1e-12);
-}
-
-// RMSE against T over samples or rays.
-PlotSeries curve_of(const ErrorStudy& study, const std::string& method, const std::string& ending,
-                    glm::vec3 colour) {
-    PlotSeries curve{{}, {}, PlotMark::line, colour};
+// RMSE against T over what a picture's pixel asks on average: samples, or rays.
+PlotCurve curve_of_method(const ErrorStudy& study, const std::string& name, float scale, int blurs) {
+    PlotCurve curve{name, {}, {}};
     for (const StudyPoint& p : study.points) {
-        if (p.method != method || !p.setting.ends_with(ending)) continue;
-        curve.x.push_back(std::stod(p.setting));
+        if (!p.of || p.of->ao_scale != scale || p.of->blur_iterations != blurs) continue;
+        curve.x.push_back(p.of->samples * static_cast<double>(scale) * static_cast<double>(scale));
+        curve.y.push_back(p.truth.rmse);
+        curve.y_low.push_back(p.truth.lowest);
+        curve.y_high.push_back(p.truth.highest);
+    }
+    return curve;
+}
+PlotCurve curve_of_rays(const ErrorStudy& study) {
+    PlotCurve curve{"ray cast", {}, {}};
+    for (const StudyPoint& p : study.points) {
+        if (p.of) continue;
+        curve.x.push_back(kRayCounts[curve.x.size()]);
         curve.y.push_back(p.truth.rmse);
     }
     return curve;
 }
 
-void show_curves(Notebook& book, const ErrorStudy& study) {
-    const std::string name = study.method->name;
-    const PlotSeries raw = curve_of(study, name, "0 blurs, float32", kPlotOrange),
-                     blurred = curve_of(study, name, "4 blurs, float32", kPlotBlue),
-                     cast = curve_of(study, "ray_cast", "pixel", kPlotGreen);
-    const PlotSeries curves[] = {raw, blurred, cast};
-    book.show(name + "_error", plot_picture({420, 240}, {1, 32, 0.01, 1, true}, curves),
-              "RMSE against T over samples or rays a pixel: raw (orange), blurred four times (blue), ray "
-              "cast (green).");
-    const double raw_gain = raw.y.front() / raw.y.back(), cast_gain = cast.y.front() / cast.y.back();
-    book.check("rays converge to T, samples do not", cast_gain > 3 * raw_gain,
-               "32 rays for 1: error / " + decimal_text(cast_gain, 1) + "; 14 samples for 1: / " +
-                   decimal_text(raw_gain, 1));
-    book.check("with few samples the blur is worth more than samples are", blurred.y.front() < raw.y[2],
-               "1 sample, blurred: " + decimal_text(blurred.y.front(), 4) +
-                   "; 4 samples: " + decimal_text(raw.y[2], 4));
+struct Curves {
+    PlotCurve raw, blurred, half, cast;
+};
+Curves curves_of(const ErrorStudy& study) {
+    return {curve_of_method(study, "raw", 1, 0), curve_of_method(study, "blurred", 1, 4),
+            curve_of_method(study, "half size, blurred", 0.5f, 4), curve_of_rays(study)};
 }
 
-void error_against_time(Notebook& book) {
-    book.text(R"(
-        # 21 Error against run time
-
-        T: rays through the scene, as long as the method's radius, weighted by its fade. S: the same rays
-        against the depth buffer, the best that could be known on the screen. C: the method at its limit.
-        S - T is what the depth buffer lost, C - S what the method never asked for, the rest is noise and storage.
-    )");
-    const Scene scene = find_builtin_scene("columns")->make();
-    for (const char* name : {"xjun", "luna"}) {
-        const ErrorStudy study = error_study(scene, scene.camera, find_method(name),
-                                             chapter_plan(book.size()), std::nullopt, false, {});
-        if (study.method == &ao_methods().front()) {
-            show_references(book, study.references);
-            show_regions(book, study);
-        }
-        show_parts(book, study);
-        show_curves(book, study);
+// The points that no other beats: none asks less and errs less.
+PlotCurve front_of(const std::vector<PlotCurve>& curves) {
+    std::vector<std::pair<double, double>> points;
+    for (const PlotCurve& curve : curves) {
+        for (std::size_t i = 0; i < curve.x.size(); ++i) points.push_back({curve.x[i], curve.y[i]});
     }
-    book.text(
-        "Times are a machine's own, so they are not in this notebook: `crevice bench --error columns` "
-        "measures "
-        "them, in turns, and writes the page with error over time.");
-    book.try_it({
-        "Set `plan.settings.push_back({samples, 0.5f, blurs, false})`: half size, and the floor of the "
-        "curves rises.",
-        "Set `plan.reference_rays = 16`: the errors stay where they are, for they are debiased; T turns "
-        "grainy.",
-        "Take `cornell` for `columns`: more creases, so a larger part is the method's definition.",
-    });
-    book.errata({
-        "*X_Jun:* half resolution and blur are said to cost little in quality: the table gives the price "
-        "of each.",
-        "*Both:* more samples are said to be better. Better against C: against T the error stops falling.",
-    });
+    std::sort(points.begin(), points.end());
+    PlotCurve front{"Pareto front", {}, {}, {}, {}, PlotStyle::front};
+    for (const auto& [x, y] : points) {
+        if (!front.y.empty() && y >= front.y.back()) continue;
+        front.x.push_back(x);
+        front.y.push_back(y);
+    }
+    return front;
+}
+
+// The steps from truth to the frame, one below the other: what each adds to the squared error, or takes away.
+std::string error_steps(const ErrorParts& parts, const std::string& title) {
+    constexpr double kLeft = 150, kWidth = 360, kRow = 30, kTop = 40, kBarHeight = 18;
+    double reached = 0, low = 0, high = 0;
+    for (const ErrorPart& part : parts.parts) {
+        reached += part.share;
+        low = std::min(low, reached);
+        high = std::max(high, reached);
+    }
+    const auto x = [&](double mse) { return kLeft + kWidth * (mse - low) / (high - low); };
+    const auto millionths = [](double mse) { return decimal_text(1e6 * mse, 0); };
+    std::string svg;
+    double y = kTop;
+    reached = 0;
+    const auto row = [&](const std::string& name, double from, double to, std::string_view colour) {
+        svg += svg_text({kLeft - 10, y + 13}, name, TextAnchor::end);
+        svg += svg_box({x(from), y}, {x(to), y + kBarHeight}, colour, millionths(to - from));
+        svg +=
+            svg_text({x(std::max(from, to)) + 6, y + 13}, millionths(to - from), TextAnchor::start, kSvgSoft);
+        y += kRow;
+    };
+    for (const ErrorPart& part : parts.parts) {
+        row(part.step, reached, reached + part.share, part.share > 0 ? kSvgOccluded : kSvgOpen);
+        reached += part.share;
+    }
+    row("all of it", 0, parts.total.share, kSvgInk);
+    svg += svg_line({x(0), kTop - 4}, {x(0), y}, kSvgSoft);
+    return svg_picture(title, kLeft + kWidth + 70, y + 6, svg);
+}
+
+std::vector<std::vector<std::string>> part_rows(const ErrorParts& parts) {
+    std::vector<std::vector<std::string>> rows;
+    const auto add = [&](const std::string& name, const ErrorPart& part) {
+        rows.push_back({name, decimal_text(part.bias, 5), decimal_text(part.rmse, 4),
+                        decimal_text(1e6 * part.share, 1)});
+    };
+    for (const ErrorPart& part : parts.parts) add(part.step, part);
+    add("all of it", parts.total);
+    return rows;
+}
+
+bool parts_add_up(const ErrorParts& parts) {
+    double bias = 0, share = 0;
+    for (const ErrorPart& part : parts.parts) bias += part.bias, share += part.share;
+    return std::fabs(bias - parts.total.bias) < 1e-12 && std::fabs(share - parts.total.share) < 1e-12;
+}
+
+// What a part's picture says, by the name of its step.
+std::string caption_of(const std::string& step) {
+    if (step == "depth buffer")
+        return "S - T, the depth buffer: red where an occluder is hidden or outside of the picture, blue "
+               "where the space behind "
+               "a front edge is taken for solid.";
+    if (step == "definition")
+        return "C - S, the definition: the method asks 14 points near the surface, not rays.";
+    if (step == "half size") return "Half size: edges are stretched over two pixels.";
+    if (step == "sampling") return "Sampling: the noise of 14 samples with one random turn.";
+    if (step == "float16")
+        return "Storage in 16-bit floats: a few pixels of slanted surfaces, where one step of depth is too "
+               "coarse.";
+    if (step == "blur, bias") return "What the blur does wrong: it also smooths what was no noise.";
+    return "What the blur does right: it takes the noise away again, so it is the sampling picture turned "
+           "round.";
+}
+
+std::vector<Notebook::Named> part_pictures(const ErrorParts& parts) {
+    std::vector<Notebook::Named> pictures;
+    constexpr double kSeen = 0.002;  // RMSE; a picture of less is white
+    for (const ErrorPart& part : parts.parts) {
+        if (part.rmse < kSeen) continue;
+        std::string name = "part_" + part.step;
+        std::replace_if(
+            name.begin(), name.end(), [](char c) { return c == ' ' || c == ','; }, '_');
+        pictures.push_back({name, difference_picture(part.difference), caption_of(part.step)});
+    }
+    return pictures;
+}
+
+std::vector<std::string> reference_row(const char* name, const char* what, const Reference& r) {
+    return {name, what, std::to_string(r.rays), decimal_text(r.mean, 4), decimal_text(r.mean_error, 4)};
+}
+
+// Where the frame is furthest from the truth.
+Texel worst_pixel(const Image<float>& difference) {
+    Texel worst;
+    for (int y = 0; y < difference.size.height; ++y) {
+        for (int x = 0; x < difference.size.width; ++x) {
+            if (std::fabs(difference.at(x, y)) > std::fabs(difference.at(worst.x, worst.y))) worst = {x, y};
+        }
+    }
+    return worst;
+}
+
+// The same truth from fewer rays.
+Reference fewer_rays(const ErrorStudy& study, const Scene& scene, int rays) {
+    ReferenceRequest request;
+    request.size = study.plan.size;
+    request.method = study.method;
+    request.settings = defaults_of(*study.method, scene.length_unit);
+    request.rays = study.cast;
+    request.rays.rays = rays;
+    request.limit_seeds = 0;
+    return make_references(scene, study.camera, request).soft;
+}
+
+// clang-format off: cells stand at the margin, where notebooks look for them.
+void error_against_time(Notebook& book) {
+
+// %% question [markdown]
+// # Error against run time
+//
+// Move the slider: on one side is the AO that X_Jun's chapter makes, on the other what rays through the scene say. They
+// differ, and the obvious cure is more samples. The tutorials stop at fourteen. Would 28 be twice as good? Or is the money
+// better spent on a wider blur, on full size, on real rays? To answer that we need two numbers for every way of making the
+// picture: how wrong it is, and how long it took. The second is easy. The first is not, because *wrong* has several
+// meanings.
+
+// %% study tags=["setup"]
+const SwitchedView shown(book, "columns");
+const Scene& scene = shown.scene();
+const Method& xjun_method = find_method("xjun");
+const ErrorStudy xjun =
+    error_study(scene, scene.camera, xjun_method, chapter_plan(book.size(), 4), std::nullopt, false, {});
+const ErrorStudy luna = error_study(scene, scene.camera, find_method("luna"),
+                                    chapter_plan(book.size(), 2), std::nullopt, false, {});
+const References& r = xjun.references;
+const Image<float> frame =
+    ao_picture_of(method_view(scene, scene.camera, xjun.plan.size, xjun_method, {}),
+                  settings_of(xjun_method, default_setting(xjun_method), scene.length_unit, 1), {});
+
+// %% start
+book.compare({"frame", ao_picture(frame),
+              "The frame's AO: 14 samples at half size, blurred four times, contrast 4."},
+             {"truth", ao_picture(r.soft.image.mean), "Rays through the scene."});
+
+// %% idea [markdown]
+// ## The idea
+//
+// **Put better and better pictures between truth and the frame, each differing from the one before in one thing only, and
+// measure step by step.**
+//
+// Three of these pictures deserve a letter each.
+//
+// - **T** is the *truth*: rays through the scene, as long as the method's radius. What they meet counts as the method's own
+//   fade says, so that T answers the question that the method asks, not another.
+// - **S** is what the *screen* could know at best: the same rays, but against the depth buffer. No method that reads only
+//   the depth buffer can be expected to do better.
+// - **C** is what the method *converges* to: its own mean over so many random turns that no noise is left, at full size,
+//   without blur.
+//
+// From T to S we lose what the depth buffer does not hold. From S to C we lose what the method does not ask for. From C to the
+// frame there is noise, half size, storage and blur. Only the noise can be bought off with samples.
+//
+// The pictures of this chapter are half as wide and half as high as those of the others, because rays for every pixel are
+// many. Blur counts its reach in texels, so it does more harm here than in a large picture.
+
+// %% references
+book.show_row({{"t", ao_picture(r.soft.image.mean), "T: rays through the scene."},
+               {"s", ao_picture(r.screen.image.mean),
+                "S: the same rays against the depth buffer. The shade in the lower corners is gone: what "
+                "throws it stands outside of the picture."},
+               {"c", ao_picture(r.limit.image.mean), "C: the method without noise."}});
+book.table({"", "what", "rays or turns", "mean", "mean standard error of a pixel"},
+           {reference_row("T", "truth", r.soft), reference_row("S", "screen", r.screen),
+            reference_row("C", "limit", r.limit)});
+
+// %% one_pixel
+const Texel worst = worst_pixel(xjun.parts.total.difference);
+const auto at_worst = [&](const Image<float>& image) {
+    return decimal_text(static_cast<double>(image.at(worst.x, worst.y)), 3);
+};
+book.number("x", std::to_string(worst.x));
+book.number("y", std::to_string(worst.y));
+book.number("rays", std::to_string(r.soft.rays));
+book.number("t", at_worst(r.soft.image.mean));
+book.number("d", at_worst(xjun.parts.total.difference));
+std::vector<std::vector<std::string>> steps_of_pixel;
+double sum_of_steps = 0;
+for (const ErrorPart& part : xjun.parts.parts) {
+    steps_of_pixel.push_back({part.step, at_worst(part.difference)});
+    sum_of_steps += static_cast<double>(part.difference.at(worst.x, worst.y));
+}
+book.table({"step", "changes the pixel by"}, steps_of_pixel,
+           "Pixel ({x}, {y}), where the frame is furthest from the truth: T is {t} there, and the steps "
+           "add up to {d}.");
+
+// %% derivation [markdown]
+// ## Adding up errors
+//
+// Let $x_0$ be the truth, $x_k$ the frame and $x_1, x_2, \dots$ the pictures between. With $d_i = x_i - x_{i-1}$ the whole
+// error of a pixel is
+//
+// $$ D = x_k - x_0 = d_1 + d_2 + \dots + d_k $$
+//
+// The table above is this sum for one pixel. Over a picture we want one number. The *bias* is the mean of $D$ with its sign: is
+// the picture too light on the whole? The *root mean square error* $\mathrm{RMSE} = \sqrt{\overline{D^2}}$ forgets the sign and
+// counts large errors more. (The bar is the mean over all pixels that show a surface.)
+//
+// Biases of steps add up to the bias of the whole. Squares do not: two steps may cancel each other, as noise and blur do. But
+// the products do:
+//
+// $$ \overline{D^2} = \overline{D \cdot (d_1 + \dots + d_k)} = \overline{D d_1} + \overline{D d_2} + \dots + \overline{D d_k} $$
+//
+// $\overline{D d_i}$ is the *share* of step $i$ in the squared error. It is negative for a step that takes error away.
+//
+// One thing is left. The reference is noisy too: it is a mean of {rays} rays, and its own noise would count as error of the
+// method. If $r$ has noise of variance $\sigma^2$ around the truth, then $\overline{(a - r)^2}$ is too large by $\sigma^2$. So
+// we keep two independent halves $r_1$ and $r_2$ of the rays, and multiply:
+//
+// $$ \overline{(a - r_1)(a - r_2)} = \overline{(a - t)^2} - \overline{(a-t)(n_1 + n_2)} + \overline{n_1 n_2}, \qquad r_j = t + n_j $$
+//
+// The noises $n_1$ and $n_2$ have mean 0 and know nothing of each other nor of $a$, so the last two means vanish, and what is
+// left is the error against the truth $t$ itself. Such an error is called *debiased*.
+
+// %% the_code tags=["setup"]
+book.listing("ssao/judge/reference_error.cpp", "PixelValues",
+             "One pixel: the image a, both halves of the reference, and the product from above.");
+book.listing("ssao/judge/error_parts.cpp", "sums_of",
+             "One step over the whole picture. Every mean is taken of two halves that know nothing of "
+             "each other's noise.");
+
+// %% parts_text [markdown]
+// ## Where the error comes from
+//
+// Here is the way from the truth to X_Jun's frame. Red adds squared error, blue takes it away, in millionths; each bar begins
+// where the one before it ends.
+
+// %% parts
+book.draw("steps_xjun", error_steps(xjun.parts, "X_Jun: from truth to the frame, squared error"),
+          "X_Jun, step by step. What counts most is not noise.");
+book.draw("steps_luna", error_steps(luna.parts, "Luna: from truth to the frame, squared error"),
+          "Luna, whose fade ends at half the distance: T is another picture here, since the question is "
+          "another.");
+book.table({"X_Jun's step", "bias", "RMSE alone", "share of the squared error, millionths"},
+           part_rows(xjun.parts));
+book.table({"Luna's step", "bias", "RMSE alone", "share of the squared error, millionths"},
+           part_rows(luna.parts));
+book.check("For both methods the parts add up to the whole error, its bias and its square.",
+           parts_add_up(xjun.parts) && parts_add_up(luna.parts));
+
+// %% parts_pictures_text [markdown]
+// And here is where each step errs, in X_Jun's frame. Red is too open, blue too closed; full colour is an error of a quarter
+// and more. Of rounding there would be nothing to see.
+
+// %% parts_pictures
+book.show_row(part_pictures(xjun.parts));
+
+// %% regions_text [markdown]
+// ## Where in the picture
+//
+// A mean over a picture hides that errors have places. We sort the pixels by what they show: an *edge* is within three pixels
+// of a jump in depth, a *crease* within three pixels of a fold, and the rest is *flat*. The table has the method's limit C
+// against T.
+
+// %% regions
+const ReferenceError limit_error =
+    reference_error(r.limit.image.mean, r.soft.image, surface_kinds(r.gbuffer, xjun.camera));
+std::vector<std::vector<std::string>> region_rows;
+for (const Region region : kRegions) {
+    const RegionError& e = limit_error.over(region);
+    region_rows.push_back({region_name(region), std::to_string(e.pixels), decimal_text(e.bias, 4),
+                           decimal_text(e.rmse(), 4), decimal_text(e.p50, 4), decimal_text(e.p95, 4),
+                           decimal_text(e.max_abs, 4)});
+}
+book.number("ssim", limit_error.ssim, 3);
+book.number("flip", limit_error.flip_mean.value_or(0), 3);
+book.table({"where", "pixels", "bias", "RMSE", "half are below", "95 % are below", "largest"},
+           region_rows,
+           "C against T by the kind of place. Two measures of how alike pictures *look* say SSIM {ssim} "
+           "(1 is equal) and FLIP "
+           "{flip} (0 is equal).");
+book.number("edge", limit_error.over(Region::edge).rmse(), 4);
+book.number("crease", limit_error.over(Region::crease).rmse(), 4);
+book.number("flat", limit_error.over(Region::flat).rmse(), 4);
+book.check(
+    "Flat places err by {flat}, edges by {edge}, creases by {crease}: the method is wrong where there is "
+    "something to see.",
+    limit_error.over(Region::flat).rmse() <
+        std::max(limit_error.over(Region::edge).rmse(), limit_error.over(Region::crease).rmse()));
+book.check("No pixel of the pictures is NaN or infinite.", !limit_error.failed());
+
+// %% curves_text [markdown]
+// ## What would less error cost?
+//
+// Now to the price. The time of a pass depends on the machine, and this book holds the same numbers on every machine, so we
+// count what the time is spent on: how many samples, or rays, one pixel of the picture asks on average. Half size asks a quarter.
+// Error over cost is drawn on two logarithmic axes: noise alone would be a straight line downwards. A line that bends and
+// goes flat has met an error that samples cannot buy.
+//
+// The rings mark the *Pareto front*: the points that no other point beats, which is to say, that none is cheaper and also
+// better. Whatever is not on the front is a bad bargain. Mind that a ray costs many times what a sample does: on an axis of
+// time, its line lies further to the right.
+
+// %% curves
+const Curves of_xjun = curves_of(xjun), of_luna = curves_of(luna);
+const std::vector<PlotCurve> methods_and_rays = {of_xjun.raw, of_xjun.blurred, of_xjun.half,
+                                                 of_xjun.cast};
+std::vector<PlotCurve> drawn = methods_and_rays;
+drawn.push_back(front_of(methods_and_rays));
+const PlotAxis cost = {"samples or rays a pixel of the picture", true}, error = {"RMSE against T", true};
+book.plot("curves", {"X_Jun: error over cost", cost, error, drawn},
+          "Rays converge to T. The blurred lines are flat: more samples do not bring them nearer. Bars, "
+          "where they are longer than a dot, are the lowest and the highest of four random seeds.");
+book.plot(
+    "curves_luna",
+    {"Luna: error over cost", cost, error, {of_luna.raw, of_luna.blurred, of_luna.half, of_luna.cast}},
+    "Luna shows the same.");
+
+// %% curve_checks
+const auto gain = [](const PlotCurve& curve) { return curve.y.front() / curve.y.back(); };
+book.number("cast_gain", gain(of_xjun.cast), 1);
+book.number("raw_gain", gain(of_xjun.raw), 1);
+book.number("cast_gain_luna", gain(of_luna.cast), 1);
+book.number("raw_gain_luna", gain(of_luna.raw), 1);
+book.check(
+    "32 rays instead of one divide the error by {cast_gain}, 14 samples instead of one by {raw_gain} "
+    "only (Luna: "
+    "{cast_gain_luna} and {raw_gain_luna}): rays converge to the truth, samples do not.",
+    gain(of_xjun.cast) > 3 * gain(of_xjun.raw) && gain(of_luna.cast) > 3 * gain(of_luna.raw));
+book.number("blurred_1", of_xjun.blurred.y.front(), 4);
+book.number("raw_4", of_xjun.raw.y[2], 4);
+book.number("blurred_1_luna", of_luna.blurred.y.front(), 4);
+book.number("raw_4_luna", of_luna.raw.y[2], 4);
+book.check(
+    "One sample with blur errs by {blurred_1}, four without by {raw_4} (Luna: {blurred_1_luna} and "
+    "{raw_4_luna}): with few "
+    "samples the blur is worth more than samples are.",
+    of_xjun.blurred.y.front() < of_xjun.raw.y[2] && of_luna.blurred.y.front() < of_luna.raw.y[2]);
+
+// %% time_text [markdown]
+// Times themselves come from `crevice bench --error columns`. It lets all settings take turns, so that each meets the machine in
+// the same moods, repeats them at least 15 times, and reports medians; the page it writes has these curves over milliseconds.
+
+// %% traps_text [markdown]
+// ## What can go wrong
+//
+// **The reference is too noisy.** The error of one and the same picture, C, against T from ever more rays. Taken plainly, the
+// error falls as the *reference* gets better, and the method seems to improve. Debiased, it stays where it is.
+
+// %% noisy_reference
+const Image<SurfaceKind> kinds = surface_kinds(r.gbuffer, xjun.camera);
+std::vector<std::vector<std::string>> noise_rows;
+std::vector<double> plain, debiased;
+std::vector<Reference> fewer;
+for (const int rays : {8, 32}) fewer.push_back(fewer_rays(xjun, scene, rays));
+fewer.push_back(r.soft);
+for (const Reference& reference : fewer) {
+    const RegionError e =
+        reference_error(r.limit.image.mean, reference.image, kinds).over(Region::surface);
+    plain.push_back(e.rmse_raw);
+    debiased.push_back(e.rmse());
+    noise_rows.push_back(
+        {std::to_string(reference.rays), decimal_text(e.rmse_raw, 4), decimal_text(e.rmse(), 4)});
+}
+book.table({"rays of the reference", "RMSE, plain", "RMSE, debiased"}, noise_rows);
+book.compare({"t_8", ao_picture(fewer.front().image.mean),
+              "T from 8 rays a pixel: grain that no method can match."},
+             {"t_all", ao_picture(r.soft.image.mean), "T from {rays} rays a pixel."});
+book.number("plain_8", plain.front(), 4);
+book.number("plain_all", plain.back(), 4);
+book.number("debiased_8", debiased.front(), 4);
+book.number("debiased_all", debiased.back(), 4);
+book.check(
+    "With 8 rays the plain error is {plain_8} and with {rays} it is {plain_all}; debiased it is "
+    "{debiased_8} and {debiased_all}.",
+    plain.front() > plain.back() &&
+        std::fabs(debiased.front() - debiased.back()) < plain.front() - plain.back());
+
+// %% dilution_text [markdown]
+// **The sky is counted.** It is 1 in every picture of every method, so it has no error, and the more of it there is, the better all
+// methods look. **Another question is asked.** Occluders that fade out with distance are judged by rays whose occluders do not:
+// the difference is then booked as an error, although the method never meant to say that.
+
+// %% dilution
+const double surface = limit_error.over(Region::surface).rmse(),
+             everywhere = limit_error.over(Region::all).rmse();
+const double hard = reference_error(r.limit.image.mean, r.hard.image, kinds).over(Region::surface).rmse();
+book.number("surface", surface, 4);
+book.number("everywhere", everywhere, 4);
+book.number("hard", hard, 4);
+book.compare(
+    {"hard", ao_picture(r.hard.image.mean), "Rays that count every occluder within the radius fully."},
+    {"soft", ao_picture(r.soft.image.mean), "T: occluders fade as the method says."});
+book.check(
+    "Over the surfaces C errs by {surface}; with the sky in the mean, by {everywhere}; against rays "
+    "without fade, by {hard}.",
+    everywhere <= surface && hard != surface);
+
+// %% seeds_text [markdown]
+// **One lucky seed.** The noise of a picture is drawn anew with every seed, and so is its error. The bars in the plots span the
+// lowest and the highest of four; a difference smaller than a bar is no difference.
+
+// %% exercises [markdown]
+// ## Exercises
+//
+// 1. Run `crevice chapter 21 --cell parts --scene cornell`. Which step grows, and why?
+// 2. What does the first plot say to somebody who can afford one sample a pixel, and what to somebody who can afford a quarter
+//    of one?
+// 3. How many rays does T need, if the standard error of a pixel with accessibility one half is to be below 1/255, one step of
+//    an 8-bit picture?
+// 4. A colleague reports that method A has an RMSE of 0.081 and method B one of 0.083, from one picture each. What do you ask?
+// 5. (Open) C - S is what the method never asked for. Change one thing in X_Jun's formula so that it gets smaller, and look at
+//    chapter 18 for how others did.
+//
+// <details><summary>Answers</summary>
+//
+// 1. The definition: the room has more creases, and that is where 14 points near the surface answer another question than
+//    cosine-weighted rays.
+// 2. One sample a pixel: full size, one sample, four blurs, which is on the front; four samples at half size cost the same and
+//    are no better. A quarter: half size with one sample. It is hardly worse, and that is why games take half size.
+// 3. A ray answers 0 or 1, so the variance of one is $\frac12 \cdot \frac12$, and $\sqrt{1/(4N)} < 1/255$ gives $N = 16{,}257$.
+//    Well-spread rays need fewer.
+// 4. Which pixels are counted, against which reference, with how many rays and debiased or not; over how many seeds, and how far
+//    apart these were. The difference is smaller than most bars in the plot.
+// 5. Weigh samples by the cosine alone instead of `dp` times a fade of depths, or follow horizons (GTAO), which is the
+//    cosine-weighted integral of what the depth buffer shows.
+//
+// </details>
+
+// %% errata [markdown]
+// <details><summary>Errata of the tutorials</summary>
+//
+// - *X_Jun:* half resolution and blur are said to cost little in quality. The steps above give the price of each.
+// - *X_Jun and Luna:* more samples are said to be better. They bring the picture nearer to C; against the truth the error stops
+//   falling after a few.
+//
+// </details>
+//
+// ## Where to go on
+//
+// Chapter 11 shows what S has lost, and why no screen-space method gets it back. Chapters 13 to 19 have methods whose C lies
+// nearer to S. Chapter 22 asks where the small step "rounding" stops being small.
+
+// %% end tags=["setup"]
 }
 
 const Chapter kChapter("21", "error_against_time", "Error against run time", error_against_time);

@@ -1,0 +1,730 @@
+// %% setup tags=["setup"]
+// Source: Higham 2002, "Accuracy and Stability of Numerical Algorithms", chapters 1 and 2; Reed 2015, "Depth Precision
+// Visualized" (reversed depths); the tutorials' own formulas.
+// Run: crevice chapter 22; all cases and all methods: crevice stability
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "chapters/diagrams/section_drawing.h"
+#include "chapters/frame/frame.h"
+#include "chapters/notebook/chapter.h"
+#include "chapters/props/surface_mean.h"
+#include "chapters/props/switched_ao.h"
+#include "chapters/stability/stability.h"
+#include "chapters/stability/stiff_scenes.h"
+#include "chapters/terminal/number_text.h"
+#include "rasterizer/draw/depth_precision.h"
+#include "rasterizer/lanes/half.h"
+#include "rasterizer/scene/framing_camera.h"
+#include "rasterizer/scene/outlier_vertex.h"
+#include "scenes/builtin_scenes.h"
+#include "scenes/composing.h"
+#include "scenes/shapes.h"
+
+#include "ssao/methods/luna_ssao.h"
+#include "ssao/methods/xjun_ssao.h"
+
+namespace crevice {
+namespace {
+
+std::string short_text(double value) { return significant_text(value, 3); }
+
+Frame drawn(const Scene& scene, const Camera& camera, Size size, const std::string& method,
+            const Words& words = {}) {
+    FrameRequest request;
+    request.size = size;
+    request.method = &find_method(method);
+    request.settings = settings_of(*request.method, words, scene.length_unit);
+    return render_frame(scene, camera, request);
+}
+Frame drawn(const StiffView& view, Size size, const std::string& method = "xjun", const Words& words = {}) {
+    return drawn(view.scene, view.camera, size, method, words);
+}
+
+std::string first_warning(const Frame& frame) {
+    for (const PrecisionLoss& loss : frame.precision) {
+        if (!loss.warning.empty()) return loss.warning;
+    }
+    return "nothing to say";
+}
+std::size_t lost(const Frame& frame, const std::string& name) {
+    for (const PrecisionLoss& loss : frame.precision) {
+        if (loss.name == name) return loss.count;
+    }
+    return 0;
+}
+
+double largest_difference(const Image<float>& a, const Image<float>& b) {
+    double largest = 0;
+    for (int y = 0; y < a.size.height; ++y) {
+        for (int x = 0; x < a.size.width; ++x)
+            largest = std::max(largest,
+                               std::fabs(static_cast<double>(a.at(x, y)) - static_cast<double>(b.at(x, y))));
+    }
+    return largest;
+}
+int texels_below(const Image<float>& ao, float limit) {
+    int count = 0;
+    for (int y = 0; y < ao.size.height; ++y) {
+        for (int x = 0; x < ao.size.width; ++x) count += ao.at(x, y) < limit ? 1 : 0;
+    }
+    return count;
+}
+double covered_share(const Frame& frame) {
+    double count = 0;
+    const Image<std::int32_t>& seen = frame.gbuffer.triangle;
+    for (int y = 0; y < seen.size.height; ++y) {
+        for (int x = 0; x < seen.size.width; ++x) count += seen.at(x, y) >= 0 ? 1 : 0;
+    }
+    return count / (static_cast<double>(seen.size.width) * seen.size.height);
+}
+
+Camera with_planes(Camera camera, double near_plane, double far_plane) {
+    camera.near_plane = near_plane;
+    camera.far_plane = far_plane;
+    return camera;
+}
+
+// ---- how a depth format shows a plane
+
+constexpr double kCoarseNear = 1e-3;
+
+// A tilted plane and, stair by stair, what 16 bits of ndc depth leave of it.
+std::string stairs(double epsilon) {
+    StiffView view = tilted_plane_view(60);
+    view.camera = with_planes(view.camera, kCoarseNear, 1000);
+    const Size size = {320, 180};
+    NormalDepthSettings buffers;
+    buffers.depth_format = DepthFormat::d16;
+    const GBuffer gbuffer = normal_depth(view.scene, view.camera, size, buffers);
+    const AoInputs inputs = ao_inputs(gbuffer, view.camera, luna_fetch(kLunaSettings));
+    const int x = size.width / 2;
+    std::vector<SectionPoint> stored, drawn;
+    for (int y = 0; y < size.height; ++y) {
+        const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(size.width),
+                    v = (static_cast<float>(y) + 0.5f) / static_cast<float>(size.height);
+        const Vec3<float> rebuilt = inputs.rays.p_view(
+                              u, v, inputs.view_from_ndc(inputs.depth_map.at(x + 1, y + 1))),
+                          seen = inputs.rays.p_view(u, v, gbuffer.view_depth.at(x, y));
+        stored.push_back({static_cast<double>(rebuilt.z), static_cast<double>(rebuilt.y)});
+        drawn.push_back({static_cast<double>(seen.z), static_cast<double>(seen.y)});
+    }
+    SectionDrawing drawing({2.6, -1.6}, {7.6, 1.4});
+    drawing.surface(stored);
+    for (std::size_t i = 8; i < drawn.size(); i += 8) drawing.segment(drawn[i - 8], drawn[i], kSvgPoint);
+    const SectionPoint p = drawn[drawn.size() / 2];
+    drawing.point(p, "p", kSvgPoint);
+    drawing.segment({p.z - epsilon, -1.4}, {p.z - epsilon, 1.2}, kSvgOccluded, true);
+    drawing.words({p.z - epsilon, 1.2}, -104, 12, "epsilon before p");
+    return drawing.svg("A plane, and what sixteen bits keep of it");
+}
+
+PlotCurve step_curve(const std::string& name, Camera camera, DepthFormat format, bool reversed) {
+    camera.reversed_z = reversed;
+    PlotCurve curve{name, {}, {}, {}, {}, PlotStyle::smooth};
+    for (double z = camera.near_plane * 1.01; z < camera.far_plane; z *= 1.1) {
+        curve.x.push_back(z);
+        curve.y.push_back(depth_step(camera, format, z));
+    }
+    return curve;
+}
+
+// ---- naive versions, each for one fault
+
+// The near cut of an edge, when z_clip = a w + b has been rounded to float: where on the edge z_clip is 0, and w there.
+double w_of_float_cut(const Camera& camera, double w_before, double w_behind) {
+    const double n = camera.near_plane, f = camera.far_plane;
+    const auto a = static_cast<float>(f / (f - n)), b = static_cast<float>(-n * f / (f - n));
+    const float w0 = static_cast<float>(w_before), w1 = static_cast<float>(w_behind);
+    const float z0 = a * w0 + b, z1 = a * w1 + b;
+    const float t = z0 / (z0 - z1);
+    return static_cast<double>(w0 + t * (w1 - w0));
+}
+
+// The tutorials' estimator without a floor for rounding: epsilon, however far away.
+Image<float> ao_without_floor(const AoInputs& inputs, const LunaSettings& settings) {
+    const LunaKernel kernel(inputs, settings);
+    const RandomMap random = random_map(settings.seed);
+    Image<float> ao(inputs.size(), 1.0f);
+    for (int y = 0; y < ao.size.height; ++y) {
+        for (int x = 0; x < ao.size.width; ++x) {
+            const LunaPoint<float> at = kernel.point_at<float>(random, x, y);
+            if (!at.surface) continue;
+            float sum = 0;
+            for (const glm::vec3& offset : kernel.offsets) {
+                const Vec3<float> q = kernel.sample_point(at.p, at.n, at.random, offset);
+                const float inverse_z = kernel.inverse_depth(q.z);
+                const float r_z = kernel.depth_at(inputs.rays.p_screen(q, inverse_z));
+                sum += kernel.facing(at.p, at.n, q, inverse_z, r_z) * kernel.occlusion(at.p.z - r_z);
+            }
+            ao.at(x, y) = kernel.stored(kernel.accessibility_of_sum(sum));
+        }
+    }
+    return ao;
+}
+
+// Every normal turned towards the eye, as if one that looks away had to be wrong.
+Image3 turned_to_eye(const GBuffer& gbuffer, const Camera& camera, int& turned) {
+    const AoInputs inputs = ao_inputs(gbuffer, camera, luna_fetch(kLunaSettings));
+    Image3 normals = gbuffer.normal;
+    for (int y = 0; y < normals.size().height; ++y) {
+        for (int x = 0; x < normals.size().width; ++x) {
+            const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(normals.size().width),
+                        v = (static_cast<float>(y) + 0.5f) / static_cast<float>(normals.size().height);
+            const Vec3<float> ray = inputs.rays.p_view(u, v, 1.0f);
+            const glm::vec3 n = normals.at(x, y);
+            if (n.x * ray.x + n.y * ray.y + n.z * ray.z <= 0) continue;
+            normals.set(x, y, -n);
+            ++turned;
+        }
+    }
+    return normals;
+}
+
+Mesh quad_on_ground(float half_side) {
+    Mesh mesh;
+    const float s = half_side;
+    mesh.positions = {{-s, 0, s}, {s, 0, s}, {s, 0, -s}, {-s, 0, -s}};
+    mesh.normals.assign(4, {0, 1, 0});
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    mesh.parts = {{0, 2, 0}};
+    return mesh;
+}
+// The eye one unit over a ground that goes on behind it; near and far are 4e9 apart.
+StiffView ground_through_eye() {
+    StiffView view = corner_view();
+    view.scene.meshes = {quad_on_ground(1e4f)};
+    view.scene.instances = {view.scene.instances.front()};
+    view.camera.eye = {0, 1, 0};
+    view.camera.target = {0, 1, 5};
+    view.camera = with_planes(view.camera, 1e-4, 4e5);
+    return view;
+}
+StiffView without_surfaces(StiffView view) {
+    view.scene.instances.clear();
+    return view;
+}
+
+// The block, and a triangle one of whose corners somebody has lost far away.
+Scene with_lost_vertex() {
+    Scene scene = block_view().scene;
+    scene.instances = {scene.instances.back()};
+    Mesh spike = scene.meshes.front();
+    spike.positions = {{0, 1, 5}, {0, 1.02f, 5}, {400, 0, 0}};
+    spike.normals.assign(3, {0, 0, -1});
+    spike.triangles = {{0, 1, 2}};
+    spike.parts = {{0, 1, 0}};
+    scene.meshes.push_back(spike);
+    scene.instances.push_back({static_cast<int>(scene.meshes.size()) - 1});
+    return scene;
+}
+// A ball of few triangles, whose normals say that it is smooth.
+Scene coarse_ball() {
+    Scene scene = empty_scene();
+    scene.instances = {placed(add_mesh(scene, sphere_mesh(1, 20, 10)), {0, 0, 0})};
+    scene.camera.eye = {0, 0.8, -3.4};
+    scene.camera.target = {0, 0, 0};
+    return scene;
+}
+Scene without_last_instance(Scene scene) {
+    scene.instances.pop_back();
+    return scene;
+}
+
+// ---- the suite
+
+const std::vector<std::string> kShownMethods = {"xjun", "luna", "hbao", "gtao", "ray_cast"};
+
+std::string_view colour_of(StabilityVerdict verdict) {
+    switch (verdict) {
+        case StabilityVerdict::exact: return kSvgPoint;
+        case StabilityVerdict::within: return kSvgOpen;
+        case StabilityVerdict::warned: return kSvgSoft;
+        case StabilityVerdict::wrong: return kSvgOccluded;
+    }
+    return kSvgInk;
+}
+
+// A row a case, a column a method.
+std::string heat_map(const std::vector<StabilityCell>& cells) {
+    constexpr double kLeft = 250, kTop = 64, kWidth = 74, kRow = 22;
+    std::string svg;
+    const std::size_t columns = kShownMethods.size(), rows = cells.size() / columns;
+    for (std::size_t column = 0; column < columns; ++column)
+        svg += svg_text({kLeft + kWidth * (static_cast<double>(column) + 0.5), kTop - 10},
+                        kShownMethods[column], TextAnchor::middle);
+    for (std::size_t row = 0; row < rows; ++row) {
+        const double y = kTop + kRow * static_cast<double>(row);
+        svg += svg_text({kLeft - 8, y + 15}, cells[row * columns].stiff->name, TextAnchor::end);
+        for (std::size_t column = 0; column < columns; ++column) {
+            const StabilityCell& cell = cells[row * columns + column];
+            const double x = kLeft + kWidth * static_cast<double>(column);
+            svg += svg_box({x + 2, y + 2}, {x + kWidth - 2, y + kRow - 2}, colour_of(cell.verdict),
+                           std::string(word_of(cell.verdict)) + ", measured " + short_text(cell.measured));
+        }
+    }
+    const double bottom = kTop + kRow * static_cast<double>(rows) + 24;
+    double x = kLeft;
+    for (const StabilityVerdict verdict : {StabilityVerdict::exact, StabilityVerdict::within,
+                                           StabilityVerdict::warned, StabilityVerdict::wrong}) {
+        svg += svg_box({x, bottom - 11}, {x + 12, bottom + 1}, colour_of(verdict), word_of(verdict)) +
+               svg_text({x + 18, bottom}, word_of(verdict));
+        x += 92;
+    }
+    return svg_picture("Stiff cases and methods", kLeft + kWidth * static_cast<double>(columns) + 10,
+                       bottom + 14, svg);
+}
+
+// ---- tables of one kind of case
+
+struct FormatRow {
+    const char* word;
+    DepthFormat format;
+    bool reversed;
+};
+constexpr FormatRow kFormats[] = {{"d16", DepthFormat::d16, false},
+                                  {"d24", DepthFormat::d24, false},
+                                  {"d32f", DepthFormat::d32f, false},
+                                  {"d32f_reversed", DepthFormat::d32f, true}};
+
+// Luna reads the depth buffer, and shows what a format costs.
+std::vector<std::string> format_row(const FormatRow& row, double near_plane, double far_plane) {
+    StiffView view = tilted_plane_view(60);
+    view.camera = with_planes(view.camera, near_plane, far_plane);
+    const Frame frame = drawn(view, view.size, "luna", {std::string("depth_format=") + row.word});
+    Camera camera = view.camera;
+    camera.reversed_z = row.reversed;
+    return {row.word,
+            short_text(near_plane) + " .. " + short_text(far_plane),
+            short_text(depth_step(camera, row.format, 5)),
+            std::to_string(lost(frame, "pixels_lost_to_clear_depth")),
+            std::to_string(lost(frame, "texels_of_coarse_depth")),
+            short_text(1 - buffer_statistics(frame.ao_raw).mean)};
+}
+
+// From where on a half-float's step is larger than `length`.
+double half_float_limit(double length) {
+    double z = 1;
+    while (z * 0x1p-10 <= length) z *= 2;
+    return z;
+}
+
+// clang-format off: cells stand at the margin, where notebooks look for them.
+void stability_chapter(Notebook& book) {
+
+// %% question [markdown]
+// # Numbers that hold
+//
+// The slider compares two pictures of one scene by one method. The program has reported no error for either. One number is
+// not the same: the distance of the near plane, behind which nothing is drawn anyway. Nothing in the scene is nearer than
+// several units, so 0.0001 should be as good as 1. And yet the columns
+// are covered with dirt.
+
+// %% start
+const Scene columns = columns_luna_scene();
+const Frame coarse =
+    drawn(columns, with_planes(columns.camera, 1e-4, 1e7), book.size(), "luna", {"depth_format=d24"});
+const Frame fine =
+    drawn(columns, with_planes(columns.camera, 1, 1000), book.size(), "luna", {"depth_format=d24"});
+book.number("first_warning", first_warning(coarse));
+book.compare({"coarse", ao_picture(coarse.ao_raw),
+              "Near plane at 0.0001, far plane at 10,000,000, depths in 24 bits."},
+             {"fine", ao_picture(fine.ao_raw), "Near plane at 1, far plane at 1,000."});
+
+// %% idea [markdown]
+// ## The idea
+//
+// **Rounding is tiny until two nearly equal numbers are subtracted; so find the subtractions, and compare each difference with
+// what rounding can make of it.**
+//
+// A computer's number keeps about seven digits. Every operation throws away the eighth, an error that nobody will ever see.
+// But take 1000.004 minus 1000.001: of the seven digits the first six cancel, and the result 0.003 has one digit left. This is
+// *cancellation*. It makes no new error; it removes what hid the old one. An AO pass is made of such subtractions: *is this depth
+// a little smaller than that one?*
+
+// %% stairs
+const auto epsilon = static_cast<double>(kLunaSettings.epsilon);
+book.number("epsilon", short_text(epsilon));
+book.draw("stairs", stairs(epsilon),
+          "A tilted plane, green, and what a depth buffer of 16 bits keeps of it when the near plane is "
+          "at 0.001. The eye is on the "
+          "left. From p's point of view the stair below it is an occluder: it lies further in front than "
+          "epsilon = {epsilon}, the "
+          "dashed line.");
+
+// %% derivation [markdown]
+// ## How large is what cancellation leaves?
+//
+// Let $a$ and $b$ be known up to a relative error of $u$ each; for a float rounded once, $u = 2^{-24}$. What we compute is
+//
+// $$ a(1 + \delta_a) - b(1 + \delta_b) = (a - b) + a\delta_a - b\delta_b, \qquad |\delta_a|, |\delta_b| \le u $$
+//
+// so the relative error of the difference is at most
+//
+// $$ u\,\frac{|a| + |b|}{|a - b|} $$
+//
+// The fraction is the *condition number* of the subtraction: how many times the error is enlarged. For $1000.004 - 1000.001$ it
+// is more than half a million. Three subtractions decide over an AO picture.
+//
+// **Depth against depth.** $dz = p_z - r_z$ with both near $z$: the error is up to $2uz$, and a few times more after the depth map's
+// filter. Epsilon keeps its meaning as long as that is much less.
+//
+// **View depth from the depth buffer.** It is $z = B / (d - A)$, where $d$ is the stored number, $A = \frac{f}{f-n}$ and
+// $B = -\frac{nf}{f-n}$. Far away $d$ and $A$ are both nearly 1: cancellation. With a step $\Delta d$ of the format,
+//
+// $$ \Delta z = \left|\frac{\partial z}{\partial d}\right| \Delta d = \frac{z^2}{|B|}\,\Delta d \approx \frac{z^2}{n}\,\Delta d $$
+//
+// The near plane stands in the denominator. Moving it from 1 to 0.0001 makes every step ten thousand times as coarse. With
+// *reversed* depths, 1 at the near and 0 at the far plane, $A$ is nearly 0: nothing cancels, and a float keeps its digits.
+//
+// **Position against eye.** A vertex at 100,000.25 minus an eye at 100,000.3: floats near 100,000 are 0.0078 apart. If the eye is
+// rounded to a float before the subtraction, the whole picture has moved.
+
+// %% steps
+Camera wide = with_planes(columns.camera, 0.01, 1e5);
+const PlotCurve limit{"epsilon",        {wide.near_plane, wide.far_plane}, {epsilon, epsilon}, {}, {},
+                      PlotStyle::smooth};
+book.plot("steps",
+          {"The step of a depth buffer, near plane 0.01",
+           {"view depth, scene units", true},
+           {"step, scene units", true},
+           {step_curve("16 bits", wide, DepthFormat::d16, false),
+            step_curve("24 bits", wide, DepthFormat::d24, false),
+            step_curve("float", wide, DepthFormat::d32f, false),
+            step_curve("float, reversed", wide, DepthFormat::d32f, true), limit}},
+          "The steps of all standard formats grow with the square of the distance, those of reversed "
+          "floats only with the distance. "
+          "Where a line is above epsilon, a plane shades itself. The lines of floats and of 24 bits lie "
+          "on one another: a float near 1 has 24 bits and no more.");
+
+// %% the_code [markdown]
+// ## The code
+//
+// The kernel asks what rounding can do before it believes in an occluder. `kViewDepthRounding` is $2^{-20}$: a few steps of a float,
+// relative to $z$.
+
+// %% code_of_floors tags=["setup"]
+book.listing("ssao/methods/luna_occlusion.h", "nearest_occluder", "The floor under epsilon.");
+book.listing("rasterizer/scene/relative_position.h", "component",
+             "A vertex relative to the eye: product, sum and difference in double, rounded to a float "
+             "once, at the end.");
+book.listing_part(
+    "rasterizer/draw/clip.cpp", "plane_distance", "case 0", "case 2",
+    "Near and far are planes of w, the distance itself. z_clip is a sum in which the near plane drowns.");
+
+// %% account_text [markdown]
+// ## Losses are said
+//
+// Some losses cannot be cured by code: 24 bits are 24 bits. But a program can know that they happen. This one counts in every frame,
+// and has a line for each kind of loss with what to do about it. To the first picture of this chapter it says:
+//
+// > warning: {first_warning}
+
+// %% formats
+std::vector<std::vector<std::string>> format_rows;
+std::size_t coarse_formats = 0;
+double worst_silent = 0;
+for (const auto& [near_plane, far_plane] :
+     {std::pair(1.0, 1e3), std::pair(1e-2, 1e5), std::pair(1e-4, 1e7)}) {
+    for (const FormatRow& format : kFormats) {
+        format_rows.push_back(format_row(format, near_plane, far_plane));
+        const bool said = format_rows.back()[3] != "0" || format_rows.back()[4] != "0";
+        coarse_formats += said ? 1 : 0;
+        if (!said) worst_silent = std::max(worst_silent, std::stod(format_rows.back()[5]));
+    }
+}
+book.table(
+    {"format", "near .. far", "step at z = 5", "pixels that became sky", "texels of coarse depth",
+     "AO lost, mean"},
+    format_rows,
+    "A plane tilted by 60 degrees, five units away. Its AO is 1, so whatever is lost is rounding.");
+book.number("worst_silent", short_text(worst_silent));
+book.number("coarse_formats", std::to_string(coarse_formats));
+book.check(
+    "Where nothing is said, no more than {worst_silent} of the AO is lost; in {coarse_formats} of the "
+    "twelve cases something is said.",
+    worst_silent < kStatedBias && coarse_formats > 0);
+
+// %% where [markdown]
+// ## Where cancellation sits
+//
+// | where | the subtraction | lost | cure |
+// |---|---|---|---|
+// | vertex | world position - eye | far from the origin | in double, rounded once |
+// | clipping | $A w + B$ against 0 | the near plane, when $w > 2^{24} n$ | compare $w$ itself |
+// | depth buffer | $d - A$ | far away, near plane close | reversed float depths |
+// | AO | $p_z - r_z$ | far away | a floor of $2^{-20} z$ under epsilon |
+// | AO | $r - p$, then squared | radius below $10^{-12}$ | lengths scaled before squaring, or a warning |
+// | half size | the mean of two surfaces' depths | at every edge | the nearest surface, on its own plane |
+// | framing | largest - smallest coordinate | everything, by one stray vertex | say which one |
+//
+// The next sections show each of them, the fault on one side of a slider and the cure on the other.
+
+// %% eye_plane_text [markdown]
+// ## What can go wrong
+//
+// **A ground that goes on behind the eye vanishes.** Clipping cuts it at the near plane. In float, the sum $A w + B$ for a vertex
+// 10,000 units away no longer contains the near plane's 0.0001, so the cut falls not on the near plane but on the eye plane, $w = 0$,
+// where there is no projection. The triangle is thrown away, and with it half of the picture.
+
+// %% eye_plane
+const StiffView ground = ground_through_eye();
+const Frame half = drawn(ground, book.size()), nothing = drawn(without_surfaces(ground), book.size());
+const double cut_in_float = w_of_float_cut(ground.camera, 1e4, -1e4);
+book.number("cut", short_text(cut_in_float));
+book.number("near", short_text(ground.camera.near_plane));
+book.number("covered", 100 * covered_share(half), 1);
+book.compare(
+    {"ground_lost", view_depth_picture(nothing.gbuffer.view_depth),
+     "Clipped by z in float: the ground is gone."},
+    {"ground", view_depth_picture(half.gbuffer.view_depth), "Clipped by w: it covers the lower half."});
+book.check(
+    "In float the cut has w = {cut} instead of {near}. Compared by w, the ground covers {covered} % of "
+    "the picture.",
+    std::fabs(cut_in_float - ground.camera.near_plane) > ground.camera.near_plane / 2 &&
+        std::fabs(covered_share(half) - 0.5) < 0.02);
+
+// %% origin_text [markdown]
+// **Far from the origin, everything trembles.** Here the block and its eye have been moved by a million units. One matrix
+// from object to clip space contains the eye's million in its last column, rounded to float; floats are 0.06 apart there. Subtracting the eye
+// first, in double, leaves small numbers to all that follows.
+
+// %% origin
+const StiffView at_home = block_view(), far_away = moved(at_home, 1e6);
+const Frame home = drawn(at_home, book.size());
+const Frame trembling = drawn(far_away, book.size(), "xjun", {"depth_position=premultiplied"}),
+            steady = drawn(far_away, book.size());
+book.compare({"far_premultiplied", ao_picture(trembling.ao_blurred),
+              "One matrix for all, a million units from the origin."},
+             {"far_relative", ao_picture(steady.ao_blurred), "The eye subtracted first, in double."});
+book.number("trembling", largest_difference(trembling.ao_raw, home.ao_raw), 3);
+book.check(
+    "Moved by a million units, the AO has the same bits as at home; with one matrix it is off by up to "
+    "{trembling}.",
+    largest_difference(steady.ao_raw, home.ao_raw) == 0 &&
+        largest_difference(trembling.ao_raw, home.ao_raw) > 0.1);
+
+// %% far_plane_text [markdown]
+// **Rounding is taken for an occluder.** A wall at a million units, seen through a very long lens. Floats are 0.06 apart there, more than
+// epsilon, so every texel finds neighbours that seem to stand in front of it. The floor under epsilon grows with the distance; here it is
+// larger than the radius, and nothing counts as an occluder any more. The wall is open, as it should be. So would be a crack in it, and
+// that is why the frame has something to say.
+
+// %% far_plane
+const StiffView wall = far_plane_view(1e6);
+const GBuffer wall_buffers = normal_depth(wall.scene, wall.camera, book.size());
+const AoInputs wall_inputs = ao_inputs(wall_buffers, wall.camera, xjun_fetch(kXjunSettings));
+const Image<float> without_floor = ao_without_floor(wall_inputs, kXjunSettings);
+const Image<float> with_floor = luna_occlusion(wall_inputs, kXjunSettings, {}).ao;
+book.number("dirty", std::to_string(texels_below(without_floor, 0.99f)));
+book.number("clean", std::to_string(texels_below(with_floor, 0.99f)));
+book.number("wall_warning", first_warning(drawn(wall, book.size())));
+book.compare({"wall_dirty", ao_picture(without_floor), "Epsilon alone: {dirty} texels are darkened."},
+             {"wall_clean", ao_picture(with_floor), "With a floor: {clean}."});
+book.check("The floor leaves {clean} of {dirty} dirty texels. The frame says: {wall_warning}.",
+           texels_below(with_floor, 0.99f) * 10 < texels_below(without_floor, 0.99f) &&
+               lost(drawn(wall, book.size()), "texels_of_coarse_positions") > 0);
+
+// %% edge_text [markdown]
+// **The mean of two surfaces is none.** Half-size AO needs one point for four pixels. At an edge, the mean of a near and a far depth hangs
+// in the air between them, and everything around occludes it. The test for this is a radius that goes to 0: then nothing is within reach, and
+// whatever is still dark is a mistake.
+
+// %% edges
+const Words tiny = {"radius=0.01"}, tiny_mixed = {"radius=0.01", "edge_texels=mixed"};
+const Frame mixed = drawn(at_home, book.size(), "xjun", tiny_mixed),
+            nearest = drawn(at_home, book.size(), "xjun", tiny);
+book.number("mixed", std::to_string(texels_below(mixed.ao_raw, 0.9f)));
+book.number("nearest", std::to_string(texels_below(nearest.ao_raw, 0.9f)));
+book.compare(
+    {"edges_mixed", ao_picture(mixed.ao_raw),
+     "The mean of four pixels: {mixed} texels are darkened by a radius of 0.01."},
+    {"edges_nearest", ao_picture(nearest.ao_raw), "The nearest surface, on its own plane: {nearest}."});
+book.check("With a radius of 0.01 the means darken {mixed} texels, the nearest surfaces {nearest}.",
+           texels_below(nearest.ao_raw, 0.9f) < texels_below(mixed.ao_raw, 0.9f));
+
+// %% outlier_text [markdown]
+// **One stray vertex rules everything.** A file without a camera is framed by its bounds, and one vertex that somebody has lost far away is part
+// of them. Largest minus smallest coordinate is then all about that vertex. No arithmetic helps; but the program can look for it, and name it.
+
+// %% outlier
+const Scene stretched = with_lost_vertex(), whole = without_last_instance(stretched);
+const OutlierVertex outlier = outlier_vertex(stretched).value_or(OutlierVertex{});
+const Camera too_far = framing_camera(world_bounds(stretched)),
+             framed = framing_camera(world_bounds(whole));
+book.number("outlier_x", outlier.p_world.x, 1);
+book.number("stretch", outlier.stretch, 0);
+book.compare(
+    {"framed_by_outlier", normal_picture(drawn(stretched, too_far, book.size(), "xjun").gbuffer.normal),
+     "Framed by all vertices: where is the block?"},
+    {"framed", normal_picture(drawn(whole, framed, book.size(), "xjun").gbuffer.normal),
+     "Framed without the stray one."});
+book.check(
+    "The stray vertex at x = {outlier_x} is found and named: it makes the scene {stretch} times as large "
+    "as all others do.",
+    outlier.stretch > kOutlierStretch && outlier.p_world.x > 300);
+
+// %% winding_text [markdown]
+// **A normal that looks away is not wrong.** On the rim of a ball made of few triangles the interpolated normal points slightly away from the eye, although the surface
+// is seen from its front. Whoever turns such normals round, because they must be reversed, dents the rim. Front and back are a matter of the
+// triangle's winding on the screen, not of its normals.
+
+// %% winding
+const Scene ball = coarse_ball();
+const GBuffer ball_buffers = normal_depth(ball, ball.camera, book.size());
+int turned = 0;
+const Image3 dented = turned_to_eye(ball_buffers, ball.camera, turned);
+book.number("turned", std::to_string(turned));
+book.compare({"normals_turned", normal_picture(dented),
+              "Turned towards the eye: {turned} pixels at rims are reversed."},
+             {"normals_kept", normal_picture(ball_buffers.normal), "Kept."});
+book.check("{turned} pixels show a surface from its front whose normal looks away from the eye.",
+           turned > 0);
+
+// %% scale_text [markdown]
+// **The unit of length must not matter.** The AO of a room is the same in metres and in miles, if the radius is. Multiplying by a power of two is exact in
+// floats, so here *the same* means the same bits. A hidden constant, an absolute 0.2 in a blur or a $10^{-6}$ in a division, shows at once. Beyond
+// the range whose squares a float can hold there is a warning.
+
+// %% scales
+std::vector<std::vector<std::string>> scale_rows;
+const Frame unscaled = drawn(corner_view(), book.size());
+bool scales_agree = true, beyond_is_said = true;
+for (const int k : {-40, -20, 20, 40, -60, 60}) {
+    const Frame frame = drawn(scaled(corner_view(), k), book.size());
+    const double off = largest_difference(frame.ao_blurred, unscaled.ao_blurred);
+    scale_rows.push_back({"2^" + std::to_string(k), short_text(off), first_warning(frame)});
+    if (std::abs(k) <= 40) scales_agree = scales_agree && off == 0;
+    if (std::abs(k) > 40)
+        beyond_is_said = beyond_is_said && (off == 0 || first_warning(frame) != "nothing to say");
+}
+book.table({"all lengths times", "AO differs by", "the frame says"}, scale_rows);
+book.check(
+    "From 2^-40 to 2^40 the AO has the same bits. Beyond, it has them still, or the frame says that it "
+    "may not.",
+    scales_agree && beyond_is_said);
+
+// %% suite_text [markdown]
+// ## All methods, all cases
+//
+// For each stiff case mathematics knows an answer, and it is written down *before* anything is measured: an open plane has AO 1, a scene
+// that was moved or scaled has the bits that it had before, and where there is no closed form the values must at least be numbers from 0 to 1. A
+// cell is then *exact*, or *within* the error that the method states (a hundredth in the mean), or *warned*: further off, but the frame says so. Further
+// off in silence is *wrong*.
+
+// %% suite
+const std::vector<StiffCase> cases = stiff_cases(true);
+std::vector<StabilityCell> cells;
+std::array<int, 4> verdicts{};
+for (const StiffCase& stiff : cases) {
+    for (const std::string& method : kShownMethods) {
+        cells.push_back(stability_cell(stiff, find_method(method), {}));
+        ++verdicts[static_cast<std::size_t>(cells.back().verdict)];
+    }
+}
+book.draw("heat_map", heat_map(cells),
+          "One or two cases of each kind, and five methods. `crevice stability` draws all cases with all "
+          "methods, each cell a link "
+          "to its picture and its command.");
+
+// %% suite_checks
+book.number("cells", std::to_string(cells.size()));
+book.number("exact", std::to_string(verdicts[0]));
+book.number("within", std::to_string(verdicts[1]));
+book.number("warned", std::to_string(verdicts[2]));
+book.check(
+    "Of {cells} cells {exact} are exact, {within} within what is stated, {warned} warned, and none is "
+    "wrong in silence.",
+    verdicts[3] == 0);
+std::vector<std::vector<std::string>> grazing_rows;
+bool grazing_holds = true;
+for (const double degrees : {0.0, 60.0, 85.0, 89.0, 89.9, 89.99}) {
+    std::vector<std::string> row = {significant_text(degrees, 4)};
+    for (const std::string& method : kShownMethods) {
+        const double below =
+            1 - buffer_statistics(drawn(tilted_plane_view(degrees), {96, 64}, method).ao_raw).mean;
+        row.push_back(below == 0 ? "0" : short_text(below));
+        grazing_holds = grazing_holds && below < kStatedBias;
+    }
+    grazing_rows.push_back(row);
+}
+book.table({"plane tilted by, degrees", "xjun", "luna", "hbao", "gtao", "ray_cast"}, grazing_rows,
+           "How much of an open plane's AO is lost, mean.");
+book.check("Up to a tilt of 89.99 degrees no method loses a hundredth of an open plane.", grazing_holds);
+
+// %% radius_text [markdown]
+// The last kind of extreme is the radius. As it goes to 0 nothing is within reach, and every method must go to 1; as it grows beyond the scene, values
+// must stay numbers from 0 to 1.
+
+// %% radii
+std::vector<std::vector<std::string>> radius_rows;
+bool radii_hold = true;
+for (const char* radius : {"0", "1e-06", "0.001", "1000", "1e+06"}) {
+    std::vector<std::string> row = {radius};
+    for (const std::string& method : kShownMethods) {
+        const BufferStatistics ao = buffer_statistics(
+            drawn(at_home, at_home.size, method, {std::string("radius=") + radius}).ao_raw);
+        row.push_back(decimal_text(ao.mean, 4));
+        radii_hold = radii_hold && ao.nan == 0 && ao.inf == 0 && ao.min >= 0 && ao.max <= 1;
+        if (std::stod(radius) < 0.01) radii_hold = radii_hold && 1 - ao.mean < kStatedBias;
+    }
+    radius_rows.push_back(row);
+}
+book.table({"radius", "xjun", "luna", "hbao", "gtao", "ray_cast"}, radius_rows,
+           "Mean AO of the block, for radii from nothing to a thousand times the scene.");
+book.number("half_limit", half_float_limit(epsilon), 0);
+book.number("luna_step",
+            short_text(depth_step(with_planes(columns.camera, 1, 1000), DepthFormat::d24, 1000)));
+book.number("luna_limit",
+            depth_of_step(with_planes(columns.camera, 0.1, 1000), DepthFormat::d24, epsilon), 0);
+book.check("All values are numbers from 0 to 1, and radii below a hundredth leave everything open.",
+           radii_hold);
+
+// %% exercises [markdown]
+// ## Exercises
+//
+// 1. Floats near 1000 are $2^{-14}$ apart. From which distance on is the step of a float larger than epsilon = 0.05?
+// 2. Run `crevice render columns_luna --ao luna --near 0.0001 --far 10000000` and read what it says. Which of its two pieces of advice costs nothing?
+// 3. The far plane at 1,000 or at 1,000,000: how much coarser are the steps of a 24-bit buffer at $z = 50$? Use the formula for $\Delta z$ with
+//    the exact $B$.
+// 4. Why does reversing the depths help floats, but not integers of 24 bits?
+// 5. Run `crevice stability --quick` and open the page. Take a cell that is *within*, draw it by its command, and find the texels that are off.
+// 6. (Open) $\sqrt{x^2 + 1} - 1$ for small $x$ cancels. Rewrite it so that it does not, and look for a subtraction in chapters 03 to 09 that could be
+//    rewritten in the same way.
+//
+// <details><summary>Answers</summary>
+//
+// 1. Between $2^{k}$ and $2^{k+1}$ floats are $2^{k-23}$ apart. That is more than 0.05 from $k = 19$ on: 524,288 units. The kernel's floor reaches
+//    epsilon earlier, at $0.05 \cdot 2^{20} = 52{,}429$, since a filtered depth is off by more than one step.
+// 2. A reversed float depth buffer: nothing in the picture moves. A larger near plane cuts away what is nearer.
+// 3. $B = -nf/(f-n)$ goes from $1.001\,n$ to $1.000001\,n$: by a thousandth. The far plane hardly matters; the near plane does.
+// 4. A float's steps are fine near 0, and reversed depths put the distance there, where the formula needs them. An integer's steps are the same
+//    everywhere, so it does not matter which end is called 0.
+// 5. The planes are tilted, and a texel of the AO map takes its depth from a filter; the texels that are off lie in rows.
+// 6. $x^2 / (\sqrt{x^2 + 1} + 1)$. In chapter 04, $d - A$ is such a place: storing $1 - d$ rather than $d$, which is what reversing does, is the rewriting.
+//
+// </details>
+
+// %% errata [markdown]
+// <details><summary>Errata of the tutorials</summary>
+//
+// - *X_Jun, 2020* keeps view depth in a half-float. Its step at depth $z$ is about $z/1024$: from {half_limit} units on, a step is larger than
+//   its own epsilon.
+// - *Luna* does not say that near plane and epsilon belong together. With a near plane of 1 and 24 bits, a step at the far plane of
+//   1,000 is {luna_step} units, more than epsilon already; with a near plane of 0.1 that begins at {luna_limit} units.
+//
+// </details>
+//
+// ## Where to go on
+//
+// Chapter 04 has the first half of this story, the depth formats, in detail. Chapter 24 asks for the same bits on every machine; this one has
+// asked what those bits are worth.
+
+// %% end tags=["setup"]
+}
+
+const Chapter kChapter("22", "stability", "Numbers that hold", stability_chapter);
+
+}  // namespace
+}  // namespace crevice

@@ -1,0 +1,651 @@
+// %% setup tags=["setup"]
+// Source: IEEE 754-2019, clauses 4.3 and 5.4 (what is rounded how); Goldberg 1991, "What every computer scientist should
+// know about floating-point arithmetic"; the machines' own manuals for estimates and conversions.
+// Run: crevice chapter 24
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <set>
+#include <span>
+#include <sstream>
+
+#include "chapters/frame/frame.h"
+#include "chapters/notebook/chapter.h"
+#include "chapters/notebook/embedded_files.h"
+#include "chapters/notebook/svg.h"
+#include "chapters/props/switched_ao.h"
+#include "chapters/terminal/number_text.h"
+#include "rasterizer/base/hash.h"
+#include "rasterizer/base/image_summary.h"
+#include "scenes/builtin_scenes.h"
+#include "ssao/methods/xjun_ssao.h"
+
+namespace crevice {
+namespace {
+
+std::string bits_of(float value) {
+    std::string digits(8, '0');
+    auto rest = static_cast<std::uint32_t>(float_bits(value));
+    for (std::size_t i = digits.size(); i-- > 0; rest >>= 4) digits[i] = "0123456789abcdef"[rest & 15];
+    return digits;
+}
+
+// ---- naive versions: each is how a compiler or a machine may compute the same formula
+
+using Dot = float (*)(Vec3<float>, Vec3<float>);
+using Divide = float (*)(float along, float squared);  // along / sqrt(squared)
+using Sum = float (*)(std::span<const float>);
+using Power = float (*)(float base, float exponent);
+
+float rounded_dot(Vec3<float> a, Vec3<float> b) { return dot(a, b); }
+// What GCC makes of the same line where the machine has fused multiply-adds and nobody forbids them, ...
+float fused_dot(Vec3<float> a, Vec3<float> b) { return std::fma(a.z, b.z, std::fma(a.y, b.y, a.x * b.x)); }
+// ... and what another compiler may just as well.
+float otherwise_fused_dot(Vec3<float> a, Vec3<float> b) {
+    return std::fma(a.z, b.z, std::fma(a.x, b.x, a.y * b.y));
+}
+
+float divided(float along, float squared) { return along / square_root(squared); }
+// An estimate of 1 / sqrt(a) is good to 1.5 * 2^-12; which of the numbers that are, differs between makers. One keeps twelve
+// bits rounded, another twelve bits cut off. One step of Newton's doubles the digits.
+float refined(float estimate, float a) { return estimate * (1.5f - 0.5f * a * estimate * estimate); }
+float inverse_root(float a) { return static_cast<float>(1 / std::sqrt(static_cast<double>(a))); }
+float by_rounded_estimate(float along, float squared) {
+    const float estimate = float_from_bits((float_bits(inverse_root(squared)) + 0x400) & ~0x7ff);
+    return along * refined(estimate, squared);
+}
+float by_cut_estimate(float along, float squared) {
+    return along * refined(float_from_bits(float_bits(inverse_root(squared)) & ~0x7ff), squared);
+}
+
+float sum_in_order(std::span<const float> terms) {
+    float sum = 0;
+    for (const float term : terms) sum += term;
+    return sum;
+}
+// As four lanes of a register do, which are added up at the end.
+float sum_of_four(std::span<const float> terms) {
+    std::array<float, 4> sums{};
+    for (std::size_t i = 0; i < terms.size(); ++i) sums[i % 4] += terms[i];
+    return (sums[0] + sums[2]) + (sums[1] + sums[3]);
+}
+
+float own_power(float base, float exponent) { return power(base, exponent); }
+// Of the exponent 4: the products, which is as right as the polynomials.
+float by_products(float base, float) { return (base * base) * (base * base); }
+
+struct Arithmetic {
+    Dot dot = rounded_dot;
+    Divide divide = divided;
+    Sum sum = sum_in_order;
+    Power power = own_power;
+};
+
+// What all samples of a texel take together, and the AO that becomes of it.
+struct Occlusion {
+    float sum = 0, ao = 1;
+};
+
+// The tutorials' estimator, written down once more with these operations.
+Occlusion occlusion_of_texel(const LunaKernel& kernel, const RandomMap& random, int x, int y,
+                             const Arithmetic& with) {
+    const LunaPoint<float> at = kernel.point_at<float>(random, x, y);
+    if (!at.surface) return {};
+    std::array<float, kCubeVectors> terms{};
+    for (std::size_t i = 0; i < kCubeVectors; ++i) {
+        const Vec3<float> q = kernel.sample_point(at.p, at.n, at.random, kernel.offsets[i]);
+        const float inverse_z = kernel.inverse_depth(q.z);
+        const float r_z = kernel.depth_at(kernel.inputs.rays.p_screen(q, inverse_z));
+        const Vec3<float> from_p = kernel.inputs.rays.at_depth(q, inverse_z, r_z) - at.p;
+        const float squared = with.dot(from_p, from_p), along = with.dot(at.n, from_p);
+        const float radius = kernel.settings.radius;
+        const bool counts = squared > radius * radius * 1e-12f && kernel.visible(q.z) && along > 0;
+        if (counts) terms[i] = with.divide(along, squared) * kernel.occlusion(at.p.z - r_z, at.p.z);
+    }
+    const float sum = with.sum(terms), access = kernel.accessibility_of_sum(sum);
+    return {sum, saturate(with.power(max_of(access, 0.0f), kernel.settings.exponent))};
+}
+struct OcclusionMaps {
+    Image<float> sum, ao;
+};
+OcclusionMaps maps_with(const LunaKernel& kernel, const RandomMap& random, const Arithmetic& arithmetic) {
+    OcclusionMaps maps{Image<float>(kernel.inputs.size(), 0.0f), Image<float>(kernel.inputs.size(), 1.0f)};
+    for (int y = 0; y < maps.ao.size.height; ++y) {
+        for (int x = 0; x < maps.ao.size.width; ++x) {
+            const Occlusion texel = occlusion_of_texel(kernel, random, x, y, arithmetic);
+            maps.sum.at(x, y) = texel.sum;
+            maps.ao.at(x, y) = texel.ao;
+        }
+    }
+    return maps;
+}
+
+// How far two images are apart, in steps of a float, and how often.
+struct BitsApart {
+    int texels = 0;
+    float most = 0;
+    Image<float> steps;
+};
+BitsApart bits_apart(const Image<float>& a, const Image<float>& b) {
+    BitsApart apart;
+    apart.steps = Image<float>(a.size, 0.0f);
+    for (int y = 0; y < a.size.height; ++y) {
+        for (int x = 0; x < a.size.width; ++x) {
+            const int steps = std::abs(float_bits(a.at(x, y)) - float_bits(b.at(x, y)));
+            apart.texels += steps != 0 ? 1 : 0;
+            apart.most = std::max(apart.most, std::fabs(a.at(x, y) - b.at(x, y)));
+            apart.steps.at(x, y) = static_cast<float>(steps);
+        }
+    }
+    return apart;
+}
+struct MapsApart {
+    BitsApart sum, ao;
+};
+MapsApart maps_apart(const OcclusionMaps& a, const OcclusionMaps& b) {
+    return {bits_apart(a.sum, b.sum), bits_apart(a.ao, b.ao)};
+}
+const std::vector<std::string> kApartColumns = {"way", "sums that differ", "AO texels that differ",
+                                                "most, of AO"};
+std::vector<std::string> apart_row(const std::string& what, const MapsApart& apart) {
+    return {what, std::to_string(apart.sum.texels), std::to_string(apart.ao.texels),
+            significant_text(static_cast<double>(apart.ao.most), 2)};
+}
+Picture apart_picture(const MapsApart& apart) { return grey_picture(apart.sum.steps, 0, 4); }
+
+// One vector of the picture whose squared length comes out differently in all three ways.
+struct ThreeWays {
+    Vec3<float> v{0, 0, 0};
+    double exact = 0;
+    float rounded = 0, fused = 0, otherwise_fused = 0;
+};
+ThreeWays three_ways(const LunaKernel& kernel) {
+    const AoInputs& inputs = kernel.inputs;
+    ThreeWays found;
+    for (int y = inputs.size().height / 2; y < inputs.size().height; ++y) {
+        for (int x = 0; x < inputs.size().width; ++x) {
+            const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(inputs.size().width),
+                        v = (static_cast<float>(y) + 0.5f) / static_cast<float>(inputs.size().height);
+            if (!std::isfinite(inputs.view_depth.at(x, y))) continue;
+            const Vec3<float> p = inputs.rays.p_view(u, v, inputs.view_depth.at(x, y));
+            found = {p, 0, rounded_dot(p, p), fused_dot(p, p), otherwise_fused_dot(p, p)};
+            if (found.rounded != found.fused && found.fused != found.otherwise_fused &&
+                found.rounded != found.otherwise_fused)
+                return found;
+        }
+    }
+    return found;
+}
+double exact_square(Vec3<float> v) {
+    const double x = v.x, y = v.y, z = v.z;
+    return x * x + y * y + z * z;
+}
+
+// The floats around a value as ticks, and where the results lie among them.
+std::string number_line(const ThreeWays& ways) {
+    constexpr double kMiddle = 300, kStep = 90, kAxis = 100;
+    const double step =
+        static_cast<double>(std::nextafter(ways.rounded, 1e30f)) - static_cast<double>(ways.rounded);
+    const auto x = [&](double value) {
+        return kMiddle + kStep * (value - static_cast<double>(ways.rounded)) / step;
+    };
+    std::string svg = svg_line({10, kAxis}, {590, kAxis}, kSvgInk);
+    for (int i = -3; i <= 3; ++i)
+        svg += svg_line({kMiddle + kStep * i, kAxis - 8}, {kMiddle + kStep * i, kAxis + 8}, kSvgInk);
+    const auto mark = [&](double value, double height, const std::string& words, std::string_view colour) {
+        svg +=
+            svg_line({x(value), kAxis}, {x(value), kAxis + height}, colour) +
+            svg_dot({x(value), kAxis}, 4.5, colour) +
+            svg_text({x(value), kAxis + height + (height > 0 ? 16 : -6)}, words, TextAnchor::middle, colour);
+    };
+    mark(exact_square(ways.v), -40, "exact", kSvgPoint);
+    mark(static_cast<double>(ways.rounded), 24, "each rounded", kSvgInk);
+    mark(static_cast<double>(ways.fused), 44, "fused", kSvgOpen);
+    mark(static_cast<double>(ways.otherwise_fused), 64, "fused otherwise", kSvgOccluded);
+    return svg_picture("The square of one length, computed in three ways", 600, 200, svg);
+}
+
+// The sum of a map's rows, taken in the order in which threads happen to finish them.
+float sum_of_rows(const Image<float>& ao, std::span<const int> order) {
+    float sum = 0;
+    for (const int y : order) sum += sum_in_order({ao.row(y), static_cast<std::size_t>(ao.size.width)});
+    return sum;
+}
+// Order 0 is from top to bottom.
+std::vector<int> order_of_threads(int rows, std::uint32_t seed, std::uint32_t which) {
+    std::vector<int> order(static_cast<std::size_t>(rows));
+    for (int i = 0; i < rows; ++i) order[static_cast<std::size_t>(i)] = i;
+    for (std::uint32_t i = static_cast<std::uint32_t>(rows) - 1; which > 0 && i > 0; --i)
+        std::swap(order[i], order[hash_of(seed, which, i) % (i + 1)]);
+    return order;
+}
+
+// What a machine makes of a float that no int can hold.
+using ToInt = std::int32_t (*)(float);
+std::int32_t to_int_of_x86(float a) {
+    return a > -2147483904.0f && a < 2147483648.0f ? static_cast<std::int32_t>(a) : INT32_MIN;
+}
+std::int32_t to_int_of_arm(float a) {  // WebAssembly's saturating conversion is the same
+    if (std::isnan(a)) return 0;
+    return a >= 2147483648.0f ? INT32_MAX : to_int_of_x86(a);
+}
+// Naive: a depth as a grey of 0 to 255, converted first and clamped afterwards.
+Image<float> as_bytes(const Image<float>& view_depth, float farthest, ToInt to_int_of_machine) {
+    Image<float> bytes(view_depth.size, 0.0f);
+    for (int y = 0; y < bytes.size.height; ++y) {
+        for (int x = 0; x < bytes.size.width; ++x)
+            bytes.at(x, y) = static_cast<float>(
+                std::clamp(to_int_of_machine(view_depth.at(x, y) * (255 / farthest)), 0, 255));
+    }
+    return bytes;
+}
+float farthest_surface(const Image<float>& view_depth) { return buffer_statistics(view_depth).max; }
+
+// A map five texels narrower than rows are aligned to, with something in the memory behind each row.
+Image<float> narrow(const Image<float>& ao, float padding) {
+    const int width = round_up(ao.size.width, kRowAlignment) - kRowAlignment - 5;
+    Image<float> copy({width, ao.size.height}, padding);
+    for (int y = 0; y < ao.size.height; ++y) std::copy(ao.row(y), ao.row(y) + width, copy.row(y));
+    return copy;
+}
+// Naive: over all of the memory.
+std::uint32_t memory_hash(const Image<float>& image) {
+    std::uint32_t hash = 2166136261u;
+    for (const float value : image.pixels)
+        hash = (hash ^ static_cast<std::uint32_t>(float_bits(value))) * 16777619u;
+    return hash;
+}
+
+// ---- every way to run a frame on this machine
+
+std::string hash_named(const Frame& frame, const std::string& buffer) {
+    if (buffer == "normal") return content_hash(frame.gbuffer.normal);
+    if (buffer == "view_depth") return content_hash(frame.gbuffer.view_depth);
+    if (buffer == "ndc_depth") return content_hash(ndc_depth(frame.gbuffer.depth));
+    if (buffer == "ao_raw") return content_hash(frame.ao_raw);
+    return content_hash(buffer == "ao_blurred" ? frame.ao_blurred : Image<float>{});
+}
+std::string hashes_of(const Frame& frame) {
+    std::string all = content_hash(frame.lit);
+    for (const char* buffer : {"normal", "view_depth", "ndc_depth", "ao_raw", "ao_blurred"})
+        all += hash_named(frame, buffer);
+    return all;
+}
+
+struct KernelForm {
+    std::string name;
+    Run run;
+};
+std::vector<KernelForm> forms_of_this_machine() {
+    std::vector<KernelForm> forms = {{"one pixel at a time", {.lanes = 1}}};
+    for (const Isa isa : kEveryIsa) {
+        if (isa_available(isa))
+            forms.push_back({std::to_string(lanes_of(isa)) + " lanes, " + isa_name(isa), {.isa = isa}});
+    }
+    return forms;
+}
+constexpr int kThreads[] = {1, 2, 7}, kTiles_px[] = {8, 32, 64};
+
+FrameRequest request_of(Size size) {
+    FrameRequest request;
+    request.size = size;
+    request.method = &find_method("xjun");
+    request.settings = settings_of(*request.method);
+    return request;
+}
+
+// The hash on record of a buffer of the scene `columns`, 160x90.
+std::string recorded_hash(const std::string& wanted) {
+    std::istringstream file(std::string(embedded_file("tests/golden/hashes.txt").value_or("")));
+    for (std::string scene, buffer, hash; file >> scene >> buffer >> hash;) {
+        if (scene == "columns" && buffer == wanted) return hash;
+    }
+    return "none";
+}
+
+// clang-format off: cells stand at the margin, where notebooks look for them.
+void same_bits(Notebook& book) {
+
+// %% question [markdown]
+// # The same bits
+//
+// Here is the AO of a wall of bumps. Three programs have computed it from one and the same source text, and to the eye the
+// three maps are one. The first program is this lab. In the second, the compiler was allowed to use an instruction that
+// multiplies and adds in one go; the third adds up four samples at a time. Look at the two pictures below: they show in how
+// many texels what the fourteen samples take together is *not* the same number.
+
+// %% maps tags=["setup"]
+const SwitchedView view(book, "noise_wall");
+const AoInputs inputs = view.ao().inputs;
+const LunaKernel kernel(inputs, kXjunSettings);
+const RandomMap random = random_map(kXjunSettings.seed);
+const OcclusionMaps in_order = maps_with(kernel, random, {});
+const Image<float>& plain = in_order.ao;
+const MapsApart fused = maps_apart(in_order, maps_with(kernel, random, {.dot = fused_dot})),
+                otherwise = maps_apart(in_order, maps_with(kernel, random, {.dot = otherwise_fused_dot})),
+                in_fours = maps_apart(in_order, maps_with(kernel, random, {.sum = sum_of_four}));
+
+// %% start
+book.show("ao", ao_picture(plain), "The AO of all three.");
+book.show_row({{"apart_fused", apart_picture(fused),
+                "The first and the second program: by how many steps of a float their sums differ. Black "
+                "is 0, white 4 and more."},
+               {"apart_in_fours", apart_picture(in_fours), "The first and the third."}});
+
+// %% why [markdown]
+// Does it matter? Whoever changes a program wants to know whether the picture is still the same. If the answer is "up to
+// 0.01 or so", small mistakes hide below that. If equal means *equal bits*, the test is one comparison of hashes, and it
+// holds on the laptop of the student, on the server that tests, in the browser. Every picture of this book is meant to be
+// the same on all of them.
+
+// %% idea [markdown]
+// ## The idea
+//
+// **Each operation has exactly one right answer, so the same operations in the same order give the same bits.**
+//
+// The standard for floating-point numbers, IEEE 754, demands of $+$, $-$, $\times$, $\div$ and $\sqrt{\ }$ that the result
+// be the exact one, *rounded* to the nearest number that the format can hold, and of two equally near ones the one whose
+// last bit is 0. There is nothing left to choose. Every processor of the last thirty years obeys. What differs between two
+// machines, two compilers or two numbers of threads is never the operation; it is *which* operations are done, and in which
+// order.
+
+// %% three_ways_of_one
+ThreeWays ways = three_ways(kernel);
+ways.exact = exact_square(ways.v);
+book.number("v", exact_text(ways.v.x) + ", " + exact_text(ways.v.y) + ", " + exact_text(ways.v.z));
+book.number("exact", significant_text(ways.exact, 12));
+book.number("rounded", bits_of(ways.rounded));
+book.number("fused", bits_of(ways.fused));
+book.number("otherwise", bits_of(ways.otherwise_fused));
+book.draw("number_line", number_line(ways),
+          "The ticks are floats, one step apart. The exact square of the length of p = ({v}) is {exact}, "
+          "between two of them. "
+          "Rounding every product and every sum leads to the bits {rounded}; leaving out one rounding or "
+          "another leads to {fused} and "
+          "{otherwise}. None of the three is a mistake.");
+
+// %% derivation [markdown]
+// ## Why the order matters
+//
+// A float has 24 significant bits. Write $\mathrm{fl}(a)$ for the nearest float; it is off by at most half a step,
+//
+// $$ \mathrm{fl}(a) = a\,(1 + \delta), \qquad |\delta| \le u = 2^{-24} $$
+//
+// The line `x*x + y*y + z*z` means, in C++, from left to right:
+//
+// $$ s = \mathrm{fl}\big(\mathrm{fl}(\mathrm{fl}(x^2) + \mathrm{fl}(y^2)) + \mathrm{fl}(z^2)\big) $$
+//
+// Five roundings, all of them fixed. A *fused multiply-add* computes $\mathrm{fl}(ab + c)$ with one rounding where there
+// were two. It is faster and usually nearer to the truth, but other bits:
+// $\mathrm{fl}(z^2 + \mathrm{fl}(y^2 + \mathrm{fl}(x^2)))$ has three roundings left, and $x$ and $y$ may as well change places.
+//
+// And addition is not associative. Take $a = 1$, $b = c = u$: then $\mathrm{fl}(a + b)$ is the tie between 1 and its neighbour
+// and goes to 1, so $(a + b) + c = 1$. But $b + c = 2u$ is a whole step, so $a + (b + c) = 1 + 2u$.
+
+// %% rules [markdown]
+// ## How the same bits are made
+//
+// From this follow the rules that every kernel of this lab keeps:
+//
+// 1. Only $+ - \times \div \sqrt{\ }$. What else is needed (powers, sines) is a polynomial of our own, out of these.
+// 2. The compiler may not fuse: `-ffp-contract=off` stands in the build for every file, the tests included. It may not
+//    reorder either; without `-ffast-math` the language forbids it.
+// 3. Several pixels at a time, never several samples of one: each *lane* of a register does what a single float would. No
+//    sum ever runs across lanes.
+// 4. A thread writes its own pixels and nothing else. What is summed over a picture is summed row by row, in order.
+// 5. Random numbers come from an integer hash of pixel and sample, not from a generator that remembers who asked before.
+//
+// A kernel is written once for a type `F`, and this is how it is run. `Lanes<float>` is one pixel at a time, to step through
+// in a debugger; otherwise `F` is as wide as the register:
+
+// %% code_of_runs tags=["setup"]
+book.listing("rasterizer/base/run.h", "run_kernel", "The same text for every width.");
+book.listing(
+    "rasterizer/lanes/isa.h", "call_for_isa",
+    "Which instructions the compiler may use is decided around the kernel, so that no kernel knows.");
+book.listing(
+    "rasterizer/lanes/approx_math.h", "exp2_of",
+    "The library's own power of two: nothing but rule 1. Its error is stated, and the same everywhere.");
+
+// %% every_way_text [markdown]
+// ## The same frame in every way
+//
+// So let us draw one frame in every way that this machine knows: each form of the kernels, with one, two and seven threads,
+// with tiles of 8, 32 and 64 pixels.
+
+// %% every_way
+FrameRequest request = request_of(book.size());
+const Scene columns = columns_scene();
+const std::string first = hashes_of(render_frame(columns, columns.camera, request));
+std::vector<std::vector<std::string>> form_rows;
+int runs = 0, same = 0;
+for (const KernelForm& form : forms_of_this_machine()) {
+    request.run = form.run;
+    std::string blurred;
+    for (const int threads : kThreads) {
+        for (const int tile_px : kTiles_px) {
+            request.run.threads = threads;
+            request.run.tile_size = tile_px;
+            const Frame frame = render_frame(columns, columns.camera, request);
+            blurred = content_hash(frame.ao_blurred);
+            ++runs;
+            same += hashes_of(frame) == first ? 1 : 0;
+        }
+    }
+    form_rows.push_back({form.name, std::to_string(std::size(kThreads) * std::size(kTiles_px)), blurred});
+}
+book.number("runs", std::to_string(runs));
+book.table({"form of the kernels", "runs", "hash of the blurred AO"}, form_rows);
+book.check("All {runs} runs agree in every bit of all six buffers.", same == runs);
+book.check(
+    "The estimator written down once more in this chapter, with plain arithmetic, has the library's bits "
+    "too.",
+    content_hash(plain) == content_hash(luna_occlusion(inputs, kXjunSettings, {}).ao));
+
+// %% other_machines_text [markdown]
+// One machine cannot show what another does. But hashes can be written down. The lab's repository holds a file of them,
+// `tests/golden/hashes.txt`. GCC on x86-64 wrote it, and the tests of every build are held to it: by GCC and by Clang, without and with
+// optimisation, for x86-64, for 64-bit ARM and for WebAssembly. Here is what it says of the columns, 160 pixels wide, and what
+// *your* machine has just computed:
+
+// %% other_machines
+const Scene recorded_scene = find_builtin_scene("columns")->make(SceneDetail::surfaces);
+const Frame small = render_frame(recorded_scene, recorded_scene.camera, request_of({160, 90}));
+std::vector<std::vector<std::string>> recorded_rows;
+bool as_recorded = true;
+for (const char* buffer : {"normal", "view_depth", "ndc_depth", "ao_raw", "ao_blurred"}) {
+    recorded_rows.push_back({buffer, recorded_hash(buffer), hash_named(small, buffer)});
+    as_recorded = as_recorded && recorded_hash(buffer) == hash_named(small, buffer);
+}
+book.table({"buffer", "on record", "computed here"}, recorded_rows);
+book.check("This machine computes what is on record, bit for bit.", as_recorded);
+
+// %% machines [markdown]
+// That they agree is no matter of course. This is where the three differ:
+//
+// | | x86-64 | 64-bit ARM | WebAssembly |
+// |---|---|---|---|
+// | lanes of a float register | 4, with AVX2 8 | 4 | 4 |
+// | fused multiply-add | from 2013 on, if asked for | always there, used by default | none in the base |
+// | estimate of $1/\sqrt{a}$ | 12 bits, by maker | 8 bits | none |
+// | float to int, too large | smallest int | largest int | trap, or largest int |
+// | NaN to int | smallest int | 0 | trap, or 0 |
+// | the NaN of 0/0 | negative | positive | either |
+
+// %% contraction_text [markdown]
+// ## Five ways to lose them
+//
+// Each of the following is a naive version of something that the lab does otherwise. They stand in this chapter only.
+//
+// **1. The compiler fuses.** On 64-bit ARM every processor has the instruction, and GCC uses it unless it is told not to.
+// The same source then has other bits there than on x86-64, and two compilers may fuse two different products. *The cure* is
+// one word in the build, `-ffp-contract=off`.
+
+// %% contraction
+book.table(kApartColumns, {apart_row("fused, from left to right", fused),
+                           apart_row("fused, x and y exchanged", otherwise)});
+book.number("fused_texels", std::to_string(fused.ao.texels));
+book.number("otherwise_texels", std::to_string(otherwise.ao.texels));
+book.check("One way of fusing changes {fused_texels} texels of the AO map, the other {otherwise_texels}.",
+           fused.ao.texels > 0 && otherwise.ao.texels > 0);
+const float product = ways.v.x * ways.v.y, rest = std::fma(ways.v.x, ways.v.y, -product);
+book.number("rest", significant_text(static_cast<double>(rest), 3));
+book.check(
+    "Fusing may even break an identity: with the x and y from above, xy - xy is not 0 but {rest}, "
+    "because only one of the two "
+    "products was rounded.",
+    rest != 0);
+
+// %% reassociation_text [markdown]
+// **2. The sum is taken in another order.** Four lanes that each add every fourth sample, and are added up at the end, are
+// faster than one long chain. So is what `-ffast-math` makes of the plain loop, and every width of register makes another sum.
+// *The cure*: lanes hold pixels, never samples.
+
+// %% reassociation
+const OcclusionMaps again = maps_with(kernel, random, {.sum = sum_in_order});
+book.table(kApartColumns, {apart_row("one sample after the other", maps_apart(in_order, again)),
+                           apart_row("four partial sums", in_fours)});
+book.number("fours_texels", std::to_string(in_fours.ao.texels));
+book.check("Four partial sums change {fours_texels} texels of the AO map.", in_fours.ao.texels > 0);
+
+// %% estimates_text [markdown]
+// **3. An estimate, or somebody else's function.** Processors have an instruction for about $1/\sqrt{a}$, and the manual says how
+// far it may be off, not which number it gives. Two makers chose two. A step of Newton's, $x' = x\,(1.5 - 0.5\,a\,x^2)$, makes
+// both good, but not equal. The mathematical library is the same story: `pow` promises a small error, not a result, and each
+// version, on some machines each processor, has its own. *The cure*: a division by a square root, which the standard defines,
+// and polynomials of our own.
+
+// %% estimates
+const OcclusionMaps by_a = maps_with(kernel, random, {.divide = by_rounded_estimate}),
+                    by_b = maps_with(kernel, random, {.divide = by_cut_estimate}),
+                    by_product = maps_with(kernel, random, {.power = by_products});
+const MapsApart maker_a = maps_apart(in_order, by_a), maker_b = maps_apart(in_order, by_b),
+                makers = maps_apart(by_a, by_b), products = maps_apart(in_order, by_product);
+book.table(kApartColumns, {apart_row("estimate of twelve bits, rounded, refined", maker_a),
+                           apart_row("estimate of twelve bits, cut off, refined", maker_b),
+                           apart_row("one estimate against the other", makers),
+                           apart_row("another fourth power", products)});
+book.show_row({{"apart_a", apart_picture(maker_a),
+                "One maker's estimate, refined, against the division. White is 4 steps and more."},
+               {"apart_b", apart_picture(maker_b), "Another maker's."}});
+book.number("a_texels", std::to_string(maker_a.ao.texels));
+book.number("b_texels", std::to_string(maker_b.ao.texels));
+book.number("makers_texels", std::to_string(makers.ao.texels));
+book.number("p_texels", std::to_string(products.ao.texels));
+book.check(
+    "One estimate changes {a_texels} texels and the other {b_texels}; between the two makers "
+    "{makers_texels} differ. Another "
+    "fourth power changes {p_texels}.",
+    maker_a.ao.texels > 0 && maker_b.ao.texels > 0 && makers.ao.texels > 0 && products.ao.texels > 0);
+
+// %% threads_text [markdown]
+// **4. The order of threads.** Eight threads compute the rows of a map, and each adds the sum of its row to a common total as
+// soon as it is ready. Which is ready first depends on the weather. Here the orders are drawn by lot, so that this page stays
+// the same; real threads do worse. If the total then sets the exposure of the picture, every pixel of it changes. *The cure*:
+// each thread keeps its own, and one adds them up in the order of the rows.
+
+// %% threads
+constexpr std::uint32_t kOrders = 100;
+std::set<std::string> sums;
+std::vector<std::vector<std::string>> order_rows;
+for (std::uint32_t which = 0; which < kOrders; ++which) {
+    const float sum = sum_of_rows(plain, order_of_threads(plain.size.height, book.seed(), which));
+    sums.insert(bits_of(sum));
+    if (which < 4)
+        order_rows.push_back({which == 0 ? "from top to bottom" : "by lot, no. " + std::to_string(which),
+                              exact_text(sum), bits_of(sum)});
+}
+book.number("orders", std::to_string(kOrders));
+book.number("sums", std::to_string(sums.size()));
+book.table({"order of the rows", "sum of the map", "its bits"}, order_rows);
+book.check("{orders} orders of the same rows have {sums} different sums.", sums.size() > 1);
+
+// %% conversions_text [markdown]
+// **5. What the language leaves open.** Converting a float to an int is undefined in C++ where the int cannot hold it, and
+// machines differ. The picture shows view depth as a grey: scaled, converted, and then clamped to 0..255. The sky's depth is
+// infinite. *The cure*: clamp first, then convert, and write comparisons so that a NaN takes the safe side.
+
+// %% conversions
+const SwitchedView whole(book, "columns");
+const Image<float> depth = whole.ao().gbuffer.view_depth;
+const float farthest = farthest_surface(depth);
+const Image<float> of_x86 = as_bytes(depth, farthest, to_int_of_x86),
+                   of_arm = as_bytes(depth, farthest, to_int_of_arm);
+const BitsApart converted = bits_apart(of_x86, of_arm);
+book.compare({"bytes_x86", grey_picture(of_x86, 0, 255),
+              "x86-64: infinity becomes the smallest int, the sky black."},
+             {"bytes_arm", grey_picture(of_arm, 0, 255),
+              "64-bit ARM: it becomes the largest int, the sky white."});
+book.number("sky", std::to_string(converted.texels));
+book.number("nan_x86", std::to_string(to_int_of_x86(std::nanf(""))));
+book.number("nan_arm", std::to_string(to_int_of_arm(std::nanf(""))));
+book.check(
+    "The two pictures differ in {sky} pixels, all of the sky. A NaN becomes {nan_x86} on one machine and "
+    "{nan_arm} on the other.",
+    converted.texels > 0);
+
+// %% padding_text [markdown]
+// The same goes for memory that nobody has written. Rows of an image begin at whole groups of eight pixels, and behind a row of
+// another length a few values are left over. Whoever takes a sum or a hash over *all* of the memory takes those with it. Here
+// is one map twice, with other leftovers:
+
+// %% padding
+const Image<float> zeros = narrow(plain, 0), ones = narrow(plain, 1);
+book.table({"behind the rows", "hash of all the memory", "hash of the pixels"},
+           {{"0", std::to_string(memory_hash(zeros)), content_hash(zeros)},
+            {"1", std::to_string(memory_hash(ones)), content_hash(ones)}});
+book.check(
+    "The hash of the memory tells the two maps apart, the hash of the pixels does not: they are equal.",
+    memory_hash(zeros) != memory_hash(ones) && content_hash(zeros) == content_hash(ones));
+book.listing_part("ssao/methods/luna_occlusion.h", "cell_at", "x = min_of", "floor_to_int",
+                  "The cure in the kernel: a position far off the screen, or a NaN, is clamped while it "
+                  "is still a float.");
+
+// %% exercises [markdown]
+// ## Exercises
+//
+// 1. Run `crevice render columns --only ao_blurred --out a`, then the same with `--lanes 1 --threads 1 --out b`, and `crevice compare
+//    a/ao_blurred.npy b/ao_blurred.npy`. What does it say?
+// 2. Is $ab + ba$ always equal to $2ab$ in floats? And when it is fused?
+// 3. Remove `-ffp-contract=off` from `CMakeLists.txt` and build for your machine. On x86-64 the tests still pass. Why, and which
+//    further flag makes them fail?
+// 4. Your function sums a million floats on all cores. Give two ways to make the result independent of the number of threads.
+// 5. (Open) A GPU promises IEEE rounding for $+$, $-$ and $\times$, but not for division and square root. How much of the estimator
+//    of chapter 06 could give these bits on a GPU, and what would you put in place of the rest?
+//
+// <details><summary>Answers</summary>
+//
+// 1. That they are equal, bit for bit: the hashes are the same.
+// 2. Yes: both products round to the same float, and doubling it is exact. Fused, $\mathrm{fl}(ab + \mathrm{fl}(ba))$ has one
+//    product unrounded, and may differ from $2\,\mathrm{fl}(ab)$ in the last bit.
+// 3. The instruction set that every x86-64 machine has knows no fused multiply-add, so there is nothing to fuse. With `-mfma`, or
+//    `-march=native` on a newer machine, the flag is what keeps the bits.
+// 4. Cut the input into blocks of a fixed size, whatever the number of threads, sum each in order, and add up the block sums in
+//    order. Or sum integers (fixed point), whose addition is associative.
+// 5. All products and sums. A division can be made from an estimate and integer arithmetic, or by two Newton steps and a last
+//    correction with exact residuals; that is what the compilers' own software division does.
+//
+// </details>
+
+// %% errata [markdown]
+// <details><summary>Errata of the tutorials</summary>
+//
+// - *X_Jun and Luna* take the lengths of the fourteen vectors and the random map from `rand()`, whose numbers are another for each
+//   compiler's library: no two readers see the same grain. Here an integer hash makes them.
+// - *X_Jun and Luna* normalise with HLSL's `normalize`, which the shader compiler may turn into an estimated reciprocal root.
+//
+// </details>
+//
+// ## Where to go on
+//
+// Equal bits say that a change has changed nothing. They do not say that the bits are right: chapter 22 asks what the rounding costs
+// where scenes are extreme, and chapter 21 how far the picture is from the truth.
+
+// %% end tags=["setup"]
+}
+
+const Chapter kChapter("24", "same_bits", "The same bits", same_bits);
+
+}  // namespace
+}  // namespace crevice
