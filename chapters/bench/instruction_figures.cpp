@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "chapters/terminal/json_text.h"
 #include "rasterizer/base/error.h"
 
 namespace crevice {
@@ -28,7 +29,7 @@ double change_percent(long long stored, long long measured) {
 std::string figures_text(const InstructionFigures& figures) {
     Json scenes = Json::object();
     for (const InstructionCount& count : figures.counts) scenes[count.scene][count.pass] = count.instructions;
-    return Json{{"compiler", figures.compiler}, {"instructions", scenes}}.dump(1) + "\n";
+    return json_text(Json{{"compiler", figures.compiler}, {"instructions", scenes}});
 }
 
 InstructionFigures figures_from_text(std::string_view text, const std::string& file) {

@@ -10,6 +10,7 @@
 #include "chapters/frame/buffer_writer.h"
 #include "chapters/frame/demo_view.h"
 #include "chapters/frame/parameter_words.h"
+#include "chapters/terminal/json_text.h"
 #include "chapters/terminal/number_text.h"
 #include "chapters/terminal/output_directory.h"
 #include "chapters/terminal/parse.h"
@@ -159,9 +160,8 @@ void write_frame(const RenderOptions& options, const FrameRequest& request, cons
     std::ostream quiet(nullptr);
     try_output_directory(out);
     Json buffers = described_buffers(frame, request, options.inset, out, quiet);
-    write_file_atomically(
-        out / "passes.json",
-        passes_json(options.scene, request, frame, {}, load_steps, std::move(buffers)).dump(1) + "\n");
+    write_file_atomically(out / "passes.json", json_text(passes_json(options.scene, request, frame, {},
+                                                                     load_steps, std::move(buffers))));
 }
 
 void render(const RenderOptions& options) {
@@ -185,10 +185,8 @@ void render(const RenderOptions& options) {
         measure_savings(argument.scene, camera, request, found, std::min(request.repeats, kMostSavingPairs));
     Json buffers = described_buffers(frame, request, options.inset, options.out, std::cout);
     const std::filesystem::path report = options.out / "passes.json";
-    write_file_atomically(
-        report,
-        passes_json(options.scene, request, frame, savings, argument.load_steps, std::move(buffers)).dump(1) +
-            "\n");
+    write_file_atomically(report, json_text(passes_json(options.scene, request, frame, savings,
+                                                        argument.load_steps, std::move(buffers))));
     print_times(frame, savings, argument.load_steps);
     std::cout.flush();
     std::printf("%s\n", report.string().c_str());

@@ -9,8 +9,10 @@
 
 #include "chapters/frame/buffer_writer.h"
 #include "chapters/frame/frame_settings.h"
+#include "chapters/terminal/json_text.h"
 #include "chapters/terminal/output_directory.h"
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/base/write_file.h"
 
 namespace crevice {
@@ -59,7 +61,7 @@ std::vector<std::string> warnings_of(const References& references, float radius)
         warnings.push_back("offset-exceeds-radius/100: " + std::to_string(references.lifted_far) + " of " +
                            std::to_string(references.points.points.size()) +
                            " points start more than radius / 100 above their surface (radius " +
-                           std::to_string(radius) + "); bring the camera nearer or take a larger --radius");
+                           shortest_text(radius) + "); bring the camera nearer or take a larger --radius");
     }
     if (references.dropped_triangles > 0) {
         warnings.push_back(
@@ -106,7 +108,7 @@ Picture error_picture(const Image<float>& error) {
 
 void print_reference(const NamedReference& r, std::size_t points) {
     const Reference& reference = r.reference;
-    std::printf("%-12s mean %.5f; standard error of a pixel: mean %.5f, at most %.5f; ", r.name,
+    std::printf("%-12s mean %.5f; standard error of a pixel: mean %.3g, at most %.3g; ", r.name,
                 reference.mean, reference.mean_error, reference.max_error);
     if (reference.from_cache) {
         std::printf("found in the cache\n");
@@ -155,7 +157,7 @@ void write_truth(const TruthOptions& options) {
     }
     const std::filesystem::path path = options.out / "passes.json";
     write_file_atomically(path,
-                          report(options, request, references, warnings, writer.described()).dump(1) + "\n");
+                          json_text(report(options, request, references, warnings, writer.described())));
     std::printf("%s\n", path.string().c_str());
 }
 

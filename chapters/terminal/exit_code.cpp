@@ -1,15 +1,49 @@
 #include "chapters/terminal/exit_code.h"
 
+#include <csignal>
+#include <cstdio>
 #include <iostream>
 #include <new>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/write_file.h"
 
 namespace crevice {
 
+namespace {
+
+void end_without_partial_files(int signal_number) {
+    remove_partial_files();
+    std::signal(signal_number, SIG_DFL);
+    std::raise(signal_number);
+}
+
+// Ctrl-C and its like leave finished files only, and a file larger than `ulimit -f` allows is an error of the
+// write that made it so, not the end of the program.
+void handle_signals() {
+    for (const int signal_number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) {
+        // What nohup or a shell's & has set to be ignored stays so.
+        if (std::signal(signal_number, end_without_partial_files) == SIG_IGN)
+            std::signal(signal_number, SIG_IGN);
+    }
+    std::signal(SIGXFSZ, SIG_IGN);
+}
+
+// On a full disk a program's output is lost like any other file.
+void check_standard_output() {
+    std::cout.flush();
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout)
+        throw OutputError("standard output: cannot be written; give one that has room, such as a terminal");
+}
+
+}  // namespace
+
 int exit_code_of(const std::function<int()>& body) {
     try {
-        return body();
+        handle_signals();
+        const int code = body();
+        check_standard_output();
+        return code;
     } catch (const Error& error) {
         std::cerr << error.what() << "\n";
         return static_cast<int>(error.code);

@@ -6,7 +6,8 @@
 namespace crevice {
 
 // Runs body() and returns its exit code. What it throws is told in one line on stderr, and the code is that of
-// the Error; 2 when there was not enough memory, 1 for anything else.
+// the Error; 2 when there was not enough memory, 4 when the standard output could not be written, 1 for anything
+// else. A signal that ends the program (Ctrl-C, kill) still does, and no partial file is left behind then.
 int exit_code_of(const std::function<int()>& body);
 
 }  // namespace crevice

@@ -2,13 +2,18 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/float_text.h"
+#include "rasterizer/base/memory.h"
 
 namespace crevice {
 
 namespace {
+
+// What the buffers of a frame take at least.
+constexpr std::uintmax_t kFrameBytesPerPixel = 64;
 
 // The whole word, or nothing.
 bool is_whole(const std::string& word, std::from_chars_result read) {
@@ -71,6 +76,13 @@ Size parse_size(const std::string& flag, const std::string& word) {
         throw UsageError(flag + ": too large (" + word + "); a side has at most " +
                          std::to_string(kLargestSide) + " pixels, a picture at most " +
                          std::to_string(kMostPixels));
+    }
+    const auto bytes =
+        static_cast<std::uintmax_t>(width) * static_cast<std::uintmax_t>(height) * kFrameBytesPerPixel;
+    if (bytes > memory_bytes()) {
+        throw UsageError(flag + ": too large for this machine's memory (" + word + " takes " +
+                         std::to_string(bytes) + " bytes or more, " + std::to_string(memory_bytes()) +
+                         " are there); choose fewer pixels");
     }
     return {width, height};
 }

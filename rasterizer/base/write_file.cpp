@@ -1,5 +1,9 @@
 #include "rasterizer/base/write_file.h"
 
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <string>
@@ -19,6 +23,30 @@ std::string reason(int error_number) { return std::generic_category().message(er
     throw OutputError(path.string() + ": cannot be written (" + why +
                       "); give a directory that exists, may be written to and has room");
 }
+
+// The names of the partial files there are now. A signal handler finds them here, and nothing else does.
+std::array<std::atomic<const char*>, 16> partial_names;
+
+// Lists a partial file while it is written; where more than there is room for are written at once, not all.
+class ListedPartial {
+ public:
+    explicit ListedPartial(const char* name) {
+        for (std::atomic<const char*>& place : partial_names) {
+            const char* none = nullptr;
+            if (!place.compare_exchange_strong(none, name)) continue;
+            place_ = &place;
+            return;
+        }
+    }
+    ~ListedPartial() {
+        if (place_ != nullptr) *place_ = nullptr;
+    }
+    ListedPartial(const ListedPartial&) = delete;
+    ListedPartial& operator=(const ListedPartial&) = delete;
+
+ private:
+    std::atomic<const char*>* place_ = nullptr;
+};
 
 // fwrite only fills a buffer: a full disk shows at fflush or fclose, so all three count. Returns 0 or errno.
 int write_all(const fs::path& path, std::string_view bytes) {
@@ -49,6 +77,7 @@ void write_file_atomically(const fs::path& path, std::string_view bytes) {
     fs::path partial = target;
     partial += ".partial";
     if (fs::is_directory(partial, error)) refuse(path, partial.filename().string() + " is a directory");
+    const ListedPartial listed(partial.c_str());
     if (const int failed = write_all(partial, bytes)) {
         fs::remove(partial, error);
         refuse(path, reason(failed));
@@ -58,6 +87,12 @@ void write_file_atomically(const fs::path& path, std::string_view bytes) {
         const std::string why = error.message();
         fs::remove(partial, error);
         refuse(path, why);
+    }
+}
+
+void remove_partial_files() noexcept {
+    for (const std::atomic<const char*>& place : partial_names) {
+        if (const char* name = place) unlink(name);
     }
 }
 

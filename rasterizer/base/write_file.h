@@ -12,4 +12,8 @@ namespace crevice {
 // naming the path and the system's reason; nothing of the new file is left behind then.
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
 
+// Removes what write_file_atomically() has begun, in any thread, and not finished: for the handler of a signal that
+// ends the program, which may call this at any time.
+void remove_partial_files() noexcept;
+
 }  // namespace crevice

@@ -14,7 +14,7 @@
 namespace crevice {
 
 struct GBuffer {
-    Image3 normal;  // view space, unit (interpolated vertex normal), turned to the eye on back faces
+    Image3 normal;  // view space, unit (interpolated vertex normal), turned over on back faces
     Image<float> view_depth;  // view-space z, scene units
     DepthBuffer depth;
     BufferFormat format = BufferFormat::float32;  // normal and view_depth hold only values this format can

@@ -43,7 +43,7 @@ struct SetupLanes {
 
     Mask<F> drawn;            // has area, may cover a pixel centre, is not culled
     LaneCorner<F> corner[3];  // clockwise from the topmost, then leftmost
-    Mask<F> back_facing, small;
+    Mask<F> back_facing, shows_back, small;
     I x0, y0, x1, y1;  // ScreenTriangle::bounds
     D area, inverse_area;
     Plane z, inverse_w;
@@ -69,9 +69,29 @@ struct SetupLanes {
         inverse_w = plane_through({corner[0].inverse_w, corner[1].inverse_w, corner[2].inverse_w});
         const I limit(kSmallTriangle_px * kSubpixelSteps);
         small = (right - left <= limit) & (bottom - top <= limit);
+
+        shows_back = back_facing;
+        // Snapping moves a side by up to one step across and one down.
+        const D moved = to_double(right - left + (bottom - top)) * D(2) + D(2);
+        const Mask<F> may_turn = drawn & (area <= moved);
+        if (!cull_back_faces && any(may_turn)) {
+            const D before = doubled_area_before_snap(a, b, c);
+            const Mask<F> known = may_turn & (before != D(0));
+            shows_back = (known & (before < D(0))) | (back_facing & !known);
+        }
     }
 
  private:
+    CREVICE_INLINE static D doubled_area_before_snap(const LaneCorner<F>& a, const LaneCorner<F>& b,
+                                                     const LaneCorner<F>& c) {
+        const auto exact = [](I snapped, F rest) __attribute__((always_inline)) {
+            return to_double(snapped) + to_double(rest);
+        };
+        const D x = exact(a.x, a.x_rest), y = exact(a.y, a.y_rest);
+        return (exact(b.x, b.x_rest) - x) * (exact(c.y, c.y_rest) - y) -
+               (exact(c.x, c.x_rest) - x) * (exact(b.y, b.y_rest) - y);
+    }
+
     // a, b, c are clockwise; they are rotated until the topmost comes first.
     CREVICE_INLINE void order_corners(const LaneCorner<F>& a, const LaneCorner<F>& b,
                                       const LaneCorner<F>& c) {
@@ -130,12 +150,15 @@ class SetUpTriangles {
         using D = Double<F>;
         const F nearest = min_of(min_of(s.z.at_corner[0], s.z.at_corner[1]), s.z.at_corner[2]),
                 farthest = max_of(max_of(s.z.at_corner[0], s.z.at_corner[1]), s.z.at_corner[2]);
-        const D rounding = D(kDepthRounding) * to_double(max_of(absolute(nearest), absolute(farthest)));
+        // Where the corners are equally deep z_ndc_at() adds zeros: a stack in one plane across the view hides itself.
+        const D size = to_double(max_of(absolute(nearest), absolute(farthest)));
+        const D rounding = select(nearest == farthest, D(0), D(kDepthRounding) * size);
         put(z_low_, to_float(to_double(nearest) - rounding));
         put(z_high_, to_float(to_double(farthest) + rounding));
         put(area_, to_float(s.area));
         const Int<F> zero(0);
         put(flags_, select(s.drawn, Int<F>(kDrawn), zero) | select(s.back_facing, Int<F>(kBackFacing), zero) |
+                        select(s.shows_back, Int<F>(kShowsBack), zero) |
                         select(s.small, Int<F>(kSmall), zero));
         put(z_per_x_, s.z.per_x);
         put(z_per_y_, s.z.per_y);
@@ -165,6 +188,7 @@ class SetUpTriangles {
         t.depth_bias = depth_bias(settings, z_[0][l], z_[1][l], z_[2][l], z_per_x_[l], z_per_y_[l]);
         t.clipped = -1;
         t.back_facing = (flags_[l] & kBackFacing) != 0;
+        t.shows_back = (flags_[l] & kShowsBack) != 0;
         t.small = (flags_[l] & kSmall) != 0;
         return result;
     }
@@ -172,7 +196,7 @@ class SetUpTriangles {
  private:
     template <class T>
     using Stored = std::array<T, kLanes<F>>;
-    static constexpr std::int32_t kDrawn = 1, kBackFacing = 2, kSmall = 4;
+    static constexpr std::int32_t kDrawn = 1, kBackFacing = 2, kShowsBack = 4, kSmall = 8;
 
     template <class T, class V>
     CREVICE_INLINE static void put(Stored<T>& at, const V& value) {

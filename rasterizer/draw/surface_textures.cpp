@@ -20,7 +20,7 @@ CREVICE_INLINE Vec3<F> bent_normal(const ScreenGeometry& geometry, const Triangl
     const glm::vec4 &t0 = instance.tangent(t, 0), &t1 = instance.tangent(t, 1), &t2 = instance.tangent(t, 2);
     const glm::mat3& m = turn.view_from_object;
     const Vec3<F> tangent = pixels.here.interpolate(m * glm::vec3(t0), m * glm::vec3(t1), m * glm::vec3(t2));
-    const float side = t.back_facing ? -turn.handedness : turn.handedness;
+    const float side = t.shows_back ? -turn.handedness : turn.handedness;
     const F handedness = F(side) * pixels.here.interpolate(t0.w, t1.w, t2.w);
     const Vec3<F> zero{F(0), F(0), F(0)};
     const Vec3<F> n = normalize_or<F>(pixels.interpolated_normal(geometry), zero);

@@ -74,7 +74,7 @@ struct TrianglePixels {
         const Vec3<F> n = here.interpolate(n_view[triangle.vertex[0]], n_view[triangle.vertex[1]],
                                            n_view[triangle.vertex[2]]);
         const F zero(0);
-        if (!triangle.back_facing) return n;
+        if (!triangle.shows_back) return n;
         return {zero - n.x, zero - n.y, zero - n.z};
     }
 

@@ -37,7 +37,10 @@ struct ScreenTriangle {
     std::uint32_t instance;
     std::int32_t material;
     bool back_facing;  // drawn from behind: the corners were swapped
-    bool small;        // at most kSmallTriangle_px wide and high
+    // Whether the eye sees its back: back_facing as it was before the corners were snapped, which turns many a
+    // sliver over. Where back faces are culled, what is drawn shows its front.
+    bool shows_back;
+    bool small;  // at most kSmallTriangle_px wide and high
 };
 
 // Products of two extents of a triangle this small, in 1/256 pixel, fit 32 bits.

@@ -97,7 +97,7 @@ struct Scene {
     glm::vec3 sky = glm::vec3(0.69f, 0.77f, 0.87f);  // linear light, behind everything
     // Drawn over `sky`; blinn_schlick surfaces mirror it. World space, linear light; null: none.
     std::shared_ptr<const CubeMap> sky_cube = nullptr;
-    bool two_sided = false;  // draw back faces, with their normals turned to the eye; else they are culled
+    bool two_sided = false;  // draw back faces, with their normals turned over; else they are culled
     Camera camera;           // the view the scene is meant to be seen from
     // How many scene units make one unit of the tutorials: the AO methods' default lengths are multiples of
     // it.

@@ -7,6 +7,7 @@
 
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/parallel.h"
+#include "ssao/rays/bvh_parts.h"
 #include "ssao/rays/bvh_split.h"
 
 namespace crevice {
@@ -129,10 +130,12 @@ Bvh build_bvh(std::span<const Corners> triangles, const Run& run) {
         throw UsageError("triangles: more than 2^31 - 1 (" + std::to_string(triangles.size()) +
                          "); leave some out");
     if (triangles.empty()) return {};
-    std::vector<BoxedTriangle> boxes = boxed(triangles, run);
+    std::vector<BoxedTriangle> whole = boxed(triangles, run);
+    const Box box = range_of(whole, run).box;
+    std::vector<BoxedTriangle> boxes = boxed_parts(triangles, std::move(whole), box);
     const TriangleRange all = range_of(boxes, run);
 
-    Builder top{triangles, run, std::max(kSmallSubtree, triangles.size() / kSubtreeShare)};
+    Builder top{triangles, run, std::max(kSmallSubtree, boxes.size() / kSubtreeShare)};
     top.add_node(all, 0);
     Run alone = run;  // a subtree is built by one thread
     alone.threads = 1;

@@ -2,12 +2,13 @@
 // Source: Wald 2007, "On fast construction of SAH-based bounding volume hierarchies" (binned surface area
 //         heuristic); Dammertz, Hanika & Keller 2008 and Wald, Benthin & Boulos 2008 (wide nodes).
 // In:     triangles with finite corners, at most 2^31 - 1 of them
-// Out:    Bvh; the same one at every thread count
+// Out:    Bvh; the same one at every thread count. Each triangle is in one block, but slivers whose boxes overlap
+//         too much are in a block for each of their parts (bvh_parts.h)
 // Differs from the papers: the wide nodes are split directly, largest box first; every leaf is one block of
 //         up to eight triangles; deeper than kSahLevels a range is cut into equal parts, which bounds the
 //         depth.
-// Cost:   about n log n; 10 million triangles in 5 s. The tree keeps about 50 bytes a triangle, and while it
-//         is built up to 80 more are in use (32 for boxes, the subtrees twice).
+// Cost:   about n log n; 10 million triangles in 5 s. The tree keeps about 50 bytes a triangle or part, and while
+//         it is built up to 80 more are in use (32 for boxes, the subtrees twice).
 #pragma once
 
 #include <array>

@@ -46,16 +46,15 @@ class PointFinder {
 
     SurfacePoint at(int x, int y, const GBuffer& g, const ScreenTriangle& t) const {
         // The corners clockwise as seen. A clipped triangle keeps the order in which it was submitted; any other
-        // has that in which it was drawn.
-        const bool turn = t.back_facing && t.clipped >= 0;
+        // has that in which it was drawn, after snapping.
+        const bool turn = t.clipped >= 0 ? t.shows_back : t.back_facing != t.shows_back;
         glm::dvec3 corner[3];
         for (std::size_t i = 0; i < 3; ++i) corner[i] = corner_of(t.instance, t.vertex[turn ? 2 - i : i]);
         const glm::dvec3 face = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
         const glm::dvec3 seen = seen_position(x, y, g.view_depth.at(x, y));
-        // The corners come clockwise as drawn, so this is the side that was drawn: the rasterizer's own word,
-        // which a triangle seen nearly edge-on may have against the eye's. A triangle that double finds no
-        // area in has no
-        // plane: what is seen faces the eye.
+        // The corners come clockwise as seen, so this is the side that the G-buffer's normal is of: the
+        // rasterizer's own word, which a triangle seen nearly edge-on may have against the eye's. A triangle that
+        // double finds no area in has no plane: what is seen faces the eye.
         const double area = glm::length(face);
         const glm::dvec3 geometric = area > 0 ? face / area : -glm::normalize(seen);
         const glm::dvec3 in_plane = seen - glm::dot(geometric, seen - corner[0]) * geometric;

@@ -24,13 +24,12 @@ void main() {
     gl_Position = vec4(1, -1, 1, 1) * (clip_from_relative * vec4(p_relative, 1));
 })";
 
-// The interpolated normal as a unit vector; on a back face turned to the eye where it points away.
+// The interpolated normal as a unit vector, turned over on a back face.
 inline constexpr const char* kUnitNormal = R"(
 in vec3 p_view, n_view;
 vec3 unit_normal() {
-    vec3 ray = PERSPECTIVE == 1 ? p_view : vec3(0, 0, 1);
     vec3 n = normalize(n_view);
-    return !gl_FrontFacing && dot(n, ray) > 0 ? -n : n;
+    return gl_FrontFacing ? n : -n;
 })";
 
 inline constexpr const char* kNormalDepthPixels = R"(

@@ -16,8 +16,9 @@ struct Outcome {
     std::string text;  // stdout and stderr
 };
 
-inline Outcome crevice_says(const std::string& arguments) {
-    std::string command = CREVICE_PROGRAM " ";
+// `shell`: what the shell does first, such as "ulimit -f 8; ".
+inline Outcome crevice_says(const std::string& arguments, const std::string& shell = "") {
+    std::string command = shell + CREVICE_PROGRAM " ";
     command.append(arguments).append(" 2>&1 </dev/null");
     std::FILE* pipe = popen(command.c_str(), "r");
     REQUIRE(pipe != nullptr);

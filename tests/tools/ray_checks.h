@@ -1,6 +1,7 @@
 // Triangles and rays for the tests of the ray caster, and the slow answers that its fast ones must equal.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "rasterizer/lanes/approx_math.h"
 #include "ssao/inputs/random_vectors.h"
 #include "ssao/rays/ray_cast.h"
 
@@ -68,6 +70,19 @@ inline std::vector<Corners> shrinking_triangles(int count) {
     for (int i = 0; i < count; ++i, size /= 2)
         triangles.push_back(
             {glm::vec3(size, 0, 0), glm::vec3(1.5f * size, 0, 0), glm::vec3(size, size, size)});
+    return triangles;
+}
+
+// `count` slivers round one vertex, in a plane askew to all axes; the vertex lifted by `tip` makes a cone of them.
+inline std::vector<Corners> fan_triangles(int count, float tip) {
+    const glm::dvec3 x = glm::normalize(glm::dvec3(2, 1, -1)), y = glm::normalize(glm::dvec3(-1, 3, 1)),
+                     up = glm::cross(x, y);
+    const auto rim = [&](int i) {
+        const double angle = 2 * kPi * (i % count) / count;
+        return glm::vec3(std::cos(angle) * x + std::sin(angle) * y);
+    };
+    std::vector<Corners> triangles;
+    for (int i = 0; i < count; ++i) triangles.push_back({glm::vec3(double{tip} * up), rim(i), rim(i + 1)});
     return triangles;
 }
 

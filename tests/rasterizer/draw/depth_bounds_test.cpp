@@ -89,3 +89,22 @@ TEST_CASE("depth bounds: ordinary triangles, slivers and huge ones, at any depth
     }
     CHECK(pixels > 1'000'000);
 }
+
+TEST_CASE("depth bounds: a triangle across the view has no slack, so a stack in its plane hides itself") {
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        RandomSequence random(seed);
+        ClipSpaceScene scene{kSize, {}, {}};
+        const double z = random.between(0, 1);
+        scene.add_triangle(scene.at_screen(position(random, -90, 160), z),
+                           scene.at_screen(position(random, -90, 160), z),
+                           scene.at_screen(position(random, -90, 160), z));
+        const ScreenGeometry geometry = geometry_of(scene);
+        for (const ScreenTriangle& t : geometry.blocks[0].triangles) {
+            CAPTURE(seed);
+            CHECK(t.z_low == static_cast<float>(z));
+            CHECK(t.z_high == static_cast<float>(z));
+        }
+        CHECK(pixels_outside_bounds(scene).below == 0);
+        CHECK(pixels_outside_bounds(scene).above == 0);
+    }
+}

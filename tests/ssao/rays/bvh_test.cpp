@@ -25,7 +25,7 @@ std::vector<TriangleSet> triangle_sets() {
             {"nine", random_triangles(9, 0.2f, 2)},
             {"many", random_triangles(20000, 0.02f, 3)},
             {"large and overlapping", random_triangles(500, 3, 4)},
-            {"thin", thin_triangles(3000, 5)},
+            {"thin", thin_triangles(1000, 5)},
             {"shrinking", shrinking_triangles(56)},
             {"equal", std::vector<Corners>(5000, one)},
             {"in one point's row", [] {
@@ -106,6 +106,21 @@ TEST_CASE("every triangle is in one block, inside all boxes above it, at a bound
         CHECK(*walk.found.begin() == 0);
         CHECK(*walk.found.rbegin() == static_cast<std::int32_t>(set.triangles.size()) - 1);
         CHECK(std::adjacent_find(walk.found.begin(), walk.found.end()) == walk.found.end());
+    }
+}
+
+TEST_CASE("slivers that are cut into parts are each in a block for every part, at a bounded depth") {
+    const TriangleSet sets[] = {{"thin", thin_triangles(3000, 5)}, {"fan", fan_triangles(3000, 0.3f)}};
+    for (const TriangleSet& set : sets) {
+        CAPTURE(set.name);
+        const Bvh bvh = build_bvh(set.triangles);
+        Walk walk{bvh, set.triangles};
+        std::vector<std::pair<const BvhNode*, std::size_t>> above;
+        walk.walk(0, above);
+        CHECK(walk.nodes == bvh.nodes.size());
+        CHECK(walk.depth <= kBvhMaxDepth);
+        CHECK(walk.found.size() > set.triangles.size());
+        CHECK(std::set<std::int32_t>(walk.found.begin(), walk.found.end()).size() == set.triangles.size());
     }
 }
 

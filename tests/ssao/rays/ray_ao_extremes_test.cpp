@@ -45,9 +45,9 @@ TEST_CASE("settings out of their range are named, with their value") {
     } cases[] = {{0, 1, "rays", "(0)"},
                  {-1, 1, "rays", "(-1)"},
                  {(1 << 20) + 1, 1, "rays", "(1048577)"},
-                 {16, 0, "radius", "(0.0"},
-                 {16, -0.0f, "radius", "(-0.0"},
-                 {16, -1, "radius", "(-1.0"},
+                 {16, 0, "radius", "(0)"},
+                 {16, -0.0f, "radius", "(-0)"},
+                 {16, -1, "radius", "(-1)"},
                  {16, -kInfinity, "radius", "(-inf)"},
                  {16, kNan, "radius", "nan"}};
     const RayScene scene = ray_scene(scene_of({floor_mesh()}), glm::dvec3(0));
