@@ -98,10 +98,10 @@ void constant_ambient(Notebook& book) {
 
 // %% headline
 const Demo demo = demo_of_2020(book.size(), book.seed());
-book.compare(
-    {"ao_off", lit_picture(demo.without_ao),
-     "Without ambient occlusion (`crevice render columns --ao none`)."},
-    {"ao_on", lit_picture(demo.with_ao), "With it (`crevice render columns --ao-scale 1`)."});
+book.compare({"ao_off", lit_picture(demo.without_ao),
+              "Without ambient occlusion (`crevice render --preset xjun2020 --ao none`)."},
+             {"ao_on", lit_picture(demo.with_ao),
+              "With it (`crevice render --preset xjun2020 --ao-scale 1`)."});
 
 // %% ambient_text [markdown]
 // ## What is wrong with a constant

@@ -206,9 +206,10 @@ book.plot("ndc_curve",
            {{half_z, "half of the range"}}},
           "With the planes of this scene, n = {near} and f = {far}: A = {depth_a}, B = {depth_b}. "
           "Half of the range is spent below z = {half_z}.");
-book.show("ndc_depth", ndc_depth_picture(ndc),
-          "NDC depth, stretched: white is {nearest_d}, the nearest surface of the picture, and "
-          "black is 1.");
+book.show(
+    "ndc_depth", ndc_depth_picture(ndc),
+    "NDC depth, stretched: white is {nearest_d}, the nearest surface of the picture, and black is "
+    "1. It falls off faster than view depth: the last columns are hard to tell from the sky.");
 book.table(
     {"z", "d", "one step of D24 is, in units of z"}, depth_rows(m),
     "A 24-bit depth buffer has 2^24 steps from 0 to 1. Far away one of them spans a lot of scene.");
