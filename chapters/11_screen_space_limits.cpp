@@ -3,6 +3,7 @@
 // Run: crevice chapter 11
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "chapters/diagrams/depth_section.h"
 #include "chapters/notebook/chapter.h"
@@ -38,7 +39,7 @@ MarkedView marked_view(const Scene& scene, const Camera& camera, const WorldPoin
             marked_picture(ray_picture(scene, camera, gbuffer, {.rays = 64}), pixel)};
 }
 
-// X_Jun's verdict on the wall beside the plate: the texel's numbers, of full size.
+// A texel of the wall beside the plate, at full size, and the strongest of its samples that meet the plate's front.
 struct WallTexel {
     AoInputs inputs;
     Explanation texel;
@@ -46,7 +47,8 @@ struct WallTexel {
     std::size_t strongest = 0;  // sample
     float radius = 0;
 };
-WallTexel wall_texel(const Scene& scene) {
+WallTexel wall_texel(float distance) {
+    const Scene scene = plate_scene(distance);
     const Method& xjun = find_method("xjun");
     LunaSettings settings = kXjunSettings;
     settings.ao_scale = 1;
@@ -57,9 +59,9 @@ WallTexel wall_texel(const Scene& scene) {
     float most = 0;
     for (int x = kSize.width / 2; x < kSize.width * 3 / 4; ++x) {
         const Explanation texel = xjun.explain(view, raw, AnySettings::of(settings), x, found.y);
-        if (texel.p_view.z < 5 - 0.1f) continue;  // the plate itself
         for (std::size_t i = 0; i < texel.samples.size(); ++i) {
-            if (texel.samples[i].contribution <= most) continue;
+            const bool on_plate = std::fabs(texel.samples[i].dz - distance) < 0.05f;
+            if (!on_plate || texel.samples[i].contribution <= most) continue;
             most = texel.samples[i].contribution;
             found.x = x, found.strongest = i, found.texel = texel;
         }
@@ -130,7 +132,7 @@ book.check("Computed in a larger picture, of which this one is the middle, it is
 // `crevice render columns --eye 6,0.75,-2.2 --target 6,-1.55,0 --near 0.1`.)
 
 // %% plate_section
-const WallTexel wall = wall_texel(plate_scene(0.8f));
+const WallTexel wall = wall_texel(0.8f);
 book.draw("plate_section", sample_diagram(wall.inputs, wall.x, wall.y, wall.texel, wall.strongest, static_cast<double>(wall.radius),
                                           "A plate in front of a wall, as the depth buffer knows it"),
           "A cut through the depth buffer: a thin plate, and 0.8 units behind it the wall with the point p. The sample at q meets the plate at r and counts "
@@ -255,7 +257,7 @@ book.show("one_layer_minus_all", difference_picture(lost),
 book.number("lost", static_cast<double>(buffer_statistics(lost).max), 3);
 book.number("invented", -static_cast<double>(buffer_statistics(lost).min), 3);
 book.check("At single pixels up to {lost} of accessibility is gained where layers are hidden, and up to {invented} lost where near and far are "
-           "joined. No method that reads only this buffer can do better there.",
+           "joined. A method that reads only this buffer cannot know better there.",
            buffer_statistics(lost).max > 0.3f && buffer_statistics(lost).min < -0.3f);
 
 // %% half_text [markdown]
@@ -268,7 +270,7 @@ book.check("At single pixels up to {lost} of accessibility is gained where layer
 
 // %% half
 const MisplacedFloor bare = misplaced_floor();
-book.compare({"floor_misplaced", grey_picture(bare.misplaced, 0.85f, 1), "A bare floor with depths half a texel off, black is 0.85: lines of acne."},
+book.compare({"floor_misplaced", grey_picture(bare.misplaced, 0.85f, 1), "A bare floor with depths half a texel off, black is 0.85: it shades itself in speckles."},
              {"floor", grey_picture(bare.exact, 0.85f, 1), "With the depth at the texel's centre: open."});
 book.number("floor_least", static_cast<double>(buffer_statistics(bare.exact).min), 3);
 book.number("misplaced_least", static_cast<double>(buffer_statistics(bare.misplaced).min), 3);

@@ -127,7 +127,7 @@ void compute_ssao(Notebook& book) {
 
 // %% reads_by_pixels
 const SwitchedView view(book, "columns");
-const SwitchedAo shown = view.ao({"seed=1"});
+const SwitchedAo shown = view.ao({"seed=" + std::to_string(book.seed())});
 const AoInputs& inputs = shown.inputs;
 const GroupedAo without_apron = luna_occlusion_in_groups(inputs, shown.settings, 0);
 const double reads = double(without_apron.reads.direct), pixels = double(book.size().width) * book.size().height;
@@ -160,9 +160,9 @@ book.number("widest", std::to_string(kWidestApron));
 book.number("z", static_cast<double>(z), 1);
 book.number("f", static_cast<double>(focal_px), 0);
 book.number("reach", static_cast<double>(shown.settings.radius * focal_px / z), 1);
-book.draw("apron", group_diagram(group, kApron_px, samples_of_group(view, shown), "A group, its apron, and the samples of two of its texels"),
-          "A group on the floor in the lower half of the picture, {apron} pixels of apron around it. The samples of the texel in its middle mostly end "
-          "within the apron; many of the texel in its corner do not (orange).");
+book.draw("apron", group_diagram(group, kApron_px, samples_of_group(view, shown), "A group, its apron, and two texels' samples"),
+          "A group on the floor in the lower half of the picture, {apron} pixels of apron around it. Samples that leave the apron are orange; "
+          "those of the texel in the corner are the first to do so.");
 
 // %% how_wide [markdown]
 // ## How wide the apron should be
