@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "chapters/diagrams/lookup_weights.h"
+#include "chapters/frame/presets.h"
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/crops.h"
 #include "chapters/props/limit_scenes.h"
@@ -120,6 +121,12 @@ Image3 times(Image3 lit, const Image<float>& accessibility) {
 PixelRect middle_of(Size size) {
     return {size.width * 2 / 5, size.height * 3 / 10, size.width * 3 / 5, size.height * 7 / 10};
 }
+Words words_of(const std::string& preset, Words words) {
+    const auto& own = find_preset(preset).words;
+    words.insert(words.end(), own.begin(), own.end());
+    return words;
+}
+
 bool all_sky(const Image3& lit, glm::vec3 sky) {
     for (int y = 0; y < lit.size().height; ++y) {
         for (int x = 0; x < lit.size().width; ++x) {
@@ -156,8 +163,8 @@ void final_image(Notebook& book) {
 const Words seed = {"seed=" + std::to_string(book.seed())};
 const Drawn headline(book, "columns", "xjun", seed);
 const Image3 ao_off = headline.finished({}), ao_on = headline.finished(headline.ao.blurred);
-book.compare({"ao_off", lit_picture(ao_off), "AO off: all ambient light arrives everywhere."},
-             {"ao_on", lit_picture(ao_on), "AO on: look at the feet of the columns, below the spheres, and under the eaves."});
+book.compare({"ao_off", lit_picture(ao_off), "AO off: all ambient light arrives everywhere (`crevice render --preset xjun2020 --ao none`)."},
+             {"ao_on", lit_picture(ao_on), "AO on (`--preset xjun2020`): look at the feet of the columns, below the spheres, and under the eaves."});
 
 // %% idea [markdown]
 // ## The idea
@@ -321,15 +328,13 @@ book.check("With SSAO the picture is off by {rmse} (RMS, of colours between 0 an
 // normals and depths in 16-bit floats, depth buffers of 24 bits, edge texels mixed? The shade gets wider and is less even; look at the roof.
 
 // %% as_published
-const Words published = {seed[0], "as_published=true", "buffer_format=float16", "depth_format=d24"};
-const Words shown_words = {published[1], published[2], published[3]};
-const Drawn xjun_published(headline, published), luna_published(luna, published);
+const Drawn xjun_published(headline, words_of("xjun2020_published", seed)), luna_published(luna, words_of("luna_published", seed));
 const Image3 ao_published = xjun_published.finished(xjun_published.ao.blurred);
-book.compare({"xjun_published", lit_picture(ao_published), "X_Jun as published (" + headline.view.command(shown_words) + ")."},
-             {"xjun_repaired", lit_picture(ao_on), "With the cures of chapters 05 to 07, this lab's default."});
-book.compare({"luna_published", lit_picture(luna_published.finished(luna_published.ao.blurred)), "Luna as published (" +
-              luna.view.command(shown_words) + ")."},
-             {"luna_repaired", lit_picture(t.finished), "Luna repaired."});
+book.compare({"xjun_published", lit_picture(ao_published), "X_Jun as published (`crevice render --preset xjun2020_published`)."},
+             {"xjun_repaired", lit_picture(ao_on), "With the cures of chapters 05 to 07 (`--preset xjun2020`)."});
+book.compare({"luna_published", lit_picture(luna_published.finished(luna_published.ao.blurred)), "Luna as published "
+              "(`crevice render --preset luna_published`)."},
+             {"luna_repaired", lit_picture(t.finished), "Luna with the same cures (`--preset luna`)."});
 book.number("published_rmse", compare_images(ao_published, true_light).rmse, 4);
 
 // %% published_error [markdown]

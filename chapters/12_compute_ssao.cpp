@@ -1,17 +1,12 @@
-// Question: can SSAO be done in a compute shader, and what does it gain there?
-//
-// The one idea: threads next to each other read nearly the same texels. A group of them loads these once
-// into a small memory of its own, with an apron around; only what lies beyond is read from the map. No bit
-// changes.
-//
+// %% setup tags=["setup"]
 // Source: X_Jun, exercise 2 and SSAO.hlsl; groupshared memory as in Direct3D 11.3, chapter 18.
-// Look for: orange, where samples leave their group's apron (one is drawn blue): near the eye, where half a
-//           unit is many pixels; the table's reads, least in the middle.
 // Run: crevice chapter 12
 #include <algorithm>
 #include <vector>
 
+#include "chapters/diagrams/group_apron.h"
 #include "chapters/notebook/chapter.h"
+#include "chapters/props/switched_ao.h"
 #include "chapters/terminal/number_text.h"
 #include "chapters/terminal/stopwatch.h"
 #include "rasterizer/base/image_summary.h"
@@ -23,6 +18,7 @@
 namespace crevice {
 namespace {
 
+constexpr int kApron_px = 8;
 constexpr glm::vec3 kStrayed(0.9f, 0.45f, 0.05f), kApronBlue(0.1f, 0.35f, 0.9f);
 
 // What a pass returns, and its median wall time in ms, for the terminal.
@@ -36,20 +32,24 @@ auto timed(const auto& pass) {
     return std::pair{pass(), median(times)};
 }
 
-// The AO map with groups in two shades, orange by the share of samples that strayed; one group and its apron
-// blue.
-Picture groups(const GroupedAo& grouped, const AoInputs& in, int apron_px) {
+// A group of threads on the floor, in the lower middle of the map: its first texel.
+Texel group_on_the_floor(Size map) {
+    return {map.width / 2 / kAoGroup * kAoGroup, map.height * 3 / 4 / kAoGroup * kAoGroup};
+}
+
+// The AO map with groups in two shades, orange by the share of samples that strayed; one group and its apron blue.
+Picture groups_picture(const GroupedAo& grouped, const AoInputs& in, int apron_px) {
     const Size size = in.size();
     Image3 canvas(size, glm::vec3(0));
     const int apron = apron_px * size.width / in.picture.width;  // in texels
-    const int left = size.width / 2 / kAoGroup * kAoGroup, top = size.height * 3 / 4 / kAoGroup * kAoGroup;
+    const Texel first = group_on_the_floor(size);
     for (int y = 0; y < size.height; ++y) {
         for (int x = 0; x < size.width; ++x) {
             const bool even = (x / kAoGroup + y / kAoGroup) % 2 == 0;
             const glm::vec3 grey((even ? 1.0f : 0.88f) * grouped.ao.at(x, y));
             const float strayed = grouped.strays.at(x, y) / kCubeVectors;
-            const int outside =
-                std::max({left - x, x - left - kAoGroup + 1, top - y, y - top - kAoGroup + 1});
+            const int outside = std::max(
+                {first.x - x, x - first.x - kAoGroup + 1, first.y - y, y - first.y - kAoGroup + 1});
             const bool edge = outside == apron || outside == 0;
             canvas.set(x, y, edge ? kApronBlue : (1 - strayed) * grey + strayed * kStrayed);
         }
@@ -57,9 +57,26 @@ Picture groups(const GroupedAo& grouped, const AoInputs& in, int apron_px) {
     return colour_picture(canvas);
 }
 
-void compare_bits(Notebook& book, const Scene& scene) {
+// Two texels of that group with their samples: in its corner and in its middle.
+std::vector<TexelSamples> samples_of_group(const SwitchedView& view, const SwitchedAo& shown) {
+    const Texel first = group_on_the_floor(shown.inputs.size());
+    std::vector<TexelSamples> texels;
+    for (const int inside : {0, kAoGroup / 2}) {
+        const int x = std::min(first.x + inside, shown.inputs.size().width - 1);
+        const int y = std::min(first.y + inside, shown.inputs.size().height - 1);
+        texels.push_back({{2.0f * static_cast<float>(x) + 1, 2.0f * static_cast<float>(y) + 1},
+                          view.explanation(shown, x, y)});
+    }
+    return texels;
+}
+
+// Maps of both tutorials, three sizes and three aprons, AO and blur, by pixels and in groups.
+struct ComparedBits {
     int compared = 0, unlike = 0;
-    for (const Size size : {book.size(), Size{101, 57}, Size{33, 90}}) {
+};
+ComparedBits compare_bits(const Scene& scene, Size first_size) {
+    ComparedBits bits;
+    for (const Size size : {first_size, Size{101, 57}, Size{33, 90}}) {
         const GBuffer gbuffer = normal_depth(scene, scene.camera, size);
         for (const auto& [settings, fetch, blur] :
              {std::tuple{kXjunSettings, xjun_fetch(kXjunSettings), kXjunBlur},
@@ -67,88 +84,205 @@ void compare_bits(Notebook& book, const Scene& scene) {
             const AoInputs inputs = ao_inputs(gbuffer, scene.camera, fetch);
             const Image<float> ao = luna_occlusion(inputs, settings, {}).ao;
             for (const int apron : {0, 7, kWidestApron})
-                unlike +=
+                bits.unlike +=
                     content_hash(luna_occlusion_in_groups(inputs, settings, apron).ao) != content_hash(ao);
-            unlike += content_hash(bilateral_blur_in_groups(ao, inputs, blur).ao) !=
-                      content_hash(bilateral_blur(ao, inputs, blur).ao);
-            compared += 4;
+            bits.unlike += content_hash(bilateral_blur_in_groups(ao, inputs, blur).ao) !=
+                           content_hash(bilateral_blur(ao, inputs, blur).ao);
+            bits.compared += 4;
         }
     }
-    book.check("both tutorials, three sizes, three aprons, AO and blur: every bit is the pixel version's",
-               unlike == 0, std::to_string(compared) + " maps compared");
+    return bits;
 }
 
-// Of X_Jun's scene at 640 x 360, whatever the size of this notebook.
-void count_reads(Notebook& book, const Scene& scene) {
-    const GBuffer gbuffer = normal_depth(scene, scene.camera, {640, 360});
-    const AoInputs inputs = ao_inputs(gbuffer, scene.camera, xjun_fetch(kXjunSettings));
-    std::vector<std::vector<std::string>> rows;
-    std::vector<double> left;
-    for (const int apron : {0, 2, 4, 8, 16, kWidestApron}) {
+// How X_Jun's scene is read at 640 x 360, whatever the size of this notebook.
+struct ReadsOfApron {
+    int apron_px = 0;
+    double kilobytes = 0, strays = 0;  // of a group; share of the samples
+    double loads = 0, by_strays = 0;   // reads of the map a texel
+    double all() const { return loads + by_strays; }
+};
+std::vector<ReadsOfApron> count_reads(const AoInputs& inputs) {
+    std::vector<ReadsOfApron> counted;
+    for (const int apron : {0, 2, 4, 8, 12, 16, 20, kWidestApron}) {
         const GroupedAo grouped = luna_occlusion_in_groups(inputs, kXjunSettings, apron);
-        const double direct = double(grouped.reads.direct), samples = direct / 4;
-        const double strays = buffer_statistics(grouped.strays).mean * 320 * 180;
+        const double texels = double(grouped.reads.direct) / (4 * kCubeVectors);
+        const double strays =
+            buffer_statistics(grouped.strays).mean * inputs.size().width * inputs.size().height;
         const int side = 2 * kAoGroup + 2 + 2 * apron;
-        left.push_back(double(grouped.reads.grouped) / direct);
-        rows.push_back({std::to_string(apron), decimal_text(side * side * 4 / 1024.0, 1),
-                        decimal_text(100 * strays / samples, 1),
-                        decimal_text(left.back() * 4 * kCubeVectors, 1), std::to_string(4 * kCubeVectors)});
+        counted.push_back({apron, side * side * 4 / 1024.0, strays / (texels * kCubeVectors),
+                           (double(grouped.reads.grouped) - 4 * strays) / texels, 4 * strays / texels});
     }
-    book.table({"apron, pixels", "memory of a group, KB", "samples that stray, %", "reads of the map a texel",
-                "without groups"},
-               rows);
-    const auto best = std::min_element(left.begin(), left.end());
-    book.check("at 640 x 360 groups save more than half of the reads", *best < 0.5,
-               decimal_text(100 * *best, 1) + " % are left");
-    book.check("with no apron too many samples stray, with the widest too much is loaded",
-               best != left.begin() && best != left.end() - 1);
-    const GroupedBlur blurred =
-        bilateral_blur_in_groups(luna_occlusion(inputs, kXjunSettings, {}).ao, inputs);
-    const double saved = double(blurred.reads.direct) / double(blurred.reads.grouped);
-    book.check("in groups the blur reads each map about once a pass, not eleven times", saved > 8,
-               decimal_text(saved, 1) + " times fewer reads");
+    return counted;
 }
 
+// clang-format off: cells stand at the margin, where notebooks look for them.
 void compute_ssao(Notebook& book) {
-    book.text(R"(
-        # 12 SSAO as a compute shader
 
-        Exercise 2 of X_Jun. AO: a group of 16 x 16 threads copies the depths of its pixels and of an apron
-        around them, waits until all have arrived, and samples the copy; beyond the apron it reads the map.
-        Blur: a group is 128 texels of a row, then of a column, with five more at either end, its reach.
-    )");
-    constexpr int kApron_px = 8;
-    const Scene scene = find_builtin_scene("columns")->make();
-    const GBuffer gbuffer = normal_depth(scene, scene.camera, book.size());
-    const AoInputs inputs = ao_inputs(gbuffer, scene.camera, xjun_fetch(kXjunSettings));
-    const auto [ao, pixel_ms] = timed([&] { return luna_occlusion(inputs, kXjunSettings, {}).ao; });
-    const auto [grouped, grouped_ms] =
-        timed([&] { return luna_occlusion_in_groups(inputs, kXjunSettings, kApron_px); });
-    book.show("ao_by_pixels", ao_picture(ao), "X_Jun's raw AO, pixel by pixel.", pixel_ms);
-    book.show("ao_in_groups", ao_picture(grouped.ao), "The same in groups.", grouped_ms);
-    book.show("groups", groups(grouped, inputs, kApron_px),
-              "Groups of 16 x 16 texels, one with its apron of 8 pixels in blue; orange: samples that left "
-              "theirs.");
-    compare_bits(book, scene);
-    count_reads(book, scene);
-    const auto [pixel, blur_ms] = timed([&, &raw = ao] { return bilateral_blur(raw, inputs).ao; });
-    const auto [segments, segments_ms] =
-        timed([&, &raw = ao] { return bilateral_blur_in_groups(raw, inputs); });
-    book.show("blurred_by_pixels", ao_picture(pixel), "Blurred four times, pixel by pixel.", blur_ms);
-    book.show("blurred_in_groups", ao_picture(segments.ao), "The same in groups.", segments_ms);
-    book.text(R"(
-        So the answer is yes, bit for bit; only the way to the depths differs. On a CPU the cache is that
-        memory already: by the times above, which the terminal shows, groups gain nothing here.
-    )");
-    book.try_it({
-        "Set `kApron_px = 0`: orange seams appear along the edges of all groups.",
-        "Give the table a copy of the settings with `.radius = 0.1f`: few stray; the best apron is narrow.",
-        "Move the table's `camera.eye` to `{0, 0, -30}`: all reaches shrink with distance.",
-    });
-    book.errata({
-        "*X_Jun:* blurs with a clamping sampler, so a map's edge texel counts up to six times. A segment "
-        "ends with nothing, as in Luna and SSAO explored.",
-    });
+// %% question [markdown]
+// # SSAO as a compute shader
+//
+// A pixel shader knows nothing of its neighbours. Each texel of the AO map reads the depth map at fourteen places, and at each of
+// them a linear filter takes four pixels. Its neighbour does the same, at nearly the same places. How often is each pixel of the
+// depth map read?
+
+// %% reads_by_pixels
+const SwitchedView view(book, "columns");
+const SwitchedAo shown = view.ao({"seed=" + std::to_string(book.seed())});
+const AoInputs& inputs = shown.inputs;
+const GroupedAo without_apron = luna_occlusion_in_groups(inputs, shown.settings, 0);
+const double reads = double(without_apron.reads.direct), pixels = double(book.size().width) * book.size().height;
+const auto [by_pixels, pixel_ms] = timed([&] { return luna_occlusion(inputs, shown.settings, {}).ao; });
+book.show("ao_by_pixels", ao_picture(by_pixels), "X_Jun's raw AO map, computed texel by texel.", pixel_ms);
+book.number("reads", reads / 1e6, 2);
+book.number("times", reads / pixels, 1);
+book.check("The map took {reads} million reads of depths, {times} for each pixel of the picture.", reads > pixels);
+
+// %% idea [markdown]
+// ## The idea
+//
+// **Threads side by side read nearly the same depths. Let a group of them copy these once into a small memory of its own, and
+// read from there.**
+//
+// A *compute shader* runs in groups of threads. All threads of a group share up to 32 KB of fast memory, in HLSL `groupshared`. Ours has
+// $16 \times 16$ threads, one for each texel. Each group copies the depths of its pixels and of an *apron* around them. Then all its
+// threads wait at a *barrier*, until the whole copy has arrived, and sample the copy. A sample beyond the apron, a *stray*, reads the map itself.
+
+// %% apron
+const Texel first = group_on_the_floor(inputs.size());
+const PixelRect group = {2 * first.x, 2 * first.y, 2 * (first.x + kAoGroup), 2 * (first.y + kAoGroup)};
+const float z = inputs.view_depth.at(first.x, first.y);
+const float focal_px = static_cast<float>(inputs.picture.height) / (2 * inputs.rays.ray_scale.y);
+const int side = 2 * kAoGroup + 2 + 2 * kApron_px;
+book.number("apron", std::to_string(kApron_px));
+book.number("side", std::to_string(side));
+book.number("kilobytes", side * side * 4 / 1024.0, 1);
+book.number("widest", std::to_string(kWidestApron));
+book.number("z", static_cast<double>(z), 1);
+book.number("f", static_cast<double>(focal_px), 0);
+book.number("reach", static_cast<double>(shown.settings.radius * focal_px / z), 1);
+book.draw("apron", group_diagram(group, kApron_px, samples_of_group(view, shown), "A group, its apron, and two texels' samples"),
+          "A group on the floor in the lower half of the picture, {apron} pixels of apron around it. Samples that leave the apron are orange; "
+          "those of the texel in the corner are the first to do so.");
+
+// %% how_wide [markdown]
+// ## How wide the apron should be
+//
+// A group of half size covers $32 \times 32$ pixels. With two more for the linear filter and an apron of $a$ pixels on each side it copies $(34 + 2a)^2$ depths
+// of four bytes. With $a = {{apron}}$ that is ${{side}}^2$ of them, {kilobytes} KB. The limit of 32 KB allows $a = {{widest}}$.
+//
+// Samples reach as far as the radius on the screen: $radius \cdot f / z$ pixels with the focal length $f = {{f}}$ pixels. For the group in the
+// figure, at $z = {{z}}$, that is {reach} pixels. Far away the reach is less than a pixel; near the eye it is more than any apron. A wide
+// apron has few strays and copies much that nobody reads; a narrow one copies little and strays a lot. The best one lies between.
+
+// %% the_code [markdown]
+// ## The code
+//
+// In HLSL the copy is a loop over `groupshared float depths[...]` in which each thread copies some of the pixels, and the barrier is
+// `GroupMemoryBarrierWithGroupSync()`. Leave it out, and threads read what has not been copied yet. The rest is the kernel of chapter
+// 06: it only asks another source for its depths.
+
+// %% kernel_groups tags=["setup"]
+book.listing_part("ssao/compute/compute_ssao.cpp", "run_group", "MapReads run_group", "out.strays.row", "A group: copy, barrier, sample.");
+book.listing_part("ssao/compute/compute_ssao.cpp", "GroupDepths", "index_of(", "return select(inside", "Where a depth is to be found: in the group's memory, or, as a "
+                  "negative index, in the map.");
+
+// %% picture [markdown]
+// ## The picture it makes
+
+// %% groups
+const auto [grouped, grouped_ms] = timed([&] { return luna_occlusion_in_groups(inputs, shown.settings, kApron_px); });
+book.show("ao_in_groups", ao_picture(grouped.ao), "Computed in groups: the same map.", grouped_ms);
+book.compare({"groups_0", groups_picture(without_apron, inputs, 0), "Without an apron: orange seams along the edges of all groups, where samples stray."},
+             {"groups_8", groups_picture(grouped, inputs, kApron_px), "With an apron of {apron} pixels, drawn in blue for one group: strays are left near the eye, "
+              "where half a unit is many pixels."});
+const ComparedBits bits = compare_bits(view.scene(), book.size());
+book.number("compared", std::to_string(bits.compared));
+book.check("All {compared} maps compared, of both tutorials, three sizes, three aprons, AO and blur, are the pixel version's to the bit.", bits.unlike == 0);
+
+// %% reads_text [markdown]
+// ## What it saves
+//
+// The count of reads is a property of the algorithm, the same on every machine. These are of X_Jun's scene at 640 by 360 pixels, for each
+// texel that shows a surface.
+
+// %% reads
+const Scene scene = find_builtin_scene("columns")->make();
+const AoInputs counted_inputs = ao_inputs(normal_depth(scene, scene.camera, {640, 360}), scene.camera, xjun_fetch(kXjunSettings));
+const std::vector<ReadsOfApron> counted = count_reads(counted_inputs);
+PlotCurve loads{"copied by groups", {}, {}}, strays{"read by strays", {}, {}}, all{"together", {}, {}};
+PlotCurve direct{"pixel shader", {0, kWidestApron}, {4 * kCubeVectors, 4 * kCubeVectors}, {}, {}, PlotStyle::smooth};
+std::vector<std::vector<std::string>> rows;
+for (const ReadsOfApron& of : counted) {
+    for (PlotCurve* curve : {&loads, &strays, &all}) curve->x.push_back(of.apron_px);
+    loads.y.push_back(of.loads), strays.y.push_back(of.by_strays), all.y.push_back(of.all());
+    rows.push_back({std::to_string(of.apron_px), decimal_text(of.kilobytes, 1), percent_text(of.strays), decimal_text(of.all(), 1)});
+}
+book.plot("reads_by_apron", {"Reads of the depth map a texel", {"apron, pixels"}, {"reads a texel", false, 0}, {loads, strays, all, direct}},
+          "Copies grow with the apron, strays shrink. Their sum is least in between.");
+book.table({"apron, pixels", "memory of a group, KB", "samples that stray", "reads a texel"}, rows);
+const auto best = std::min_element(counted.begin(), counted.end(), [](const auto& a, const auto& b) { return a.all() < b.all(); });
+book.number("best", std::to_string(best->apron_px));
+book.number("best_reads", best->all(), 1);
+book.number("direct", std::to_string(4 * kCubeVectors));
+book.check("The best apron, {best} pixels, leaves {best_reads} reads of {direct}: groups save more than half.", best->all() < 0.5 * 4 * kCubeVectors);
+book.check("Without an apron too many samples stray, and with the widest too much is copied: the best lies between.",
+           best != counted.begin() && best != counted.end() - 1);
+
+// %% blur_text [markdown]
+// ## The blur
+//
+// The blur of chapter 08 fits groups even better. Its reach is five texels, always. A group is a segment of 128 texels of a row, and in the next
+// pass of a column, with five more at either end. Nothing strays. Each value is read $138 / 128$ times in a pass, instead of eleven.
+
+// %% blur
+const auto [blurred, blur_ms] = timed([&, &raw = by_pixels] { return bilateral_blur(raw, inputs).ao; });
+const auto [segments, segments_ms] = timed([&, &raw = by_pixels] { return bilateral_blur_in_groups(raw, inputs); });
+book.show("blurred_by_pixels", ao_picture(blurred), "Blurred four times, texel by texel.", blur_ms);
+book.show("blurred_in_groups", ao_picture(segments.ao), "The same in groups.", segments_ms);
+const GroupedBlur counted_blur = bilateral_blur_in_groups(luna_occlusion(counted_inputs, kXjunSettings, {}).ao, counted_inputs);
+const double saved = double(counted_blur.reads.direct) / double(counted_blur.reads.grouped);
+book.number("saved", saved, 1);
+book.check("In groups the blur makes {saved} times fewer reads.", saved > 8);
+
+// %% answer [markdown]
+// So the answer to X_Jun's second exercise is yes, bit for bit; only the way to the depths differs. Whether it is faster depends on the machine. A GPU's
+// texture cache catches many of the repeated reads by itself, and on a CPU the cache *is* that memory: by the times that the terminal shows
+// beside the maps when this chapter runs, groups gain nothing here.
+
+// %% exercises [markdown]
+// ## Exercises
+//
+// 1. Why must the barrier be reached by all threads of a group, also by those whose texel shows the sky?
+// 2. Set `kApron_px` of this chapter (line 21 of its source) to 0 and to 24. What becomes of the orange?
+// 3. Give the table a copy of X_Jun's settings with `.radius = 0.1f`. Which apron is best now? And for a radius of 2?
+// 4. Move the camera of the table's scene to `{0, 0, -30}`. Why does the best apron shrink?
+// 5. Far from the eye a group needs no apron at all. How could a shader find out, before it copies?
+//
+// <details><summary>Answers</summary>
+//
+// 1. Because the others wait for it, and because it may have to copy a part of the apron for them. A barrier that some threads never reach
+//    is undefined.
+// 2. With 0, orange seams appear along the edges of all groups; with 24 there is nearly none, but each group copies 6,724 depths for 256 texels.
+// 3. With 0.1 few samples stray, and a narrow one is best. With 2 they reach four times as far as now; the widest is hardly wide enough.
+// 4. The reach on the screen falls like one over depth.
+// 5. From the nearest depth of its pixels, which a pyramid of depths gives in one read: radius times focal length over that depth is the reach.
+//
+// </details>
+
+// %% errata [markdown]
+// <details><summary>Errata of the tutorials</summary>
+//
+// - *X_Jun:* blurs with a clamping sampler, so a map's edge texel counts up to six times. A segment ends with nothing, as in Luna and SSAO
+//   explored.
+//
+// </details>
+//
+// ## Where to go on
+//
+// This ends the part that follows the Direct3D tutorials. Part II begins with LearnOpenGL's hemisphere (chapter 13), which asks the same depth map another
+// question; chapter 23 shows what a renderer may leave out altogether.
+
+// %% end tags=["setup"]
 }
 
 const Chapter kChapter("12", "compute_ssao", "SSAO as a compute shader", compute_ssao);

@@ -26,21 +26,30 @@ Image<float> noiseless_ao(const GBuffer& gbuffer, const Camera& camera) {
     return luna_limit(ao_inputs(gbuffer, camera, xjun_fetch(linear)), linear, kSeeds).mean;
 }
 
+std::optional<glm::ivec2> pixel_that_shows(const WorldPoint& point, const GBuffer& gbuffer,
+                                           const Camera& camera) {
+    const Size size = gbuffer.view_depth.size;
+    const CameraMatrices m = camera_matrices(camera, size);
+    const ViewRays rays{m.ray_scale, size, camera.projection == Projection::perspective};
+    const glm::vec4 p = m.view_from_world * glm::vec4(glm::vec3(point.position), 1);
+    if (!(p.z > static_cast<float>(camera.near_plane))) return std::nullopt;
+    const Screen2<float> at = rays.p_screen<float>({p.x, p.y, p.z}, 1 / p.z);
+    if (!(at.x >= 0 && at.y >= 0 && at.x < float(size.width) && at.y < float(size.height)))
+        return std::nullopt;
+    const glm::ivec2 pixel(static_cast<int>(at.x), static_cast<int>(at.y));
+    if (!(std::fabs(gbuffer.view_depth.at(pixel.x, pixel.y) - p.z) < kSamePlace)) return std::nullopt;
+    return pixel;
+}
+
 SeenAo seen_ao(const Scene& scene, const Camera& camera, Size size, std::span<const WorldPoint> points) {
     const GBuffer gbuffer = normal_depth(scene, camera, size);
     const Image<float> ao = noiseless_ao(gbuffer, camera);
-    const CameraMatrices m = camera_matrices(camera, size);
-    const ViewRays rays{m.ray_scale, size, camera.projection == Projection::perspective};
     double sum = 0;
     SeenAo result;
     for (const WorldPoint& point : points) {
-        const glm::vec4 p = m.view_from_world * glm::vec4(glm::vec3(point.position), 1);
-        if (!(p.z > static_cast<float>(camera.near_plane))) continue;
-        const Screen2<float> at = rays.p_screen<float>({p.x, p.y, p.z}, 1 / p.z);
-        if (!(at.x >= 0 && at.y >= 0 && at.x < float(size.width) && at.y < float(size.height))) continue;
-        const int x = static_cast<int>(at.x), y = static_cast<int>(at.y);
-        if (!(std::fabs(gbuffer.view_depth.at(x, y) - p.z) < kSamePlace)) continue;
-        sum += double(ao.at(x, y));
+        const std::optional<glm::ivec2> pixel = pixel_that_shows(point, gbuffer, camera);
+        if (!pixel) continue;
+        sum += double(ao.at(pixel->x, pixel->y));
         ++result.seen;
     }
     if (result.seen > 0) result.mean = sum / result.seen;

@@ -1,7 +1,10 @@
 // What screen-space AO says about chosen points of a scene, and what is true of them: for chapter 11.
 #pragma once
 
+#include <optional>
 #include <span>
+
+#include <glm/vec2.hpp>
 
 #include "rasterizer/draw/normal_depth.h"
 
@@ -12,6 +15,10 @@ struct WorldPoint {
     glm::dvec3 position;
     glm::vec3 normal;  // unit
 };
+
+// The pixel of a picture that shows the point; none where it is hidden or beside the picture.
+std::optional<glm::ivec2> pixel_that_shows(const WorldPoint& point, const GBuffer& gbuffer,
+                                           const Camera& camera);
 
 struct SeenAo {
     double mean = 1;  // of the points that the picture shows
