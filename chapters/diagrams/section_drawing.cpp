@@ -85,6 +85,18 @@ void SectionDrawing::circle(SectionPoint centre, double radius, std::string_view
               "\" stroke-dasharray=\"3 4\"/>\n";
 }
 
+void SectionDrawing::path(const std::vector<SectionPoint>& points, std::string_view colour) {
+    std::vector<SvgPoint> line;
+    for (const SectionPoint& p : points) line.push_back(at(p));
+    drawn_ += svg_polyline(line, colour);
+}
+
+void SectionDrawing::area(const std::vector<SectionPoint>& corners, std::string_view colour) {
+    drawn_ += "<polygon fill=\"" + std::string(colour) + "\" fill-opacity=\"0.22\" points=\"";
+    for (const SectionPoint& p : corners) drawn_ += svg_number(at(p).x) + "," + svg_number(at(p).y) + " ";
+    drawn_ += "\"/>\n";
+}
+
 void SectionDrawing::point(SectionPoint p, const std::string& name, std::string_view colour, Dot dot) {
     drawn_ += dot == Dot::filled ? svg_dot(at(p), 4.5, colour) : svg_ring(at(p), 4.5, colour);
     if (!name.empty()) label(p, 8, -8, name, colour);

@@ -25,6 +25,10 @@ class SectionDrawing {
     void segment(SectionPoint from, SectionPoint to, std::string_view colour, bool dashed = false);
     void arrow(SectionPoint from, SectionPoint to, std::string_view colour);
     void circle(SectionPoint centre, double radius, std::string_view colour);
+    // A line through points, such as an arc.
+    void path(const std::vector<SectionPoint>& points, std::string_view colour);
+    // A faintly filled polygon.
+    void area(const std::vector<SectionPoint>& corners, std::string_view colour);
     // A filled dot, or a ring, with a label beside it in the type of formulas; "q_1" has an index.
     enum class Dot { filled, ring };
     void point(SectionPoint at, const std::string& label, std::string_view colour, Dot dot = Dot::filled);

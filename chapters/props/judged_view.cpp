@@ -7,7 +7,6 @@
 #include "chapters/terminal/number_text.h"
 #include "rasterizer/base/error.h"
 #include "scenes/builtin_scenes.h"
-#include "ssao/light/ao_lookup.h"
 #include "ssao/light/widened_ao.h"
 #include "ssao/rays/ray_cast.h"
 
@@ -30,10 +29,13 @@ bool knows(const Method& method, const std::string& word) {
 
 }  // namespace
 
-JudgedView::JudgedView(const std::string& scene, Size size, std::uint32_t seed)
-    : scene_(scene_named(scene)), camera_(scene_.camera), size_(size), seed_(seed) {
+JudgedView::JudgedView(Scene scene, Size size, std::uint32_t seed)
+    : scene_(std::move(scene)), camera_(scene_.camera), size_(size), seed_(seed) {
     draw();
 }
+
+JudgedView::JudgedView(const std::string& scene, Size size, std::uint32_t seed)
+    : JudgedView(scene_named(scene), size, seed) {}
 
 JudgedView::JudgedView(const Notebook& book, const std::string& scene, const std::string& own, Size size)
     : JudgedView(book.scene(scene), size, book.seed()) {
@@ -52,20 +54,23 @@ void JudgedView::draw() {
     rays_ = std::make_shared<const RayScene>(ray_scene(scene_, camera_.eye));
 }
 
+MethodSettings JudgedView::settings_for(const Method& method, const Words& words) const {
+    Words all = words;
+    for (const std::string& word : reader_words_) {
+        if (method.name == own_ || knows(method, word)) all.push_back(word);
+    }
+    const MethodSettings settings = settings_of(method, all, scene_.length_unit).method;
+    return with_value(method, settings, "seed", seed_);
+}
+
 MethodMap JudgedView::map(const std::string& name, const Words& words) const {
     MethodMap result;
     result.method = &find_method(name);
-    Words all = words;
-    for (const std::string& word : reader_words_) {
-        if (name == own_ || knows(*result.method, word)) all.push_back(word);
-    }
-    FrameSettings settings = settings_of(*result.method, all, scene_.length_unit);
-    settings.method = with_value(*result.method, settings.method, "seed", seed_);
-    result.settings = settings.method;
+    result.settings = settings_for(*result.method, words);
     const AoView view = {scene_, camera_, gbuffer_, rays_.get()};
     result.raw = result.method->ao(view, result.settings.ao, {});
     result.denoised = denoised(*result.method, result.raw, result.settings).ao;
-    result.picture = ao_at_picture_size(result.denoised, size_);
+    result.picture = at_picture_size(result.denoised);
     return result;
 }
 
@@ -75,6 +80,17 @@ Explanation JudgedView::explanation(const MethodMap& map, int x, int y) const {
 
 AoQuestion JudgedView::question_of(const MethodMap& map) const {
     return map.method->question(map.settings.ao);
+}
+
+MethodLimit JudgedView::limit(const std::string& name, const Words& words) const {
+    const Method& method = find_method(name);
+    const MethodSettings settings = with_value(method, settings_for(method, words), "ao_scale", 1);
+    const AoView view = {scene_, camera_, gbuffer_, rays_.get()};
+    MethodLimit limit{method.question(settings.ao),
+                      method.limit(view, settings.ao, kJudgedSeeds, {}, [](long long) {})};
+    // The standard error of a mean over so many is that of one over their root.
+    limit.noise = root_mean_square(limit.image.error) * std::sqrt(double{kJudgedSeeds});
+    return limit;
 }
 
 Truth JudgedView::truth(const AoQuestion& question) const {
@@ -95,21 +111,54 @@ Truth JudgedView::truth(const AoQuestion& question) const {
                  image_of([](const AoEstimate& e) { return e.error; }, 0),
                  {image_of([](const AoEstimate& e) { return e.half[0]; }, 1),
                   image_of([](const AoEstimate& e) { return e.half[1]; }, 1)}}};
-    double squares = 0;
-    for (const AoEstimate& e : estimates)
-        squares += static_cast<double>(e.error) * static_cast<double>(e.error);
-    if (!estimates.empty()) truth.noise = std::sqrt(squares / static_cast<double>(estimates.size()));
+    truth.noise = root_mean_square(truth.image.error);
     return truth;
 }
 
+double JudgedView::root_mean_square(const Image<float>& errors) const {
+    double squares = 0, count = 0;
+    for (int y = 0; y < size_.height; ++y) {
+        for (int x = 0; x < size_.width; ++x) {
+            if (!std::isfinite(gbuffer_.view_depth.at(x, y))) continue;
+            const double error = static_cast<double>(errors.at(x, y));
+            squares += error * error;
+            count += 1;
+        }
+    }
+    return count > 0 ? std::sqrt(squares / count) : 0;
+}
+
+// Halves that are independent of each other: the mean of their product has the square of no noise in it.
+MapError JudgedView::error_of(const Image<float>& mean, const Halves& halves, const Truth& truth) const {
+    const ReferenceImage& reference = truth.image;
+    double product = 0, sum = 0, count = 0;
+    for (int y = 0; y < size_.height; ++y) {
+        for (int x = 0; x < size_.width; ++x) {
+            if (!std::isfinite(gbuffer_.view_depth.at(x, y))) continue;
+            product += static_cast<double>(halves[0].at(x, y) - reference.half[0].at(x, y)) *
+                       static_cast<double>(halves[1].at(x, y) - reference.half[1].at(x, y));
+            sum += static_cast<double>(mean.at(x, y) - reference.mean.at(x, y));
+            count += 1;
+        }
+    }
+    if (count == 0) return {};
+    return {std::sqrt(std::max(product / count, 0.0)), sum / count};
+}
+
 MapError JudgedView::error(const MethodMap& map, const Truth& truth) const {
-    const MeanError error =
-        mean_error(map.picture, truth.image, surface_kinds(gbuffer_, camera_), Region::surface);
-    return {error.squared.root(), error.bias};
+    return error_of(map.picture, {map.picture, map.picture}, truth);
+}
+
+MapError JudgedView::error(const MethodLimit& limit, const Truth& truth) const {
+    return error_of(limit.image.mean, limit.image.half, truth);
 }
 
 Picture JudgedView::difference(const MethodMap& map, const Truth& truth) const {
     return difference_picture(difference_of(map.picture, truth.image.mean));
+}
+
+Image<float> JudgedView::at_picture_size(const Image<float>& ao) const {
+    return ao_at_picture_size(ao, size_);
 }
 
 std::string JudgedView::command(const std::string& method, const Words& words) const {
@@ -125,8 +174,26 @@ JudgedView judged_column_foot(const Notebook& book, const std::string& own, Size
     return view;
 }
 
+Image<float> around_foot(const Image<float>& ao) {
+    constexpr double kLeft = 0.28, kTop = 0.36, kPart = 0.42;
+    const auto part = [](int whole, double share) { return static_cast<int>(share * whole); };
+    Image<float> seen(Size{std::max(part(ao.size.width, kPart), 1), std::max(part(ao.size.height, kPart), 1)},
+                      1.0f);
+    for (int y = 0; y < seen.size.height; ++y) {
+        for (int x = 0; x < seen.size.width; ++x)
+            seen.at(x, y) = ao.at(x + part(ao.size.width, kLeft), y + part(ao.size.height, kTop));
+    }
+    return seen;
+}
+
 std::vector<std::string> error_row(const std::string& name, const MapError& error) {
     return {name, decimal_text(error.rmse, 4), decimal_text(error.bias, 4)};
+}
+
+std::vector<std::string> error_row(const std::string& name, const MapError& error, const MethodLimit& limit) {
+    std::vector<std::string> row = error_row(name, error);
+    row.push_back(decimal_text(limit.noise, 4));
+    return row;
 }
 
 }  // namespace crevice
