@@ -228,8 +228,8 @@ book.compare({"frame", ao_picture(frame),
 // - **C** is what the method *converges* to: its own mean over so many random turns that no noise is left, at full size,
 //   without blur.
 //
-// From T to S we lose what the depth buffer does not hold. From S to C we lose what the method does not ask for. From C to the
-// frame there is noise, half size, storage and blur. Only the noise can be bought off with samples.
+// From T to S we lose what the depth buffer does not hold. From S to C we lose what the method does not ask for. From C to
+// the frame there is noise, half size, storage and blur. Only the noise can be bought off with samples.
 //
 // The pictures of this chapter are half as wide and half as high as those of the others, because rays for every pixel are
 // many. Blur counts its reach in texels, so it does more harm here than in a large picture.
@@ -272,25 +272,25 @@ book.table({"step", "changes the pixel by"}, steps_of_pixel,
 //
 // $$ D = x_k - x_0 = d_1 + d_2 + \dots + d_k $$
 //
-// The table above is this sum for one pixel. Over a picture we want one number. The *bias* is the mean of $D$ with its sign: is
-// the picture too light on the whole? The *root mean square error* $\mathrm{RMSE} = \sqrt{\overline{D^2}}$ forgets the sign and
-// counts large errors more. (The bar is the mean over all pixels that show a surface.)
+// The table above is this sum for one pixel. Over a picture we want one number. The *bias* is the mean of $D$ with its
+// sign: is the picture too light on the whole? The *root mean square error* $\mathrm{RMSE} = \sqrt{\overline{D^2}}$ forgets
+// the sign and counts large errors more. (The bar is the mean over all pixels that show a surface.)
 //
-// Biases of steps add up to the bias of the whole. Squares do not: two steps may cancel each other, as noise and blur do. But
-// the products do:
+// Biases of steps add up to the bias of the whole. Squares do not: two steps may cancel each other, as noise and blur do.
+// But the products do:
 //
 // $$ \overline{D^2} = \overline{D \cdot (d_1 + \dots + d_k)} = \overline{D d_1} + \overline{D d_2} + \dots + \overline{D d_k} $$
 //
 // $\overline{D d_i}$ is the *share* of step $i$ in the squared error. It is negative for a step that takes error away.
 //
 // One thing is left. The reference is noisy too: it is a mean of {rays} rays, and its own noise would count as error of the
-// method. If $r$ has noise of variance $\sigma^2$ around the truth, then $\overline{(a - r)^2}$ is too large by $\sigma^2$. So
-// we keep two independent halves $r_1$ and $r_2$ of the rays, and multiply:
+// method. If $r$ has noise of variance $\sigma^2$ around the truth, then $\overline{(a - r)^2}$ is too large by $\sigma^2$.
+// So we keep two independent halves $r_1$ and $r_2$ of the rays, and multiply:
 //
 // $$ \overline{(a - r_1)(a - r_2)} = \overline{(a - t)^2} - \overline{(a-t)(n_1 + n_2)} + \overline{n_1 n_2}, \qquad r_j = t + n_j $$
 //
-// The noises $n_1$ and $n_2$ have mean 0 and know nothing of each other nor of $a$, so the last two means vanish, and what is
-// left is the error against the truth $t$ itself. Such an error is called *debiased*.
+// The noises $n_1$ and $n_2$ have mean 0 and know nothing of each other nor of $a$, so the last two means vanish, and what
+// is left is the error against the truth $t$ itself. Such an error is called *debiased*.
 
 // %% the_code tags=["setup"]
 book.listing("ssao/judge/reference_error.cpp", "PixelValues",
@@ -302,8 +302,8 @@ book.listing("ssao/judge/error_parts.cpp", "sums_of",
 // %% parts_text [markdown]
 // ## Where the error comes from
 //
-// Here is the way from the truth to X_Jun's frame. Red adds squared error, blue takes it away, in millionths; each bar begins
-// where the one before it ends.
+// Here is the way from the truth to X_Jun's frame. Red adds squared error, blue takes it away, in millionths; each bar
+// begins where the one before it ends.
 
 // %% parts
 book.draw("steps_xjun", error_steps(xjun.parts, "X_Jun: from truth to the frame, squared error"),
@@ -319,8 +319,8 @@ book.check("For both methods the parts add up to the whole error, its bias and i
            parts_add_up(xjun.parts) && parts_add_up(luna.parts));
 
 // %% parts_pictures_text [markdown]
-// And here is where each step errs, in X_Jun's frame. Red is too open, blue too closed; full colour is an error of a quarter
-// and more. Of rounding there would be nothing to see.
+// And here is where each step errs, in X_Jun's frame. Red is too open, blue too closed; full colour is an error of a
+// quarter and more. Of rounding there would be nothing to see.
 
 // %% parts_pictures
 book.show_row(part_pictures(xjun.parts));
@@ -328,9 +328,9 @@ book.show_row(part_pictures(xjun.parts));
 // %% regions_text [markdown]
 // ## Where in the picture
 //
-// A mean over a picture hides that errors have places. We sort the pixels by what they show: an *edge* is within three pixels
-// of a jump in depth, a *crease* within three pixels of a fold, and the rest is *flat*. The table has the method's limit C
-// against T.
+// A mean over a picture hides that errors have places. We sort the pixels by what they show: an *edge* is within three
+// pixels of a jump in depth, a *crease* within three pixels of a fold, and the rest is *flat*. The table has the method's
+// limit C against T.
 
 // %% regions
 const ReferenceError limit_error =
@@ -363,9 +363,9 @@ book.check("No pixel of the pictures is NaN or infinite.", !limit_error.failed()
 // ## What would less error cost?
 //
 // Now to the price. The time of a pass depends on the machine, and this book holds the same numbers on every machine, so we
-// count what the time is spent on: how many samples, or rays, one pixel of the picture asks on average. Half size asks a quarter.
-// Error over cost is drawn on two logarithmic axes: noise alone would be a straight line downwards. A line that bends and
-// goes flat has met an error that samples cannot buy.
+// count what the time is spent on: how many samples, or rays, one pixel of the picture asks on average. Half size asks a
+// quarter. Error over cost is drawn on two logarithmic axes: noise alone would be a straight line downwards. A line that
+// bends and goes flat has met an error that samples cannot buy.
 //
 // The rings mark the *Pareto front*: the points that no other point beats, which is to say, that none is cheaper and also
 // better. Whatever is not on the front is a bad bargain. Mind that a ray costs many times what a sample does: on an axis of
@@ -408,14 +408,15 @@ book.check(
     of_xjun.blurred.y.front() < of_xjun.raw.y[2] && of_luna.blurred.y.front() < of_luna.raw.y[2]);
 
 // %% time_text [markdown]
-// Times themselves come from `crevice bench --error columns`. It lets all settings take turns, so that each meets the machine in
-// the same moods, repeats them at least 15 times, and reports medians; the page it writes has these curves over milliseconds.
+// Times themselves come from `crevice bench --error columns`. It lets all settings take turns, so that each meets the
+// machine in the same moods, repeats them at least 15 times, and reports medians; the page it writes has these curves over
+// milliseconds.
 
 // %% traps_text [markdown]
 // ## What can go wrong
 //
-// **The reference is too noisy.** The error of one and the same picture, C, against T from ever more rays. Taken plainly, the
-// error falls as the *reference* gets better, and the method seems to improve. Debiased, it stays where it is.
+// **The reference is too noisy.** The error of one and the same picture, C, against T from ever more rays. Taken plainly,
+// the error falls as the *reference* gets better, and the method seems to improve. Debiased, it stays where it is.
 
 // %% noisy_reference
 const Image<SurfaceKind> kinds = surface_kinds(r.gbuffer, xjun.camera);
@@ -447,9 +448,9 @@ book.check(
         std::fabs(debiased.front() - debiased.back()) < plain.front() - plain.back());
 
 // %% dilution_text [markdown]
-// **The sky is counted.** It is 1 in every picture of every method, so it has no error, and the more of it there is, the better all
-// methods look. **Another question is asked.** Occluders that fade out with distance are judged by rays whose occluders do not:
-// the difference is then booked as an error, although the method never meant to say that.
+// **The sky is counted.** It is 1 in every picture of every method, so it has no error, and the more of it there is, the
+// better all methods look. **Another question is asked.** Occluders that fade out with distance are judged by rays whose
+// occluders do not: the difference is then booked as an error, although the method never meant to say that.
 
 // %% dilution
 const double surface = limit_error.over(Region::surface).rmse(),
@@ -467,31 +468,32 @@ book.check(
     everywhere <= surface && hard != surface);
 
 // %% seeds_text [markdown]
-// **One lucky seed.** The noise of a picture is drawn anew with every seed, and so is its error. The bars in the plots span the
-// lowest and the highest of four; a difference smaller than a bar is no difference.
+// **One lucky seed.** The noise of a picture is drawn anew with every seed, and so is its error. The bars in the plots span
+// the lowest and the highest of four; a difference smaller than a bar is no difference.
 
 // %% exercises [markdown]
 // ## Exercises
 //
 // 1. Run `crevice chapter 21 --cell parts --scene cornell`. Which step grows, and why?
-// 2. What does the first plot say to somebody who can afford one sample a pixel, and what to somebody who can afford a quarter
-//    of one?
-// 3. How many rays does T need, if the standard error of a pixel with accessibility one half is to be below 1/255, one step of
-//    an 8-bit picture?
-// 4. A colleague reports that method A has an RMSE of 0.081 and method B one of 0.083, from one picture each. What do you ask?
-// 5. (Open) C - S is what the method never asked for. Change one thing in X_Jun's formula so that it gets smaller, and look at
-//    chapter 18 for how others did.
+// 2. What does the first plot say to somebody who can afford one sample a pixel, and what to somebody who can afford a
+//    quarter of one?
+// 3. How many rays does T need, if the standard error of a pixel with accessibility one half is to be below 1/255, one step
+//    of an 8-bit picture?
+// 4. A colleague reports that method A has an RMSE of 0.081 and method B one of 0.083, from one picture each. What do you
+//    ask?
+// 5. (Open) C - S is what the method never asked for. Change one thing in X_Jun's formula so that it gets smaller, and look
+//    at chapter 18 for how others did.
 //
 // <details><summary>Answers</summary>
 //
 // 1. The definition: the room has more creases, and that is where 14 points near the surface answer another question than
 //    cosine-weighted rays.
-// 2. One sample a pixel: full size, one sample, four blurs, which is on the front; four samples at half size cost the same and
-//    are no better. A quarter: half size with one sample. It is hardly worse, and that is why games take half size.
-// 3. A ray answers 0 or 1, so the variance of one is $\frac12 \cdot \frac12$, and $\sqrt{1/(4N)} < 1/255$ gives $N = 16{,}257$.
-//    Well-spread rays need fewer.
-// 4. Which pixels are counted, against which reference, with how many rays and debiased or not; over how many seeds, and how far
-//    apart these were. The difference is smaller than most bars in the plot.
+// 2. One sample a pixel: full size, one sample, four blurs, which is on the front; four samples at half size cost the same
+//    and are no better. A quarter: half size with one sample. It is hardly worse, and that is why games take half size.
+// 3. A ray answers 0 or 1, so the variance of one is $\frac12 \cdot \frac12$, and $\sqrt{1/(4N)} < 1/255$ gives
+//    $N = 16{,}257$. Well-spread rays need fewer.
+// 4. Which pixels are counted, against which reference, with how many rays and debiased or not; over how many seeds, and
+//    how far apart these were. The difference is smaller than most bars in the plot.
 // 5. Weigh samples by the cosine alone instead of `dp` times a fade of depths, or follow horizons (GTAO), which is the
 //    cosine-weighted integral of what the depth buffer shows.
 //
@@ -501,15 +503,15 @@ book.check(
 // <details><summary>Errata of the tutorials</summary>
 //
 // - *X_Jun:* half resolution and blur are said to cost little in quality. The steps above give the price of each.
-// - *X_Jun and Luna:* more samples are said to be better. They bring the picture nearer to C; against the truth the error stops
-//   falling after a few.
+// - *X_Jun and Luna:* more samples are said to be better. They bring the picture nearer to C; against the truth the error
+//   stops falling after a few.
 //
 // </details>
 //
 // ## Where to go on
 //
-// Chapter 11 shows what S has lost, and why no screen-space method gets it back. Chapters 13 to 19 have methods whose C lies
-// nearer to S. Chapter 22 asks where the small step "rounding" stops being small.
+// Chapter 11 shows what S has lost, and why no screen-space method gets it back. Chapters 13 to 19 have methods whose C
+// lies nearer to S. Chapter 22 asks where the small step "rounding" stops being small.
 
 // %% end tags=["setup"]
 }

@@ -316,10 +316,9 @@ void stability_chapter(Notebook& book) {
 // %% question [markdown]
 // # Numbers that hold
 //
-// The slider compares two pictures of one scene by one method. The program has reported no error for either. One number is
-// not the same: the distance of the near plane, behind which nothing is drawn anyway. Nothing in the scene is nearer than
-// several units, so 0.0001 should be as good as 1. And yet the columns
-// are covered with dirt.
+// The slider compares two pictures of one scene by one method. Most programs say nothing about either. One number is not
+// the same: the distance of the near plane, behind which nothing is drawn anyway. Nothing in the scene is nearer than
+// several units, so 0.0001 should be as good as 1. And yet the columns are covered with dirt.
 
 // %% start
 const Scene columns = columns_luna_scene();
@@ -335,13 +334,13 @@ book.compare({"coarse", ao_picture(coarse.ao_raw),
 // %% idea [markdown]
 // ## The idea
 //
-// **Rounding is tiny until two nearly equal numbers are subtracted; so find the subtractions, and compare each difference with
-// what rounding can make of it.**
+// **Rounding is tiny until two nearly equal numbers are subtracted; so find the subtractions, and compare each difference
+// with what rounding can make of it.**
 //
 // A computer's number keeps about seven digits. Every operation throws away the eighth, an error that nobody will ever see.
-// But take 1000.004 minus 1000.001: of the seven digits the first six cancel, and the result 0.003 has one digit left. This is
-// *cancellation*. It makes no new error; it removes what hid the old one. An AO pass is made of such subtractions: *is this depth
-// a little smaller than that one?*
+// But take 1000.004 minus 1000.001: of the seven digits the first six cancel, and the result 0.003 has one digit left. This
+// is *cancellation*. It makes no new error; it removes what hid the old one. An AO pass is made of such subtractions: *is
+// this depth a little smaller than that one?*
 
 // %% stairs
 const auto epsilon = static_cast<double>(kLunaSettings.epsilon);
@@ -364,11 +363,11 @@ book.draw("stairs", stairs(epsilon),
 //
 // $$ u\,\frac{|a| + |b|}{|a - b|} $$
 //
-// The fraction is the *condition number* of the subtraction: how many times the error is enlarged. For $1000.004 - 1000.001$ it
-// is more than half a million. Three subtractions decide over an AO picture.
+// The fraction is the *condition number* of the subtraction: how many times the error is enlarged. For
+// $1000.004 - 1000.001$ it is more than half a million. Three subtractions decide over an AO picture.
 //
-// **Depth against depth.** $dz = p_z - r_z$ with both near $z$: the error is up to $2uz$, and a few times more after the depth map's
-// filter. Epsilon keeps its meaning as long as that is much less.
+// **Depth against depth.** $dz = p_z - r_z$ with both near $z$: the error is up to $2uz$, and a few times more after the
+// depth map's filter. Epsilon keeps its meaning as long as that is much less.
 //
 // **View depth from the depth buffer.** It is $z = B / (d - A)$, where $d$ is the stored number, $A = \frac{f}{f-n}$ and
 // $B = -\frac{nf}{f-n}$. Far away $d$ and $A$ are both nearly 1: cancellation. With a step $\Delta d$ of the format,
@@ -378,8 +377,8 @@ book.draw("stairs", stairs(epsilon),
 // The near plane stands in the denominator. Moving it from 1 to 0.0001 makes every step ten thousand times as coarse. With
 // *reversed* depths, 1 at the near and 0 at the far plane, $A$ is nearly 0: nothing cancels, and a float keeps its digits.
 //
-// **Position against eye.** A vertex at 100,000.25 minus an eye at 100,000.3: floats near 100,000 are 0.0078 apart. If the eye is
-// rounded to a float before the subtraction, the whole picture has moved.
+// **Position against eye.** A vertex at 100,000.25 minus an eye at 100,000.3: floats near 100,000 are 0.0078 apart. If the
+// eye is rounded to a float before the subtraction, the whole picture has moved.
 
 // %% steps
 Camera wide = with_planes(columns.camera, 0.01, 1e5);
@@ -401,8 +400,8 @@ book.plot("steps",
 // %% the_code [markdown]
 // ## The code
 //
-// The kernel asks what rounding can do before it believes in an occluder. `kViewDepthRounding` is $2^{-20}$: a few steps of a float,
-// relative to $z$.
+// The kernel asks what rounding can do before it believes in an occluder. `kViewDepthRounding` is $2^{-20}$: a few steps of
+// a float, relative to $z$.
 
 // %% code_of_floors tags=["setup"]
 book.listing("ssao/methods/luna_occlusion.h", "nearest_occluder", "The floor under epsilon.");
@@ -416,8 +415,8 @@ book.listing_part(
 // %% account_text [markdown]
 // ## Losses are said
 //
-// Some losses cannot be cured by code: 24 bits are 24 bits. But a program can know that they happen. This one counts in every frame,
-// and has a line for each kind of loss with what to do about it. To the first picture of this chapter it says:
+// Some losses cannot be cured by code: 24 bits are 24 bits. But a program can know that they happen. This one counts in
+// every frame, and has a line for each kind of loss with what to do about it. To the first picture of this chapter it says:
 //
 // > warning: {first_warning}
 
@@ -464,9 +463,9 @@ book.check(
 // %% eye_plane_text [markdown]
 // ## What can go wrong
 //
-// **A ground that goes on behind the eye vanishes.** Clipping cuts it at the near plane. In float, the sum $A w + B$ for a vertex
-// 10,000 units away no longer contains the near plane's 0.0001, so the cut falls not on the near plane but on the eye plane, $w = 0$,
-// where there is no projection. The triangle is thrown away, and with it half of the picture.
+// **A ground that goes on behind the eye vanishes.** Clipping cuts it at the near plane. In float, the sum $A w + B$ for a
+// vertex 10,000 units away no longer contains the near plane's 0.0001, so the cut falls not on the near plane but on the
+// eye plane, $w = 0$, where there is no projection. The triangle is thrown away, and with it half of the picture.
 
 // %% eye_plane
 const StiffView ground = ground_through_eye();
@@ -487,8 +486,8 @@ book.check(
 
 // %% origin_text [markdown]
 // **Far from the origin, everything trembles.** Here the block and its eye have been moved by a million units. One matrix
-// from object to clip space contains the eye's million in its last column, rounded to float; floats are 0.06 apart there. Subtracting the eye
-// first, in double, leaves small numbers to all that follows.
+// from object to clip space contains the eye's million in its last column, rounded to float; floats are 0.06 apart there.
+// Subtracting the eye first, in double, leaves small numbers to all that follows.
 
 // %% origin
 const StiffView at_home = block_view(), far_away = moved(at_home, 1e6);
@@ -506,10 +505,10 @@ book.check(
         largest_difference(trembling.ao_raw, home.ao_raw) > 0.1);
 
 // %% far_plane_text [markdown]
-// **Rounding is taken for an occluder.** A wall at a million units, seen through a very long lens. Floats are 0.06 apart there, more than
-// epsilon, so every texel finds neighbours that seem to stand in front of it. The floor under epsilon grows with the distance; here it is
-// larger than the radius, and nothing counts as an occluder any more. The wall is open, as it should be. So would be a crack in it, and
-// that is why the frame has something to say.
+// **Rounding is taken for an occluder.** A wall at a million units, seen through a very long lens. Floats are 0.06 apart
+// there, more than epsilon, so every texel finds neighbours that seem to stand in front of it. The floor under epsilon
+// grows with the distance; here it is larger than the radius, and nothing counts as an occluder any more. The wall is open,
+// as it should be. So would be a crack in it, and that is why the frame has something to say.
 
 // %% far_plane
 const StiffView wall = far_plane_view(1e6);
@@ -527,9 +526,9 @@ book.check("The floor leaves {clean} of {dirty} dirty texels. The frame says: {w
                lost(drawn(wall, book.size()), "texels_of_coarse_positions") > 0);
 
 // %% edge_text [markdown]
-// **The mean of two surfaces is none.** Half-size AO needs one point for four pixels. At an edge, the mean of a near and a far depth hangs
-// in the air between them, and everything around occludes it. The test for this is a radius that goes to 0: then nothing is within reach, and
-// whatever is still dark is a mistake.
+// **The mean of two surfaces is none.** Half-size AO needs one point for four pixels. At an edge, the mean of a near and a
+// far depth hangs in the air between them, and everything around occludes it. The test for this is a radius that goes to 0:
+// then nothing is within reach, and whatever is still dark is a mistake.
 
 // %% edges
 const Words tiny = {"radius=0.01"}, tiny_mixed = {"radius=0.01", "edge_texels=mixed"};
@@ -545,8 +544,9 @@ book.check("With a radius of 0.01 the means darken {mixed} texels, the nearest s
            texels_below(nearest.ao_raw, 0.9f) < texels_below(mixed.ao_raw, 0.9f));
 
 // %% outlier_text [markdown]
-// **One stray vertex rules everything.** A file without a camera is framed by its bounds, and one vertex that somebody has lost far away is part
-// of them. Largest minus smallest coordinate is then all about that vertex. No arithmetic helps; but the program can look for it, and name it.
+// **One stray vertex rules everything.** A file without a camera is framed by its bounds, and one vertex that somebody has
+// lost far away is part of them. Largest minus smallest coordinate is then all about that vertex. No arithmetic helps; but
+// the program can look for it, and name it.
 
 // %% outlier
 const Scene stretched = with_lost_vertex(), whole = without_last_instance(stretched);
@@ -566,9 +566,9 @@ book.check(
     outlier.stretch > kOutlierStretch && outlier.p_world.x > 300);
 
 // %% winding_text [markdown]
-// **A normal that looks away is not wrong.** On the rim of a ball made of few triangles the interpolated normal points slightly away from the eye, although the surface
-// is seen from its front. Whoever turns such normals round, because they must be reversed, dents the rim. Front and back are a matter of the
-// triangle's winding on the screen, not of its normals.
+// **A normal that looks away is not wrong.** On the rim of a ball made of few triangles the interpolated normal points
+// slightly away from the eye, although the surface is seen from its front. Whoever turns such normals round, because they
+// must be reversed, dents the rim. Front and back are a matter of the triangle's winding on the screen, not of its normals.
 
 // %% winding
 const Scene ball = coarse_ball();
@@ -583,9 +583,10 @@ book.check("{turned} pixels show a surface from its front whose normal looks awa
            turned > 0);
 
 // %% scale_text [markdown]
-// **The unit of length must not matter.** The AO of a room is the same in metres and in miles, if the radius is. Multiplying by a power of two is exact in
-// floats, so here *the same* means the same bits. A hidden constant, an absolute 0.2 in a blur or a $10^{-6}$ in a division, shows at once. Beyond
-// the range whose squares a float can hold there is a warning.
+// **The unit of length must not matter.** The AO of a room is the same in metres and in miles, if the radius is.
+// Multiplying by a power of two is exact in floats, so here *the same* means the same bits. A hidden constant, an absolute
+// 0.2 in a blur or a $10^{-6}$ in a division, shows at once. Beyond the range whose squares a float can hold there is a
+// warning.
 
 // %% scales
 std::vector<std::vector<std::string>> scale_rows;
@@ -608,10 +609,10 @@ book.check(
 // %% suite_text [markdown]
 // ## All methods, all cases
 //
-// For each stiff case mathematics knows an answer, and it is written down *before* anything is measured: an open plane has AO 1, a scene
-// that was moved or scaled has the bits that it had before, and where there is no closed form the values must at least be numbers from 0 to 1. A
-// cell is then *exact*, or *within* the error that the method states (a hundredth in the mean), or *warned*: further off, but the frame says so. Further
-// off in silence is *wrong*.
+// For each stiff case mathematics knows an answer, and it is written down *before* anything is measured: an open plane has
+// AO 1, a scene that was moved or scaled has the bits that it had before, and where there is no closed form the values must
+// at least be numbers from 0 to 1. A cell is then *exact*, or *within* the error that the method states (a hundredth in the
+// mean), or *warned*: further off, but the frame says so. Further off in silence is *wrong*.
 
 // %% suite
 const std::vector<StiffCase> cases = stiff_cases(true);
@@ -654,8 +655,8 @@ book.table({"plane tilted by, degrees", "xjun", "luna", "hbao", "gtao", "ray_cas
 book.check("Up to a tilt of 89.99 degrees no method loses a hundredth of an open plane.", grazing_holds);
 
 // %% radius_text [markdown]
-// The last kind of extreme is the radius. As it goes to 0 nothing is within reach, and every method must go to 1; as it grows beyond the scene, values
-// must stay numbers from 0 to 1.
+// The last kind of extreme is the radius. As it goes to 0 nothing is within reach, and every method must go to 1; as it
+// grows beyond the scene, values must stay numbers from 0 to 1.
 
 // %% radii
 std::vector<std::vector<std::string>> radius_rows;
@@ -685,41 +686,47 @@ book.check("All values are numbers from 0 to 1, and radii below a hundredth leav
 // ## Exercises
 //
 // 1. Floats near 1000 are $2^{-14}$ apart. From which distance on is the step of a float larger than epsilon = 0.05?
-// 2. Run `crevice render columns_luna --ao luna --near 0.0001 --far 10000000` and read what it says. Which of its two pieces of advice costs nothing?
-// 3. The far plane at 1,000 or at 1,000,000: how much coarser are the steps of a 24-bit buffer at $z = 50$? Use the formula for $\Delta z$ with
-//    the exact $B$.
+// 2. Run `crevice render columns_luna --ao luna --near 0.0001 --far 10000000` and read what it says. Which of its two
+//    pieces of advice costs nothing?
+// 3. The far plane at 1,000 or at 1,000,000: how much coarser are the steps of a 24-bit buffer at $z = 50$? Use the formula
+//    for $\Delta z$ with the exact $B$.
 // 4. Why does reversing the depths help floats, but not integers of 24 bits?
-// 5. Run `crevice stability --quick` and open the page. Take a cell that is *within*, draw it by its command, and find the texels that are off.
-// 6. (Open) $\sqrt{x^2 + 1} - 1$ for small $x$ cancels. Rewrite it so that it does not, and look for a subtraction in chapters 03 to 09 that could be
-//    rewritten in the same way.
+// 5. Run `crevice stability --quick` and open the page. Take a cell that is *within*, draw it by its command, and find the
+//    texels that are off.
+// 6. (Open) $\sqrt{x^2 + 1} - 1$ for small $x$ cancels. Rewrite it so that it does not, and look for a subtraction in
+//    chapters 03 to 09 that could be rewritten in the same way.
 //
 // <details><summary>Answers</summary>
 //
-// 1. Between $2^{k}$ and $2^{k+1}$ floats are $2^{k-23}$ apart. That is more than 0.05 from $k = 19$ on: 524,288 units. The kernel's floor reaches
-//    epsilon earlier, at $0.05 \cdot 2^{20} = 52{,}429$, since a filtered depth is off by more than one step.
+// 1. Between $2^{k}$ and $2^{k+1}$ floats are $2^{k-23}$ apart. That is more than 0.05 from $k = 19$ on: 524,288 units. The
+//    kernel's floor reaches epsilon earlier, at $0.05 \cdot 2^{20} = 52{,}429$, since a filtered depth is off by more than
+//    one step.
 // 2. A reversed float depth buffer: nothing in the picture moves. A larger near plane cuts away what is nearer.
-// 3. $B = -nf/(f-n)$ goes from $1.001\,n$ to $1.000001\,n$: by a thousandth. The far plane hardly matters; the near plane does.
-// 4. A float's steps are fine near 0, and reversed depths put the distance there, where the formula needs them. An integer's steps are the same
-//    everywhere, so it does not matter which end is called 0.
+// 3. $B = -nf/(f-n)$ goes from $1.001\,n$ to $1.000001\,n$: by a thousandth. The far plane hardly matters; the near plane
+//    does.
+// 4. A float's steps are fine near 0, and reversed depths put the distance there, where the formula needs them. An
+//    integer's steps are the same everywhere, so it does not matter which end is called 0.
 // 5. The planes are tilted, and a texel of the AO map takes its depth from a filter; the texels that are off lie in rows.
-// 6. $x^2 / (\sqrt{x^2 + 1} + 1)$. In chapter 04, $d - A$ is such a place: storing $1 - d$ rather than $d$, which is what reversing does, is the rewriting.
+// 6. $x^2 / (\sqrt{x^2 + 1} + 1)$. In chapter 04, $d - A$ is such a place: storing $1 - d$ rather than $d$, which is what
+//    reversing does, is the rewriting.
 //
 // </details>
 
 // %% errata [markdown]
 // <details><summary>Errata of the tutorials</summary>
 //
-// - *X_Jun, 2020* keeps view depth in a half-float. Its step at depth $z$ is about $z/1024$: from {half_limit} units on, a step is larger than
-//   its own epsilon.
-// - *Luna* does not say that near plane and epsilon belong together. With a near plane of 1 and 24 bits, a step at the far plane of
-//   1,000 is {luna_step} units, more than epsilon already; with a near plane of 0.1 that begins at {luna_limit} units.
+// - *X_Jun, 2020* keeps view depth in a half-float. Its step at depth $z$ is about $z/1024$: from {half_limit} units on, a
+//   step is larger than its own epsilon.
+// - *Luna* does not say that near plane and epsilon belong together. With a near plane of 1 and 24 bits, a step at the far
+//   plane of 1,000 is {luna_step} units, more than epsilon already; with a near plane of 0.1 that begins at {luna_limit}
+//   units.
 //
 // </details>
 //
 // ## Where to go on
 //
-// Chapter 04 has the first half of this story, the depth formats, in detail. Chapter 24 asks for the same bits on every machine; this one has
-// asked what those bits are worth.
+// Chapter 04 has the first half of this story, the depth formats, in detail. Chapter 24 asks for the same bits on every
+// machine; this one has asked what those bits are worth.
 
 // %% end tags=["setup"]
 }

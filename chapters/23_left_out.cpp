@@ -283,8 +283,8 @@ book.show_row({{"ao_raw", ao_picture(frame.ao_raw), "The AO map. {ones} % of its
 // A *bound* is a number that a value cannot pass. If the farthest surface of a tile is at depth 20.0, and the nearest thing
 // that any of its samples could possibly meet is at depth 19.98, then no sample finds anything more than 0.05 in front of
 // its texel. That settles 256 texels with two comparisons. The proof uses nothing but the numbers in the buffers. It never
-// trusts a promise of the caller ("this object is in front", "nothing here is transparent"), because one day the promise
-// is wrong, and then so is the picture.
+// trusts a promise of the caller ("this object is in front", "nothing here is transparent"), because one day the promise is
+// wrong, and then so is the picture.
 
 // %% a_tile tags=["setup"]
 const Scene crates = crates_from_above(book.size());
@@ -331,8 +331,8 @@ book.draw(
 // %% the_code [markdown]
 // ## The code
 //
-// Reach, in pixels of one axis. `ray_scale` is the tangent of half the field of view, which is also the largest slope $t$ in
-// the picture:
+// Reach, in pixels of one axis. `ray_scale` is the tangent of half the field of view, which is also the largest slope $t$
+// in the picture:
 
 // %% code_of_tiles tags=["setup"]
 book.listing_part("ssao/methods/open_tiles.cpp", "Reach", "double in_px", "q_z;",
@@ -352,9 +352,9 @@ book.listing_part("rasterizer/draw/hidden_triangles.h", "HiddenTriangles", "stat
 // %% pictures [markdown]
 // ## What each pass leaves out
 //
-// The pictures below paint what was not computed. **Blue** tiles show nothing but background, **green** tiles were proved to
-// be open, **yellow** ones were lit from what the first pass has kept, where the tutorials draw the whole scene once more
-// with the depth test EQUAL (chapter 10). What is not painted was computed.
+// The pictures below paint what was not computed. **Blue** tiles show nothing but background, **green** tiles were proved
+// to be open, **yellow** ones were lit from what the first pass has kept, where the tutorials draw the whole scene once
+// more with the depth test EQUAL (chapter 10). What is not painted was computed.
 
 // %% tiles_of_columns
 book.show_row({{"columns_raster", painted(frame.lit, frame.tiles.raster),
@@ -445,8 +445,8 @@ book.table({"left out", "because"}, reasons);
 // ## What can go wrong
 //
 // **The bound forgets the neighbours.** It is tempting to look at a tile's own depths only: a flat tile cannot occlude
-// itself. But its samples leave the tile. The picture on the left calls every tile open whose own texels lie within epsilon;
-// squares of contact shadow are cut out of it, and in a film they flicker as the tiles move over the scene.
+// itself. But its samples leave the tile. The picture on the left calls every tile open whose own texels lie within
+// epsilon; squares of contact shadow are cut out of it, and in a film they flicker as the tiles move over the scene.
 
 // %% own_depths
 const Image<float>& ao_of_crates = of_crates.ao_raw;
@@ -463,8 +463,8 @@ book.check(
     lost > 0 && texels_that_differ(with_ones(ao_of_crates, right), ao_of_crates) == 0);
 
 // %% probes_text [markdown]
-// **A few probes stand for a whole tile.** Looking at the corners of a tile is four reads instead of 256. Where all four show
-// sky the tile is probably sky. *Probably* is not a proof: what is thin slips between the probes.
+// **A few probes stand for a whole tile.** Looking at the corners of a tile is four reads instead of 256. Where all four
+// show sky the tile is probably sky. *Probably* is not a proof: what is thin slips between the probes.
 
 // %% probes
 const Scene leaves = find_builtin_scene("leaves")->make();
@@ -479,28 +479,29 @@ book.compare(
      "Every texel of a tile is asked whether it shows a surface."});
 
 // %% ties_text [markdown]
-// **Equal depths.** A triangle that lies exactly in the plane of what is already there ties with it. Under LESS it loses, and
-// may be left out as soon as its nearest depth *equals* the farthest stored one. Under LESS_EQUAL it wins, and may not. One
-// `<` in place of a `<=` in `may_pass`, and a poster on a wall is gone, but only in those tiles where the wall was drawn early
-// enough. Look at the listing again: each of the eight depth functions has its own comparison.
+// **Equal depths.** A triangle that lies exactly in the plane of what is already there ties with it. Under LESS it loses,
+// and may be left out as soon as its nearest depth *equals* the farthest stored one. Under LESS_EQUAL it wins, and may not.
+// One `<` in place of a `<=` in `may_pass`, and a poster on a wall is gone, but only in those tiles where the wall was
+// drawn early enough. Look at the listing again: each of the eight depth functions has its own comparison.
 
 // %% exercises [markdown]
 // ## Exercises
 //
-// 1. Run `crevice chapter 23 --cell other_scenes --param epsilon=1`. Why is nearly everything green now, and what has become
-//    of the contact shadows?
-// 2. Run `crevice render columns --repeat 9` and then the same with `--keep-all`. Both print what each pass took. Which kind of
-//    work was worth leaving out?
-// 3. Draw with `crevice render columns --param depth_format=d16 --near 0.001`. Many tiles are drawn a second time after all. Why?
-// 4. Why is it right to leave out the AO of a tile that shows only sky, but wrong to leave out its blur without looking at the
-//    tiles around it?
+// 1. Run `crevice chapter 23 --cell other_scenes --param epsilon=1`. Why is nearly everything green now, and what has
+//    become of the contact shadows?
+// 2. Run `crevice render columns --repeat 9` and then the same with `--keep-all`. Both print what each pass took. Which
+//    kind of work was worth leaving out?
+// 3. Draw with `crevice render columns --param depth_format=d16 --near 0.001`. Many tiles are drawn a second time after
+//    all. Why?
+// 4. Why is it right to leave out the AO of a tile that shows only sky, but wrong to leave out its blur without looking at
+//    the tiles around it?
 // 5. (Open) The floor of the columns is flat, and yet it is rarely proved to be open, because it is seen at a slant. Find a
 //    bound that uses the tile's plane, and say what it costs.
 //
 // <details><summary>Answers</summary>
 //
-// 1. Epsilon is larger than the contact shadows' depth, so no occluder is more than epsilon in front of its texel: the bound
-//    holds nearly everywhere, and the shadows it proves away were ruled out by epsilon itself.
+// 1. Epsilon is larger than the contact shadows' depth, so no occluder is more than epsilon in front of its texel: the
+//    bound holds nearly everywhere, and the shadows it proves away were ruled out by epsilon itself.
 // 2. Times are your machine's. The open tiles of AO and blur count for most in pictures with much sky or a facing wall; the
 //    second drawing is the largest part of the lit pass.
 // 3. Sixteen bits and a near plane at a thousandth leave few different depths far away. Surfaces tie, and a tile in which
@@ -516,17 +517,17 @@ book.compare(
 // %% errata [markdown]
 // <details><summary>Errata of the tutorials</summary>
 //
-// - *X_Jun and Luna* run AO over the sky as over any surface and rely on the result being 1 there, but do not say why it is.
-//   Luna clears normals to $(0, 0, 1)$, away from the eye, so that dp is 0 for everything in front of the far plane. X_Jun
-//   clears them to $(0, 0, -1)$, towards the eye; there the fade alone keeps the sky white, since everything is too far in
-//   front of it to count.
+// - *X_Jun and Luna* run AO over the sky as over any surface and rely on the result being 1 there, but do not say why it
+//   is. Luna clears normals to $(0, 0, 1)$, away from the eye, so that dp is 0 for everything in front of the far plane.
+//   X_Jun clears them to $(0, 0, -1)$, towards the eye; there the fade alone keeps the sky white, since everything is too
+//   far in front of it to count.
 //
 // </details>
 //
 // ## Where to go on
 //
-// Chapter 24 asks the same of the machine: every bit stays the same, whatever computes it. Chapter 21 asks what is gained by
-// computing less where the result is *not* known.
+// Chapter 24 asks the same of the machine: every bit stays the same, whatever computes it. Chapter 21 asks what is gained
+// by computing less where the result is *not* known.
 
 // %% end tags=["setup"]
 }

@@ -346,7 +346,7 @@ book.show_row({{"apart_fused", apart_picture(fused),
 //
 // The standard for floating-point numbers, IEEE 754, demands of $+$, $-$, $\times$, $\div$ and $\sqrt{\ }$ that the result
 // be the exact one, *rounded* to the nearest number that the format can hold, and of two equally near ones the one whose
-// last bit is 0. There is nothing left to choose. Every processor of the last thirty years obeys. What differs between two
+// last bit is 0. There is nothing left to choose, and every processor that this lab runs on obeys. What differs between two
 // machines, two compilers or two numbers of threads is never the operation; it is *which* operations are done, and in which
 // order.
 
@@ -378,10 +378,11 @@ book.draw("number_line", number_line(ways),
 //
 // Five roundings, all of them fixed. A *fused multiply-add* computes $\mathrm{fl}(ab + c)$ with one rounding where there
 // were two. It is faster and usually nearer to the truth, but other bits:
-// $\mathrm{fl}(z^2 + \mathrm{fl}(y^2 + \mathrm{fl}(x^2)))$ has three roundings left, and $x$ and $y$ may as well change places.
+// $\mathrm{fl}(z^2 + \mathrm{fl}(y^2 + \mathrm{fl}(x^2)))$ has three roundings left, and $x$ and $y$ may as well change
+// places.
 //
-// And addition is not associative. Take $a = 1$, $b = c = u$: then $\mathrm{fl}(a + b)$ is the tie between 1 and its neighbour
-// and goes to 1, so $(a + b) + c = 1$. But $b + c = 2u$ is a whole step, so $a + (b + c) = 1 + 2u$.
+// And addition is not associative. Take $a = 1$, $b = c = u$: then $\mathrm{fl}(a + b)$ is the tie between 1 and its
+// neighbour and goes to 1, so $(a + b) + c = 1$. But $b + c = 2u$ is a whole step, so $a + (b + c) = 1 + 2u$.
 
 // %% rules [markdown]
 // ## How the same bits are made
@@ -396,8 +397,8 @@ book.draw("number_line", number_line(ways),
 // 4. A thread writes its own pixels and nothing else. What is summed over a picture is summed row by row, in order.
 // 5. Random numbers come from an integer hash of pixel and sample, not from a generator that remembers who asked before.
 //
-// A kernel is written once for a type `F`, and this is how it is run. `Lanes<float>` is one pixel at a time, to step through
-// in a debugger; otherwise `F` is as wide as the register:
+// A kernel is written once for a type `F`, and this is how it is run. `Lanes<float>` is one pixel at a time, to step
+// through in a debugger; otherwise `F` is as wide as the register:
 
 // %% code_of_runs tags=["setup"]
 book.listing("rasterizer/base/run.h", "run_kernel", "The same text for every width.");
@@ -445,9 +446,9 @@ book.check(
 
 // %% other_machines_text [markdown]
 // One machine cannot show what another does. But hashes can be written down. The lab's repository holds a file of them,
-// `tests/golden/hashes.txt`. GCC on x86-64 wrote it, and the tests of every build are held to it: by GCC and by Clang, without and with
-// optimisation, for x86-64, for 64-bit ARM and for WebAssembly. Here is what it says of the columns, 160 pixels wide, and what
-// *your* machine has just computed:
+// `tests/golden/hashes.txt`. GCC on x86-64 wrote it, and the tests of every build are held to it: by GCC and by Clang,
+// without and with optimisation, for x86-64, for 64-bit ARM and for WebAssembly. Here is what it says of the columns, 160
+// pixels wide, and what *your* machine has just computed:
 
 // %% other_machines
 const Scene recorded_scene = find_builtin_scene("columns")->make(SceneDetail::surfaces);
@@ -479,8 +480,8 @@ book.check("This machine computes what is on record, bit for bit.", as_recorded)
 // Each of the following is a naive version of something that the lab does otherwise. They stand in this chapter only.
 //
 // **1. The compiler fuses.** On 64-bit ARM every processor has the instruction, and GCC uses it unless it is told not to.
-// The same source then has other bits there than on x86-64, and two compilers may fuse two different products. *The cure* is
-// one word in the build, `-ffp-contract=off`.
+// The same source then has other bits there than on x86-64, and two compilers may fuse two different products. *The cure*
+// is one word in the build, `-ffp-contract=off`.
 
 // %% contraction
 book.table(kApartColumns, {apart_row("fused, from left to right", fused),
@@ -499,8 +500,8 @@ book.check(
 
 // %% reassociation_text [markdown]
 // **2. The sum is taken in another order.** Four lanes that each add every fourth sample, and are added up at the end, are
-// faster than one long chain. So is what `-ffast-math` makes of the plain loop, and every width of register makes another sum.
-// *The cure*: lanes hold pixels, never samples.
+// faster than one long chain. So is what `-ffast-math` makes of the plain loop, and every width of register makes another
+// sum. *The cure*: lanes hold pixels, never samples.
 
 // %% reassociation
 const OcclusionMaps again = maps_with(kernel, random, {.sum = sum_in_order});
@@ -510,11 +511,11 @@ book.number("fours_texels", std::to_string(in_fours.ao.texels));
 book.check("Four partial sums change {fours_texels} texels of the AO map.", in_fours.ao.texels > 0);
 
 // %% estimates_text [markdown]
-// **3. An estimate, or somebody else's function.** Processors have an instruction for about $1/\sqrt{a}$, and the manual says how
-// far it may be off, not which number it gives. Two makers chose two. A step of Newton's, $x' = x\,(1.5 - 0.5\,a\,x^2)$, makes
-// both good, but not equal. The mathematical library is the same story: `pow` promises a small error, not a result, and each
-// version, on some machines each processor, has its own. *The cure*: a division by a square root, which the standard defines,
-// and polynomials of our own.
+// **3. An estimate, or somebody else's function.** Processors have an instruction for about $1/\sqrt{a}$, and the manual
+// says how far it may be off, not which number it gives. Two makers chose two. A step of Newton's,
+// $x' = x\,(1.5 - 0.5\,a\,x^2)$, makes both good, but not equal. The mathematical library is the same story: `pow` promises
+// a small error, not a result, and each version, on some machines each processor, has its own. *The cure*: a division by a
+// square root, which the standard defines, and polynomials of our own.
 
 // %% estimates
 const OcclusionMaps by_a = maps_with(kernel, random, {.divide = by_rounded_estimate}),
@@ -540,10 +541,10 @@ book.check(
     maker_a.ao.texels > 0 && maker_b.ao.texels > 0 && makers.ao.texels > 0 && products.ao.texels > 0);
 
 // %% threads_text [markdown]
-// **4. The order of threads.** Eight threads compute the rows of a map, and each adds the sum of its row to a common total as
-// soon as it is ready. Which is ready first depends on the weather. Here the orders are drawn by lot, so that this page stays
-// the same; real threads do worse. If the total then sets the exposure of the picture, every pixel of it changes. *The cure*:
-// each thread keeps its own, and one adds them up in the order of the rows.
+// **4. The order of threads.** Eight threads compute the rows of a map, and each adds the sum of its row to a common total
+// as soon as it is ready. Which is ready first is another in every run. Here the orders are drawn by lot, so that this page
+// stays the same; real threads do worse. If the total then sets the exposure of the picture, every pixel of it changes.
+// *The cure*: each thread keeps its own, and one adds them up in the order of the rows.
 
 // %% threads
 constexpr std::uint32_t kOrders = 100;
@@ -563,8 +564,8 @@ book.check("{orders} orders of the same rows have {sums} different sums.", sums.
 
 // %% conversions_text [markdown]
 // **5. What the language leaves open.** Converting a float to an int is undefined in C++ where the int cannot hold it, and
-// machines differ. The picture shows view depth as a grey: scaled, converted, and then clamped to 0..255. The sky's depth is
-// infinite. *The cure*: clamp first, then convert, and write comparisons so that a NaN takes the safe side.
+// machines differ. The picture shows view depth as a grey: scaled, converted, and then clamped to 0..255. The sky's depth
+// is infinite. *The cure*: clamp first, then convert, and write comparisons so that a NaN takes the safe side.
 
 // %% conversions
 const SwitchedView whole(book, "columns");
@@ -586,9 +587,9 @@ book.check(
     converted.texels > 0);
 
 // %% padding_text [markdown]
-// The same goes for memory that nobody has written. Rows of an image begin at whole groups of eight pixels, and behind a row of
-// another length a few values are left over. Whoever takes a sum or a hash over *all* of the memory takes those with it. Here
-// is one map twice, with other leftovers:
+// The same goes for memory that nobody has written. Rows of an image begin at whole groups of eight pixels, and behind a
+// row of another length a few values are left over. Whoever takes a sum or a hash over *all* of the memory takes those with
+// it. Here is one map twice, with other leftovers:
 
 // %% padding
 const Image<float> zeros = narrow(plain, 0), ones = narrow(plain, 1);
@@ -605,42 +606,44 @@ book.listing_part("ssao/methods/luna_occlusion.h", "cell_at", "x = min_of", "flo
 // %% exercises [markdown]
 // ## Exercises
 //
-// 1. Run `crevice render columns --only ao_blurred --out a`, then the same with `--lanes 1 --threads 1 --out b`, and `crevice compare
-//    a/ao_blurred.npy b/ao_blurred.npy`. What does it say?
+// 1. Run `crevice render columns --only ao_blurred --out a`, then the same with `--lanes 1 --threads 1 --out b`, and
+//    `crevice compare a/ao_blurred.npy b/ao_blurred.npy`. What does it say?
 // 2. Is $ab + ba$ always equal to $2ab$ in floats? And when it is fused?
-// 3. Remove `-ffp-contract=off` from `CMakeLists.txt` and build for your machine. On x86-64 the tests still pass. Why, and which
-//    further flag makes them fail?
-// 4. Your function sums a million floats on all cores. Give two ways to make the result independent of the number of threads.
-// 5. (Open) A GPU promises IEEE rounding for $+$, $-$ and $\times$, but not for division and square root. How much of the estimator
-//    of chapter 06 could give these bits on a GPU, and what would you put in place of the rest?
+// 3. Remove `-ffp-contract=off` from `CMakeLists.txt` and build for your machine. On x86-64 the tests still pass. Why, and
+//    which further flag makes them fail?
+// 4. Your function sums a million floats on all cores. Give two ways to make the result independent of the number of
+//    threads.
+// 5. (Open) A GPU promises IEEE rounding for $+$, $-$ and $\times$, but not for division and square root. How much of the
+//    estimator of chapter 06 could give these bits on a GPU, and what would you put in place of the rest?
 //
 // <details><summary>Answers</summary>
 //
 // 1. That they are equal, bit for bit: the hashes are the same.
-// 2. Yes: both products round to the same float, and doubling it is exact. Fused, $\mathrm{fl}(ab + \mathrm{fl}(ba))$ has one
-//    product unrounded, and may differ from $2\,\mathrm{fl}(ab)$ in the last bit.
-// 3. The instruction set that every x86-64 machine has knows no fused multiply-add, so there is nothing to fuse. With `-mfma`, or
-//    `-march=native` on a newer machine, the flag is what keeps the bits.
-// 4. Cut the input into blocks of a fixed size, whatever the number of threads, sum each in order, and add up the block sums in
-//    order. Or sum integers (fixed point), whose addition is associative.
-// 5. All products and sums. A division can be made from an estimate and integer arithmetic, or by two Newton steps and a last
-//    correction with exact residuals; that is what the compilers' own software division does.
+// 2. Yes: both products round to the same float, and doubling it is exact. Fused, $\mathrm{fl}(ab + \mathrm{fl}(ba))$ has
+//    one product unrounded, and may differ from $2\,\mathrm{fl}(ab)$ in the last bit.
+// 3. Neither the instructions that every x86-64 machine has nor AVX2 by itself know a fused multiply-add: nothing can be
+//    fused. With `-mfma`, or `-march=native` on a newer machine, the flag is what keeps the bits.
+// 4. Cut the input into blocks of a fixed size, whatever the number of threads, sum each in order, and add up the block
+//    sums in order. Or sum integers (fixed point), whose addition is associative.
+// 5. All products and sums. A division can be made from an estimate and integer arithmetic, or by two Newton steps and a
+//    last correction with exact residuals; that is what the compilers' own software division does.
 //
 // </details>
 
 // %% errata [markdown]
 // <details><summary>Errata of the tutorials</summary>
 //
-// - *X_Jun and Luna* take the lengths of the fourteen vectors and the random map from `rand()`, whose numbers are another for each
-//   compiler's library: no two readers see the same grain. Here an integer hash makes them.
-// - *X_Jun and Luna* normalise with HLSL's `normalize`, which the shader compiler may turn into an estimated reciprocal root.
+// - *X_Jun and Luna* take the lengths of the fourteen vectors and the random map from `rand()`, whose numbers are another
+//   for each compiler's library: no two readers see the same grain. Here an integer hash makes them.
+// - *X_Jun and Luna* normalise with HLSL's `normalize`, which the shader compiler may turn into an estimated reciprocal
+//   root.
 //
 // </details>
 //
 // ## Where to go on
 //
-// Equal bits say that a change has changed nothing. They do not say that the bits are right: chapter 22 asks what the rounding costs
-// where scenes are extreme, and chapter 21 how far the picture is from the truth.
+// Equal bits say that a change has changed nothing. They do not say that the bits are right: chapter 22 asks what the
+// rounding costs where scenes are extreme, and chapter 21 how far the picture is from the truth.
 
 // %% end tags=["setup"]
 }
