@@ -85,7 +85,8 @@ std::vector<std::string> means(const char* name, const Image3& before, const Ima
             significant_text(buffer_statistics(after).mean, 4)};
 }
 
-// clang-format off: cells stand at the margin, where notebooks look for them.
+// Cells stand at the margin, where notebooks look for them.
+// clang-format off
 void constant_ambient(Notebook& book) {
 
 // %% question [markdown]

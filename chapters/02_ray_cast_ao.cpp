@@ -109,7 +109,8 @@ double slope_of(const PlotCurve& curve) {
     return std::log2(curve.y.back() / curve.y.front()) / std::log2(curve.x.back() / curve.x.front());
 }
 
-// clang-format off: cells stand at the margin, where notebooks look for them.
+// Cells stand at the margin, where notebooks look for them.
+// clang-format off
 void ray_cast_occlusion(Notebook& book) {
 
 // %% question [markdown]

@@ -109,7 +109,8 @@ std::vector<std::string> row_of(const std::string& name, const ComparedNormals& 
             percent_text(both.shade_lost), percent_text(both.shade_invented)};
 }
 
-// clang-format off: cells stand at the margin, where notebooks look for them.
+// Cells stand at the margin, where notebooks look for them.
+// clang-format off
 void normals_and_depth(Notebook& book) {
 // %% question [markdown]
 // # Normals and depth

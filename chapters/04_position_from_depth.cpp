@@ -94,7 +94,8 @@ std::vector<std::string> row_of(const char* rounding, const SkyInHalf& half) {
             significant_text(half.nan_blurred, 3)};
 }
 
-// clang-format off: cells stand at the margin, where notebooks look for them.
+// Cells stand at the margin, where notebooks look for them.
+// clang-format off
 void position_from_depth(Notebook& book) {
 // %% question [markdown]
 // # Position from depth

@@ -153,7 +153,8 @@ double noise_of(const SwitchedView& view, const std::string& vectors) {
     return compare_images(linear.raw, luna_limit(linear.inputs, linear.settings, kSeeds).mean).rmse;
 }
 
-// clang-format off: cells stand at the margin, where notebooks look for them.
+// Cells stand at the margin, where notebooks look for them.
+// clang-format off
 void sample_vectors(Notebook& book) {
 // %% question [markdown]
 // # Sample vectors

@@ -66,7 +66,8 @@ int samples_that_move(const AoInputs& inputs, SignOfZero sign) {
     return moved;
 }
 
-// clang-format off: cells stand at the margin, where notebooks look for them.
+// Cells stand at the margin, where notebooks look for them.
+// clang-format off
 void occlusion_test(Notebook& book) {
 
 // %% question [markdown]

@@ -127,7 +127,8 @@ float most(const Image<float>& change) {
     return std::max(-s.min, s.max);
 }
 
-// clang-format off: cells stand at the margin, where notebooks look for them.
+// Cells stand at the margin, where notebooks look for them.
+// clang-format off
 void raw_ao(Notebook& book) {
 
 // %% question [markdown]

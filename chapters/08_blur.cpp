@@ -173,7 +173,8 @@ PixelRect left_of_house(Size size) {
     return {size.width / 7, size.height * 2 / 5, size.width * 4 / 7, size.height * 4 / 5};
 }
 
-// clang-format off: cells stand at the margin, where notebooks look for them.
+// Cells stand at the margin, where notebooks look for them.
+// clang-format off
 void blur(Notebook& book) {
 
 // %% question [markdown]

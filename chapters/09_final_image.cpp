@@ -149,7 +149,8 @@ Image<float> mapped_ao(const Drawn& d, Size size) {
     return luna_occlusion(ao_inputs(gbuffer, d.scene.camera, luna_fetch(d.ao.settings)), d.ao.settings, {}).ao;
 }
 
-// clang-format off: cells stand at the margin, where notebooks look for them.
+// Cells stand at the margin, where notebooks look for them.
+// clang-format off
 void final_image(Notebook& book) {
 
 // %% question [markdown]

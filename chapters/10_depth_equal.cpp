@@ -87,7 +87,8 @@ float reach_of(const ShadeSettings& settings) {
     return static_cast<float>(-settings.depth_bias.constant) / 16777216 * 100;
 }
 
-// clang-format off: cells stand at the margin, where notebooks look for them.
+// Cells stand at the margin, where notebooks look for them.
+// clang-format off
 void depth_equal(Notebook& book) {
 
 // %% question [markdown]

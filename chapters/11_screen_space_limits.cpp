@@ -86,7 +86,8 @@ PlateAo plate_ao(float distance) {
     return plate;
 }
 
-// clang-format off: cells stand at the margin, where notebooks look for them.
+// Cells stand at the margin, where notebooks look for them.
+// clang-format off
 void screen_space_limits(Notebook& book) {
 
 // %% question [markdown]

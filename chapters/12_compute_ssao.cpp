@@ -115,7 +115,8 @@ std::vector<ReadsOfApron> count_reads(const AoInputs& inputs) {
     return counted;
 }
 
-// clang-format off: cells stand at the margin, where notebooks look for them.
+// Cells stand at the margin, where notebooks look for them.
+// clang-format off
 void compute_ssao(Notebook& book) {
 
 // %% question [markdown]

@@ -56,7 +56,8 @@ double turns_in_four(int texels) {
     return static_cast<double>(found) / texels;
 }
 
-// clang-format off: cells stand at the margin, where notebooks look for them.
+// Cells stand at the margin, where notebooks look for them.
+// clang-format off
 void hemisphere_ssao(Notebook& book) {
 // %% question [markdown]
 // # Points in a hemisphere: LearnOpenGL's SSAO

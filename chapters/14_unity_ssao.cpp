@@ -52,7 +52,8 @@ int hidden_points(const Explanation& texel) {
     return count;
 }
 
-// clang-format off: cells stand at the margin, where notebooks look for them.
+// Cells stand at the margin, where notebooks look for them.
+// clang-format off
 void unity_ssao(Notebook& book) {
 // %% question [markdown]
 // # Which depth? The Unity notes' SSAO

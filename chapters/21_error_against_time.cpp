@@ -183,7 +183,8 @@ Reference fewer_rays(const ErrorStudy& study, const Scene& scene, int rays) {
     return make_references(scene, study.camera, request).soft;
 }
 
-// clang-format off: cells stand at the margin, where notebooks look for them.
+// Cells stand at the margin, where notebooks look for them.
+// clang-format off
 void error_against_time(Notebook& book) {
 
 // %% question [markdown]

@@ -310,7 +310,8 @@ double half_float_limit(double length) {
     return z;
 }
 
-// clang-format off: cells stand at the margin, where notebooks look for them.
+// Cells stand at the margin, where notebooks look for them.
+// clang-format off
 void stability_chapter(Notebook& book) {
 
 // %% question [markdown]

@@ -253,7 +253,8 @@ bool nearer_upright(const AoInputs& inputs, const HarmedTexel& texel, double hal
     return nearest({0, 1}) < nearest({1, 0});
 }
 
-// clang-format off: cells stand at the margin, where notebooks look for them.
+// Cells stand at the margin, where notebooks look for them.
+// clang-format off
 void left_out(Notebook& book) {
 
 // %% question [markdown]

@@ -304,7 +304,8 @@ std::string recorded_hash(const std::string& wanted) {
     return "none";
 }
 
-// clang-format off: cells stand at the margin, where notebooks look for them.
+// Cells stand at the margin, where notebooks look for them.
+// clang-format off
 void same_bits(Notebook& book) {
 
 // %% question [markdown]

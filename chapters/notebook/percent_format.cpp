@@ -74,6 +74,9 @@ std::vector<SourceCell> percent_cells(std::string_view source, const std::string
         const std::string_view line = source.substr(0, end);
         source = end == source.npos ? std::string_view() : source.substr(end + 1);
         ++number;
+        if (!line.starts_with(kMarker) && trimmed(line).starts_with(kMarker))
+            fail(file, number,
+                 "a cell that does not begin at the margin; move it there, and switch clang-format off");
         if (line.starts_with(kMarker)) {
             cells.push_back(begun_cell(line.substr(kMarker.size()), file, number));
         } else if (cells.empty()) {

@@ -33,7 +33,6 @@ TEST_CASE("percent format: names, kinds, lines and texts") {
         "// %% draw\n"
         "\n"
         "int x;  // %% no cell\n"
-        "  // %% nor this\n",
         "a.cpp");
     REQUIRE(cells.size() == 3);
     CHECK(cells[0].kind == SourceCell::Kind::setup);
@@ -43,8 +42,8 @@ TEST_CASE("percent format: names, kinds, lines and texts") {
     CHECK(cells[1].text == "# Why\n\nBecause,\n  indented.");
     CHECK(cells[2].kind == SourceCell::Kind::code);
     CHECK(cells[2].first_line == 11);
-    CHECK(cells[2].last_line == 13);
-    CHECK(cells[2].text == "int x;  // %% no cell\n  // %% nor this");
+    CHECK(cells[2].last_line == 12);
+    CHECK(cells[2].text == "int x;  // %% no cell");
 }
 
 TEST_CASE("percent format: a file without cells is one") {
@@ -57,6 +56,8 @@ TEST_CASE("percent format: a file without cells is one") {
 
 TEST_CASE("percent format: mistakes are named by file and line") {
     CHECK(message_of("int x;\n// %% a\n").starts_with("a.cpp:1: text before the first cell"));
+    CHECK(message_of("// %% a\n    // %% b\n")
+              .starts_with("a.cpp:2: a cell that does not begin at the margin"));
     CHECK(message_of("// %%\n").starts_with("a.cpp:1: not a cell's name ()"));
     CHECK(message_of("// %% Two words\n").starts_with("a.cpp:1: not a cell's name (Two words)"));
     CHECK(message_of("// %% a tags=[\"hidden\"]\n").starts_with("a.cpp:1: not a cell's name (a tags"));
