@@ -73,14 +73,17 @@ class MeanNormals {
  public:
     MeanNormals(std::span<const Incidence> corners, const std::vector<glm::dvec3>& faces, double least_cosine)
         : least_cosine_(least_cosine) {
+        if (least_cosine <= kEveryCosine) {
+            DirectionSum all;
+            for (const Incidence& corner : corners)
+                all.add(WeightedDirection{faces[corner.triangle], corner.angle_rad});
+            everywhere_ = mean(all);
+            return;
+        }
         directions_.reserve(corners.size());
         for (const Incidence& corner : corners)
             directions_.push_back({faces[corner.triangle], corner.angle_rad});
-        if (least_cosine <= kEveryCosine) {
-            everywhere_ = mean(sum_within(directions_, {}, least_cosine));
-        } else if (directions_.size() > kFew) {
-            tree_.emplace(std::move(directions_));
-        }
+        if (directions_.size() > kFew) tree_.emplace(std::move(directions_));
     }
     // Of those corners whose triangle faces within the crease angle of `own`; 0 when it cancels.
     glm::dvec3 about(const glm::dvec3& own) const {

@@ -156,6 +156,19 @@ TEST_CASE("render writes the six buffers and a passes.json that describes them")
     CHECK(report["buffers"]["ao_raw"]["shape"] == nlohmann::json({18, 32}));
 }
 
+TEST_CASE("a file whose name is no UTF-8 is drawn, and passes.json is UTF-8 all the same") {
+    const ScratchDirectory scratch;
+    const std::filesystem::path obj = scratch.path() / "caf\xe9.obj";
+    write_text(obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const Outcome outcome =
+        crevice_says("render " + quoted(obj) + " --size 16x9 --out " + quoted(scratch.path() / "out"));
+    CAPTURE(outcome.text);
+    REQUIRE(outcome.code == 0);
+    std::ifstream file(scratch.path() / "out" / "passes.json");
+    const std::string scene = nlohmann::json::parse(file)["scene"];
+    CHECK(scene.ends_with("caf\xef\xbf\xbd.obj"));
+}
+
 TEST_CASE("--only writes just those buffers, with the same bits as a whole frame") {
     const ScratchDirectory all, one;
     REQUIRE(crevice_says("render columns --size 64x36 --keep-all --out " + quoted(all.path())).code == 0);

@@ -1,5 +1,6 @@
 #include "chapters/frame/frame_settings.h"
 
+#include <cstdint>
 #include <functional>
 #include <set>
 #include <sstream>
@@ -9,6 +10,7 @@
 #include "chapters/frame/parameter_words.h"
 #include "chapters/terminal/parse.h"
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/memory.h"
 #include "tests/tools/tutorial_settings.h"
 
 using namespace crevice;
@@ -224,4 +226,9 @@ TEST_CASE("parse: points and sizes") {
         CAPTURE(std::string(word));
         CHECK_THROWS_WITH_AS(parse_size("--size", word), doctest::Contains("--size"), UsageError);
     }
+    // Whether the largest picture is allowed is a question of this machine's memory.
+    if (memory_bytes() < std::uintmax_t{16} << 30)
+        CHECK_THROWS_WITH_AS(parse_size("--size", "16384x16384"), doctest::Contains("memory"), UsageError);
+    else
+        CHECK_NOTHROW(parse_size("--size", "16384x16384"));
 }
