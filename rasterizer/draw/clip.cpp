@@ -13,9 +13,9 @@ double plane_distance(int plane, const glm::dvec4& p, Size size, const DepthRang
         case 0: return range.by_w ? p.w - static_cast<double>(range.nearest) : p.z;
         case 1: return range.by_w ? static_cast<double>(range.farthest) - p.w : p.w - p.z;
         case 2: return range.by_w ? p.w : p.w - kSmallestW;  // the near plane lies before the eye plane
-        case 3: return (right + 1) * p.w + p.x;   // screen x >= -kGuardBand_px
-        case 4: return (right - 1) * p.w - p.x;   // screen x <= +kGuardBand_px
-        case 5: return (bottom + 1) * p.w - p.y;  // screen y >= -kGuardBand_px
+        case 3: return (right + 1) * p.w + p.x;              // screen x >= -kGuardBand_px
+        case 4: return (right - 1) * p.w - p.x;              // screen x <= +kGuardBand_px
+        case 5: return (bottom + 1) * p.w - p.y;             // screen y >= -kGuardBand_px
         default: return (bottom - 1) * p.w + p.y;
     }
 }
@@ -63,12 +63,12 @@ ClippedPolygon clip_to_plane(const ClippedPolygon& polygon, int plane, Size size
 
 }  // namespace
 
-ClippedPolygon clip_triangle(const std::array<glm::vec4, 3>& p_clip, Size size, const DepthRange& range) {
+ClippedPolygon clip_triangle(const std::array<glm::dvec4, 3>& p_clip, Size size, const DepthRange& range) {
     ClippedPolygon polygon;
     polygon.count = 3;
     for (int i = 0; i < 3; ++i) {
         const auto at = static_cast<std::size_t>(i);
-        glm::dvec4 p(p_clip[at]);
+        glm::dvec4 p = p_clip[at];
         if (range.by_w) p.z = range.z_clip(p.w);
         polygon.vertices[at] = {p, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0, i};
     }

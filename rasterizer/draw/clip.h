@@ -30,9 +30,10 @@ struct ClippedPolygon {
     int count = 0;  // 0, or 3 and more; convex, in the triangle's order
 };
 
-// The part of a triangle inside all planes; near and far are those of `range`. A vertex on a plane counts as inside. Two triangles that share an
-// edge get the same new vertices on it, to the bit.
-ClippedPolygon clip_triangle(const std::array<glm::vec4, 3>& p_clip, Size size, const DepthRange& range = {});
+// The part of a triangle inside all planes; near and far are those of `range`. A vertex on a plane counts as inside. Two
+// triangles that share an edge get the same new vertices on it, to the bit.
+ClippedPolygon clip_triangle(const std::array<glm::dvec4, 3>& p_clip, Size size,
+                             const DepthRange& range = {});
 
 // Where a new vertex falls on the screen.
 ProjectedVertex project_clipped(const ClippedVertex& vertex, Size size);

@@ -9,6 +9,7 @@
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/parallel.h"
 #include "rasterizer/draw/triangle_blocks.h"
+#include "rasterizer/scene/exact_projection.h"
 
 namespace crevice {
 
@@ -91,15 +92,18 @@ ScreenGeometry screen_geometry(const Scene& scene, const Camera& camera, Size si
     geometry.vertices = transform_vertices(
         scene, camera, size, {settings.position_order, settings.with_normals, settings.normal_matrix}, run);
 
+    // The other orders of the product are shown with their own roundings.
+    const bool from_exact = settings.position_order == PositionOrder::relative;
+    const ExactClip exact{&scene, camera.eye, clip_from_relative(camera, size)};
     std::vector<BlockSource> sources;
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(scene.instances[i].mesh)];
         const bool mirrored = glm::determinant(glm::mat3(scene.instances[i].world_from_object)) < 0;
         for (const MeshPart& part : mesh.parts) {
-            append_sources(
-                sources,
-                {std::span(mesh.triangles).subspan(part.first_triangle, part.triangle_count),
-                 geometry.vertices.first_vertex[i], static_cast<std::uint32_t>(i), part.material, mirrored});
+            append_sources(sources,
+                           {std::span(mesh.triangles).subspan(part.first_triangle, part.triangle_count),
+                            geometry.vertices.first_vertex[i], static_cast<std::uint32_t>(i), part.material,
+                            mirrored, from_exact ? &exact : nullptr});
         }
     }
     const SetupSettings setup{!scene.two_sided && !settings.keep_back_faces, settings.depth_format,
@@ -121,7 +125,7 @@ ScreenGeometry screen_geometry_from_clip(std::span<const glm::vec4> p_clip,
         vertices.projected.push_back(project_vertex(p, size));
     }
     std::vector<BlockSource> sources;
-    append_sources(sources, {triangles, 0, 0, 0, false});
+    append_sources(sources, {triangles, 0, 0, 0, false, nullptr});
     build_blocks(geometry, sources, setup, run);
     return geometry;
 }

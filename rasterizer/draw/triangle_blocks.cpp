@@ -116,10 +116,12 @@ class BlockBuilder {
     }
 
     void add_clipped(const BlockSource& source, const std::array<std::uint32_t, 3>& index) {
-        std::array<glm::vec4, 3> p_clip;
+        std::array<glm::dvec4, 3> p_clip;
         std::array<const ProjectedVertex*, 3> corners;
         for (std::size_t i = 0; i < 3; ++i) {
-            p_clip[i] = geometry_.vertices.p_clip[index[i]];
+            p_clip[i] = source.exact != nullptr
+                            ? source.exact->at(source.instance, index[i] - source.first_vertex)
+                            : glm::dvec4(geometry_.vertices.p_clip[index[i]]);
             corners[i] = &geometry_.vertices.projected[index[i]];
         }
         const ClippedPolygon polygon = clip_triangle(p_clip, geometry_.size, geometry_.depth_range);

@@ -1,4 +1,5 @@
 #include "rasterizer/scene/camera.h"
+#include "rasterizer/scene/exact_projection.h"
 
 #include <cmath>
 #include <string>
@@ -76,6 +77,12 @@ void validate(const Camera& camera) {
     }
 }
 
+glm::dmat4 clip_from_relative(const Camera& camera, Size size) {
+    const glm::dmat4 view_from_world = glm::lookAtLH(camera.eye, camera.target, camera.up);
+    return clip_from_view_of(camera, static_cast<double>(size.width) / size.height) *
+           glm::dmat4(glm::dmat3(view_from_world));
+}
+
 CameraMatrices camera_matrices(const Camera& camera, Size size) {
     validate(camera);
     if (size.width < 1 || size.height < 1) {
@@ -89,7 +96,7 @@ CameraMatrices camera_matrices(const Camera& camera, Size size) {
     const glm::dmat4 view_from_relative = glm::dmat4(glm::dmat3(view_from_world));
 
     CameraMatrices m;
-    m.clip_from_relative = glm::mat4(clip_from_view * view_from_relative);
+    m.clip_from_relative = glm::mat4(clip_from_relative(camera, size));
     m.clip_from_view = glm::mat4(clip_from_view);
     m.view_from_world = glm::mat4(view_from_world);
     m.view_from_relative = glm::mat4(view_from_relative);

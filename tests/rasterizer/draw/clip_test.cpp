@@ -149,19 +149,19 @@ TEST_CASE("what is left of a triangle lies inside all planes, and its coordinate
     RandomSequence random(13);
     for (int i = 0; i < 5000; ++i) {
         CAPTURE(i);
-        std::array<glm::vec4, 3> p;
-        for (glm::vec4& v : p) {
+        std::array<glm::dvec4, 3> p;
+        for (glm::dvec4& v : p) {
             const double w = random.between(-1, 2), reach = i % 2 == 0 ? 2 : 5000;
-            v = glm::vec4{random.between(-reach, reach), random.between(-reach, reach),
-                          random.between(-0.5, 1.5), w};
+            v = glm::dvec4{random.between(-reach, reach), random.between(-reach, reach),
+                           random.between(-0.5, 1.5), w};
         }
-        if (i % 5 == 0) p[0] = glm::vec4(0);
+        if (i % 5 == 0) p[0] = glm::dvec4(0);
         const ClippedPolygon polygon = clip_triangle(p, kSize);
         CHECK((polygon.count == 0 || (polygon.count >= 3 && polygon.count <= kMaxClippedVertices)));
         for (std::size_t k = 0; k < static_cast<std::size_t>(polygon.count); ++k) {
             const ClippedVertex& v = polygon.vertices[k];
-            const glm::dvec4 combined = (1 - v.lambda1 - v.lambda2) * glm::dvec4(p[0]) +
-                                        v.lambda1 * glm::dvec4(p[1]) + v.lambda2 * glm::dvec4(p[2]);
+            const glm::dvec4 combined =
+                (1 - v.lambda1 - v.lambda2) * p[0] + v.lambda1 * p[1] + v.lambda2 * p[2];
             CHECK(glm::distance(combined, v.p_clip) < 1e-9);
             CHECK(v.p_clip.w >= kSmallestW * (1 - 1e-9));
             CHECK(v.p_clip.z >= -1e-12);
