@@ -339,7 +339,8 @@ book.check(
 // %% bounds
 const DepthErrorTable table = depth_error_table();
 book.table(table.header, table.rows,
-           "Largest relative error of a view depth. Where it is above 1, the depth is lost.");
+           "Largest relative error of a view depth. Where it is above 1, the depth is lost; where "
+           "it is infinite, d comes to A itself in floats, and the division is by 0.");
 book.number("of_bound", percent_text(table.most_of_bound));
 book.number("reversed", significant_text(table.worst_reversed, 2));
 book.check(
@@ -400,11 +401,13 @@ book.check("With 24 bits or reversed floats all are open.",
 const SkyInHalf cut = sky_in_half(view, book.size(), BufferFormat::float16_toward_zero);
 const SkyInHalf nearest = sky_in_half(view, book.size(), BufferFormat::float16_nearest_even);
 book.compare({"sky_nearest", ao_picture(nearest.ao),
-              "Rounded to nearest: the sky and all outlines against it are NaN (magenta)."},
+              "Rounded to nearest: the sky, all outlines against it and the rim of the picture are "
+              "NaN (magenta)."},
              {"sky_toward_zero", ao_picture(cut.ao), "Rounded toward zero, as Direct3D does."});
 book.table({"rounding", "1e5 becomes", "minus itself", "10 + 0 (it - 10)", "NaN, % of texels",
             "after the blur"},
-           {row_of("toward zero", cut), row_of("to nearest", nearest)});
+           {row_of("toward zero", cut), row_of("to nearest", nearest)},
+           "The blur carries a NaN to all texels around it.");
 book.number("nan_cut", significant_text(cut.nan, 2));
 book.number("nan_nearest", significant_text(nearest.nan, 3));
 book.check(

@@ -290,10 +290,11 @@ book.check(
 // %% map_text [markdown]
 // ## Where r comes from
 //
-// A shader has no random numbers, so they are made once and stored in a texture, the *random map*: 256 by 256 vectors,
-// each component drawn evenly from -1 to 1 and kept as one of 256 values. The map is laid over the picture four times
-// across and four times down, whatever the picture's shape, and it wraps round at its ends, so there is no seam. A
-// texel looks it up at $(4u, 4v)$, and the four nearest vectors are mixed *linearly*.
+// A shader has no random numbers, so they are made once and stored in a texture, the *random map*: 256 by 256 colours
+// of 8 bits a channel, drawn evenly from 0 to 1. A colour $c$ stands for the vector $r = 2c - 1$, so that each
+// component lies between -1 and 1. The map is laid over the picture four times across and four times down, whatever the
+// picture's shape, and it wraps round at its ends, so there is no seam. A texel looks it up at $(4u, 4v)$, and the four
+// nearest vectors are mixed *linearly*, which shortens them.
 
 // %% the_map
 book.show("random_map", normal_picture(as_image(map)),

@@ -44,14 +44,6 @@ TEST_CASE("depth differences: shares that add up to 1, all of them 0 steps for o
         CHECK(std::accumulate(other.begin(), other.end(), 0.0) == doctest::Approx(1));
         CHECK((format == DepthFormat::d16 ? other[kMostSteps] > 0.9 : other[kMostSteps] < 0.9));
     }
-    std::vector<double> shares(2 * kMostSteps + 1, 0);
-    shares[kMostSteps] = 1, shares[0] = 0.25;
-    const Picture bars = bars_picture(shares);
-    const auto byte = [&](int x, int y) { return bars.pixels[std::size_t(y * bars.size.width + x)]; };
-    CHECK(byte(bars.size.width / 2 - 1, 0) == 153);                 // full height, light
-    CHECK(byte(1, bars.size.height - 1) == 51);                     // dark
-    CHECK(byte(1, bars.size.height / 2 - 1) == 255);                // half height
-    CHECK(byte(bars.size.width - 6, bars.size.height - 1) == 255);  // nothing there
 }
 
 TEST_CASE("the lattice has holes, and without cut-outs has none") {
