@@ -11,6 +11,7 @@
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/surface_mean.h"
 #include "chapters/props/switched_ao.h"
+#include "chapters/stability/rounding.h"
 #include "chapters/stability/stability.h"
 #include "chapters/stability/stiff_scenes.h"
 #include "chapters/terminal/number_text.h"
@@ -226,6 +227,13 @@ Scene coarse_ball() {
     scene.camera.eye = {0, 0.8, -3.4};
     scene.camera.target = {0, 0, 0};
     return scene;
+}
+StiffView between_far_planes(StiffView view) {
+    view.camera = with_planes(view.camera, 1e-4, 1e7);
+    return view;
+}
+std::string ulps_text(const std::optional<AoRounding>& rounding) {
+    return rounding ? short_text(rounding->off.p99 / kAoUlp) : "";
 }
 Scene without_last_instance(Scene scene) {
     scene.instances.pop_back();
@@ -458,8 +466,78 @@ book.check(
 // | AO | $r - p$, then squared | radius below $10^{-12}$ | lengths scaled before squaring, or a warning |
 // | half size | the mean of two surfaces' depths | at every edge | the nearest surface, on its own plane |
 // | framing | largest - smallest coordinate | everything, by one stray vertex | say which one |
+// The section after the next shows each of them, the fault on one side of a slider and the cure on the other.
+
+// %% judge_text [markdown]
+// ## Pass by pass
 //
-// The next sections show each of them, the fault on one side of a slider and the cure on the other.
+// How much does each pass lose? To tell, we need a *judge* that makes none of these errors. Ours takes from the rasterizer
+// only which triangle a pixel shows. All else it works out in double and from the scene itself: the eye's ray through the
+// pixel's centre, the point where it meets the triangle's plane, the normal there. Then it runs the same text of each
+// kernel, in double, on its own depths and normals. So it also sees errors that were made before a pass.
+//
+// Errors are counted in *ulps*: one is the step from a float to the next. A number rounded once is off by half an ulp at
+// most. The table has two views of one block: one as it is, one with the near plane at 0.0001 and the far plane at
+// 10,000,000.
+
+// %% passes_against_judge
+const JudgedView at_ease = judged_view(block_view(), {}),
+                 strained = judged_view(between_far_planes(block_view()), {});
+const std::vector<PassRounding> passes = pass_rounding(at_ease),
+                                passes_strained = pass_rounding(strained);
+std::vector<std::vector<std::string>> pass_rows;
+for (std::size_t i = 0; i < passes.size(); ++i) {
+    pass_rows.push_back({passes[i].pass, passes[i].unit, short_text(passes[i].off.mean),
+                         short_text(passes[i].off.p99), short_text(passes_strained[i].off.mean),
+                         short_text(passes_strained[i].off.p99)});
+}
+book.table({"pass", "unit", "mean", "99 % are below", "strained: mean", "99 % are below"}, pass_rows);
+book.number("vertex_ulps", passes[1].off.max, 2);
+book.check(
+    "The view depth of a vertex is off by {vertex_ulps} ulps at most in both views: a few roundings, and "
+    "nothing cancelled.",
+    passes[1].off.max < 2 && passes_strained[1].off.max < 2);
+
+// %% methods_text [markdown]
+// The depth buffer's number is as good as its format allows in both views; what a step of it *means* is not. That shows in
+// the method that reads it. The next table has each method's AO in ulps of 1: what the roundings of its own arithmetic
+// change (*kernel*), what those of the depths and of the normals that it reads change, and all together. Here *decided
+// otherwise* is the share of texels for which a comparison came out differently, so that a whole sample was gained or lost.
+// That is no longer rounding, and no number of digits makes it small: somewhere there is always a sample on the edge.
+
+// %% methods_against_judge
+std::vector<std::vector<std::string>> method_rows;
+std::array<double, 2> luna_depth{};
+for (const JudgedView* const seen : {&at_ease, &strained}) {
+    for (const char* name : {"xjun", "luna", "hbao", "gtao"}) {
+        const MethodRounding rounding = method_rounding(*seen, find_method(name), {});
+        std::vector<std::string> row = {std::string(name) + (seen == &strained ? ", strained" : "")};
+        for (const RoundingCause cause :
+             {RoundingCause::kernel, RoundingCause::depth, RoundingCause::normal, RoundingCause::all})
+            row.push_back(ulps_text(rounding.of(cause)));
+        row.push_back(
+            percent_text(rounding.of(RoundingCause::all).value_or(AoRounding{}).decided_otherwise));
+        method_rows.push_back(row);
+        if (name == std::string("luna"))
+            luna_depth[seen == &strained ? 1 : 0] =
+                rounding.of(RoundingCause::depth).value_or(AoRounding{}).off.mean;
+    }
+}
+book.table({"method", "kernel", "depth", "normal", "all", "decided otherwise"}, method_rows,
+           "Errors of AO in ulps of 1, of which 99 % of the texels have less.");
+book.number("luna_ease", short_text(luna_depth[0]));
+book.number("luna_strain", short_text(luna_depth[1]));
+book.check(
+    "Luna reads the depth buffer: what its rounding costs goes from {luna_ease} of AO to {luna_strain}, "
+    "in the mean.",
+    luna_depth[1] > 10 * luna_depth[0]);
+
+// %% judge_end [markdown]
+// Kernels subtract points that lie close together, $r - p$: of a difference as long as the radius they keep the ulps of the
+// depth, a share that is larger by depth over radius. All screen-space methods have this, and it is why tolerances must
+// grow with the distance. X_Jun's and Luna's kernels lose more than the others for a reason of their own: they look their
+// random vectors up at a coordinate that runs 1,024 times across the picture, so ten bits of the float count whole vectors,
+// and only what is left places the samples.
 
 // %% eye_plane_text [markdown]
 // ## What can go wrong
