@@ -231,7 +231,9 @@ const SwitchedAo mixed = foot.ao({seed[0], "edge_texels=mixed"});
 const Texel edge = most_mixed(grain, mixed);
 const float z_mixed = mixed.inputs.view_depth.at(edge.x, edge.y);
 const float z_nearest = grain.inputs.view_depth.at(edge.x, edge.y);
-book.table({"texel (" + std::to_string(edge.x) + ", " + std::to_string(edge.y) + ")", "normal", "view depth"},
+book.number("edge_x", std::to_string(edge.x));
+book.number("edge_y", std::to_string(edge.y));
+book.table({"texel ({edge_x}, {edge_y})", "normal", "view depth"},
            pixels_of(edge, grain, mixed), "A texel at a silhouette, and the four pixels that it lies between.");
 book.number("z_apart", text(z_mixed - z_nearest));
 book.check("The mean lies {z_apart} units behind the nearer surface, at a depth where there is nothing.",

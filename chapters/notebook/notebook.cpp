@@ -31,7 +31,8 @@ bool is_file_name(const std::string& name) {
     return !name.empty() && std::all_of(name.begin(), name.end(), allowed);
 }
 
-// Whether there is something to translate: two letters beside one another, outside of `code` and {numbers}.
+// Whether there is something to translate: two small letters beside one another, outside of `code` and {numbers}.
+// Abbreviations and units (AO, NDC, MB) are the same in Chinese.
 bool has_words(const std::string& text) {
     char closing = 0, before = ' ';
     for (const char c : text) {
@@ -39,8 +40,8 @@ bool has_words(const std::string& text) {
             if (c == closing) closing = 0;
         } else if (c == '`' || c == '{') {
             closing = c == '{' ? '}' : '`';
-        } else if (std::isalpha(static_cast<unsigned char>(c)) != 0 &&
-                   std::isalpha(static_cast<unsigned char>(before)) != 0) {
+        } else if (std::islower(static_cast<unsigned char>(c)) != 0 &&
+                   std::islower(static_cast<unsigned char>(before)) != 0) {
             return true;
         }
         before = closing != 0 ? ' ' : c;
