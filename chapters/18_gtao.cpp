@@ -237,10 +237,11 @@ book.listing_part("ssao/methods/gtao_kernel.h", "raise", "const Vec3<F> delta", 
 
 // %% table_of_slices
 std::vector<std::vector<std::string>> rows;
-float sum = 0;
+float sum = 0, drawn_loss = 0;
 for (std::size_t i = 0; i < horizons.size(); ++i) {
     const SliceHorizons& h = horizons[i];
     rows.push_back({std::to_string(i + 1), text(h.length), degrees(h.gamma), degrees(h.before), degrees(h.behind), text(h.lost)});
+    drawn_loss += h.lost;
 }
 for (const ExplainedSample& sample : texel.samples) sum += sample.contribution;
 book.table({"slice", "|n_p|", "γ", "h_1", "h_2", "loses"}, rows, "The slices of texel ({x}, {y}), with three steps to each side.");
@@ -248,7 +249,7 @@ book.number("slices", std::to_string(slices));
 book.number("sum", text(sum));
 book.number("ao", text(shown.raw.ao.at(at.x, at.y)));
 book.check("Together they lose {sum}. One minus that over {slices} is {ao}, the value in the map.",
-           texel.value_of_sum(sum) == shown.raw.ao.at(at.x, at.y));
+           texel.value_of_sum(sum) == shown.raw.ao.at(at.x, at.y) && std::fabs(drawn_loss - sum) < 1e-5f);
 
 // %% picture [markdown]
 // ## The picture it makes

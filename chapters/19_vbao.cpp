@@ -211,11 +211,12 @@ book.listing("ssao/methods/sector_bits.h", "bits_between",
 
 // %% table_of_slices
 std::vector<std::vector<std::string>> rows;
-float sum = 0;
+float sum = 0, drawn_loss = 0;
 int closed = 0;
 for (std::size_t i = 0; i < found.size(); ++i) {
     rows.push_back({std::to_string(i + 1), bits(found[i].closed), std::to_string(std::popcount(found[i].closed)), text(found[i].lost)});
     closed += std::popcount(found[i].closed);
+    drawn_loss += found[i].lost;
 }
 for (const ExplainedSample& sample : texel.samples) sum += sample.contribution;
 book.table({"slice", "its bits, 1 is closed", "closed", "loses"}, rows, "The masks of texel ({x}, {y}).");
@@ -223,7 +224,7 @@ book.number("sum", text(sum));
 book.number("closed", std::to_string(closed));
 book.number("ao", text(shown.raw.ao.at(at.x, at.y)));
 book.check("{closed} sectors are closed, worth {sum}. One minus that over {slices} is {ao}, the value in the map.",
-           texel.value_of_sum(sum) == shown.raw.ao.at(at.x, at.y) && closed > 0);
+           texel.value_of_sum(sum) == shown.raw.ao.at(at.x, at.y) && closed > 0 && std::fabs(drawn_loss - sum) < 1e-5f);
 
 // %% picture [markdown]
 // ## The picture it makes
