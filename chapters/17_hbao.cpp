@@ -55,9 +55,9 @@ Image<float> without_noise(const Scene& scene, Size size, HbaoSettings settings)
     return hbao(ao_inputs(gbuffer, scene.camera, pixel_fetch(settings)), settings).ao;
 }
 
-// Cells stand at the margin, where notebooks look for them.
-// clang-format off
+// clang-format off: cells stand at the margin, where notebooks look for them.
 void hbao_chapter(Notebook& book) {
+
 // %% question [markdown]
 // # Horizons: HBAO
 //
@@ -74,11 +74,9 @@ const HbaoSettings settings = shown.settings.ao.as<HbaoSettings>();
 const MethodLimit limit = judged.limit("hbao");
 const Truth truth = judged.truth(limit.question);
 book.number("rays", std::to_string(kJudgedRays));
-book.show_row({{"votes", ao_picture(around_foot(votes.raw.ao)),
-                "X_Jun's fourteen samples a texel, around the foot of the column."},
+book.show_row({{"votes", ao_picture(around_foot(votes.raw.ao)), "X_Jun's fourteen samples a texel, around the foot of the column."},
                {"truth", ao_picture(around_foot(truth.image.mean)),
-                "Truth: {rays} rays a pixel, every direction counting the same. The fine stripes on the "
-                "column belong to it: its "
+                "Truth: {rays} rays a pixel, every direction counting the same. The fine stripes on the column belong to it: its "
                 "triangles are flat, and rays that start below them are blocked."}});
 
 // %% idea [markdown]
@@ -105,14 +103,10 @@ book.number("steps", std::to_string(settings.steps));
 book.number("directions", std::to_string(settings.samples / settings.steps));
 book.number("bias", decimal_text(static_cast<double>(settings.bias), 0));
 book.draw("horizon",
-          horizon_diagram(shown.raw.inputs, settings, at.x, at.y, texel, first,
-                          "One direction, from its own numbers"),
-          "A cut through the depth buffer at texel ({x}, {y}). The eye is on the left; v points to it, n "
-          "is the normal. "
-          "The dashed grey line is square to v: elevations are measured from it. The green lines are the "
-          "tangent (dashed) "
-          "and the tangent raised by the bias, at elevation t. Of the samples r, red ones rise above all "
-          "before them. The "
+          horizon_diagram(shown.raw.inputs, settings, at.x, at.y, texel, first, "One direction, from its own numbers"),
+          "A cut through the depth buffer at texel ({x}, {y}). The eye is on the left; v points to it, n is the normal. "
+          "The dashed grey line is square to v: elevations are measured from it. The green lines are the tangent (dashed) "
+          "and the tangent raised by the bias, at elevation t. Of the samples r, red ones rise above all before them. The "
           "horizon lies at elevation h. Red is closed, blue is open.");
 
 // %% derivation [markdown]
@@ -164,16 +158,12 @@ book.draw("horizon",
 
 // %% kernel_of_hbao tags=["setup"]
 book.listing("ssao/methods/hbao.cpp", "ray_along",
-             "Before the walk: v, the tangent, and the sine of t with the bias. `x` and `y` are the "
-             "direction on the screen. "
-             "The elevation of the tangent is minus the angle between v and the normal's part in the "
-             "slice, so no arc sine is "
+             "Before the walk: v, the tangent, and the sine of t with the bias. `x` and `y` are the direction on the screen. "
+             "The elevation of the tangent is minus the angle between v and the normal's part in the slice, so no arc sine is "
              "needed: the sine of a difference is made of products.");
-book.listing(
-    "ssao/methods/hbao.cpp", "sample",
-    "One step. `cosine_beside` is the sine of the sample's elevation; pixels that the depth map offers "
-    "lie up to "
-    "half a pixel beside the line, and it lets them keep their angle above the plane below them.");
+book.listing("ssao/methods/hbao.cpp", "sample",
+             "One step. `cosine_beside` is the sine of the sample's elevation; pixels that the depth map offers lie up to "
+             "half a pixel beside the line, and it lets them keep their angle above the plane below them.");
 
 // %% walk [markdown]
 // ## One texel, direction by direction
@@ -186,8 +176,8 @@ std::vector<std::vector<std::string>> rows;
 float taken = 0, sum = 0;
 for (std::size_t i = first; i < first + steps; ++i) {
     const ExplainedSample& sample = texel.samples[i];
-    rows.push_back({std::to_string(i - first + 1), text(glm::length(sample.offset)), text(sample.dp),
-                    text(sample.weight), text(sample.contribution)});
+    rows.push_back({std::to_string(i - first + 1), text(glm::length(sample.offset)), text(sample.dp), text(sample.weight),
+                    text(sample.contribution)});
     taken += sample.contribution;
 }
 for (const ExplainedSample& sample : texel.samples) sum += sample.contribution;
@@ -195,11 +185,9 @@ book.table({"step", "distance", "n · direction", "W", "takes"}, rows);
 book.number("taken", text(taken));
 book.number("sum", text(sum));
 book.number("ao", text(shown.raw.ao.at(at.x, at.y)));
-book.check(
-    "This direction loses {taken}. All {directions} together lose {sum}, and one minus a {directions}th "
-    "of that is "
-    "{ao}: the value of the texel in the map, to the last bit.",
-    texel.value_of_sum(sum) == shown.raw.ao.at(at.x, at.y));
+book.check("This direction loses {taken}. All {directions} together lose {sum}, and one minus a {directions}th of that is "
+           "{ao}: the value of the texel in the map, to the last bit.",
+           texel.value_of_sum(sum) == shown.raw.ao.at(at.x, at.y));
 
 // %% picture [markdown]
 // ## The picture it makes
@@ -209,10 +197,8 @@ book.check(
 // removes.
 
 // %% maps
-book.show_row(
-    {{"raw", ao_picture(around_foot(shown.raw.ao)),
-      "HBAO, {directions} directions of {steps} steps, before the blur."},
-     {"denoised", ao_picture(around_foot(shown.denoised)), "After it. " + view.command("hbao")}});
+book.show_row({{"raw", ao_picture(around_foot(shown.raw.ao)), "HBAO, {directions} directions of {steps} steps, before the blur."},
+               {"denoised", ao_picture(around_foot(shown.denoised)), "After it. " + view.command("hbao")}});
 
 // %% how_wrong [markdown]
 // ## How wrong it is
@@ -227,10 +213,9 @@ book.show_row(
 
 // %% errors
 const MethodLimit without_bias = judged.limit("hbao", {"bias=0"});
-const MapError error = judged.error(limit, truth),
-                 error_without_bias = judged.error(without_bias, truth);
-std::vector<std::vector<std::string>> errors = {
-    error_row("hbao", error, limit), error_row("hbao, bias 0", error_without_bias, without_bias)};
+const MapError error = judged.error(limit, truth), error_without_bias = judged.error(without_bias, truth);
+std::vector<std::vector<std::string>> errors = {error_row("hbao", error, limit),
+                                                error_row("hbao, bias 0", error_without_bias, without_bias)};
 for (const char* other : {"xjun", "hemisphere", "sao", "msvo"}) {
     const MethodLimit l = judged.limit(other);
     errors.push_back(error_row(other, judged.error(l, judged.truth(l.question)), l));
@@ -243,21 +228,15 @@ book.number("mean_error", error.bias, 3);
 book.number("rmse_0", error_without_bias.rmse, 3);
 book.number("mean_error_0", error_without_bias.bias, 3);
 book.table(kErrorHeader, errors,
-           "At {size}, over the pixels that show a surface. The first two columns are the mean of "
-           "{seeds} unfiltered maps minus truth; "
+           "At {size}, over the pixels that show a surface. The first two columns are the mean of {seeds} unfiltered maps minus truth; "
            "the truths' own noise, {noise} a pixel, is taken out.");
-book.show_row(
-    {{"error", difference_picture(around_foot(difference_of(limit.image.mean, truth.image.mean))),
-      "HBAO minus truth: red is too bright. The bias has lost the shade of everything that rises less "
-      "than {bias} degrees."},
-     {"error_0",
-      difference_picture(around_foot(difference_of(without_bias.image.mean, truth.image.mean))),
-      "The same without the bias. What stays red is what the steps miss, close to the column."}});
-book.check(
-    "With the bias of the paper HBAO is too bright by {mean_error} on the average, without it by "
-    "{mean_error_0}; its RMS "
-    "error falls from {rmse} to {rmse_0}.",
-    error.bias > error_without_bias.bias && error_without_bias.rmse < error.rmse);
+book.show_row({{"error", difference_picture(around_foot(difference_of(limit.image.mean, truth.image.mean))),
+                "HBAO minus truth: red is too bright. The bias has lost the shade of everything that rises less than {bias} degrees."},
+               {"error_0", difference_picture(around_foot(difference_of(without_bias.image.mean, truth.image.mean))),
+                "The same without the bias. What stays red is what the steps miss, close to the column."}});
+book.check("With the bias of the paper HBAO is too bright by {mean_error} on the average, without it by {mean_error_0}; its RMS "
+           "error falls from {rmse} to {rmse_0}.",
+           error.bias > error_without_bias.bias && error_without_bias.rmse < error.rmse);
 
 // %% bias_text [markdown]
 // ## What can go wrong
@@ -271,14 +250,12 @@ book.check(
 // %% bias_strip
 std::vector<Notebook::Named> by_bias;
 for (const char* degrees : {"0", "15", "30", "60"}) {
-    by_bias.push_back({std::string("bias_") + degrees,
-                       ao_picture(around_foot(view.map("hbao", {std::string("bias=") + degrees}).raw.ao)),
+    by_bias.push_back({std::string("bias_") + degrees, ao_picture(around_foot(view.map("hbao", {std::string("bias=") + degrees}).raw.ao)),
                        std::string("bias ") + degrees + " degrees"});
 }
 book.show_row(by_bias, "The more bias, the less is left of the shade where column and floor meet.");
 const Scene ball = coarse_ball();
-const Image<float> facets = without_noise(ball, book.size(), {.bias = 0}),
-                   smooth = without_noise(ball, book.size(), {});
+const Image<float> facets = without_noise(ball, book.size(), {.bias = 0}), smooth = without_noise(ball, book.size(), {});
 book.compare({"facets", ao_picture(facets), "Bias 0: the triangles of the ball can be counted."},
              {"smooth", ao_picture(smooth), "Bias 30: the ball is round, and its contact shade weaker."});
 book.number("facet_min", buffer_statistics(facets).mean, 3);
@@ -294,19 +271,13 @@ book.check("The bias only ever opens: the mean of the picture goes from {facet_m
 
 // %% zenith
 const JudgedView columns(book, "columns", "hbao");
-const MethodMap by_axis = columns.map("hbao", {"zenith=axis"}),
-                by_ray = columns.map("hbao", {"zenith=ray"});
-book.compare({"zenith_axis", ao_picture(columns.at_picture_size(by_axis.denoised)),
-              "Against the view axis: open floor is grey."},
-             {"zenith_ray", ao_picture(columns.at_picture_size(by_ray.denoised)),
-              "Against the eye's ray: open floor is white."});
+const MethodMap by_axis = columns.map("hbao", {"zenith=axis"}), by_ray = columns.map("hbao", {"zenith=ray"});
+book.compare({"zenith_axis", ao_picture(columns.at_picture_size(by_axis.denoised)), "Against the view axis: open floor is grey."},
+             {"zenith_ray", ao_picture(columns.at_picture_size(by_ray.denoised)), "Against the eye's ray: open floor is white."});
 book.number("mean_axis", mean_over_surfaces(by_axis.raw.ao, by_axis.raw.inputs), 3);
 book.number("mean_ray", mean_over_surfaces(by_ray.raw.ao, by_ray.raw.inputs), 3);
-book.check(
-    "The mean over the surfaces of this scene is {mean_axis} against the axis, and {mean_ray} against "
-    "the ray.",
-    mean_over_surfaces(by_axis.raw.ao, by_axis.raw.inputs) + 0.02 <
-        mean_over_surfaces(by_ray.raw.ao, by_ray.raw.inputs));
+book.check("The mean over the surfaces of this scene is {mean_axis} against the axis, and {mean_ray} against the ray.",
+           mean_over_surfaces(by_axis.raw.ao, by_axis.raw.inputs) + 0.02 < mean_over_surfaces(by_ray.raw.ao, by_ray.raw.inputs));
 
 // %% steps_text [markdown]
 // **Few steps miss the foot; few directions make noise.** The budget of {directions} times {steps} samples can be spent either
@@ -320,38 +291,29 @@ std::vector<MapError> step_errors;
 std::vector<double> step_noise;
 for (const char* count : {"1", "2", "4", "12"}) {
     const Words words = {std::string("steps=") + count, "bias=0"};
-    by_steps.push_back({std::string("steps_") + count,
-                        ao_picture(around_foot(view.map("hbao", words).raw.ao)),
+    by_steps.push_back({std::string("steps_") + count, ao_picture(around_foot(view.map("hbao", words).raw.ao)),
                         std::string("steps = ") + count});
     const MethodLimit l = judged.limit("hbao", words);
     step_errors.push_back(judged.error(l, truth));
     step_noise.push_back(l.noise);
     step_rows.push_back(error_row(std::string("hbao, steps = ") + count, step_errors.back(), l));
 }
-book.show_row(
-    by_steps,
-    "24 samples a texel with bias 0: 24 directions of one step, 12 of two, 6 of four, 2 of twelve.");
+book.show_row(by_steps, "24 samples a texel with bias 0: 24 directions of one step, 12 of two, 6 of four, 2 of twelve.");
 book.table(kErrorHeader, step_rows);
-book.check(
-    "From one step to twelve the error of what the method tends to falls, and the noise of one map "
-    "grows.",
-    step_errors.back().rmse < step_errors.front().rmse && step_noise.back() > step_noise.front());
+book.check("From one step to twelve the error of what the method tends to falls, and the noise of one map grows.",
+           step_errors.back().rmse < step_errors.front().rmse && step_noise.back() > step_noise.front());
 std::vector<Notebook::Named> by_radius;
 std::vector<double> radius_means;
 for (const char* radius : {"0.25", "0.5", "1", "2"}) {
     const MethodMap m = view.map("hbao", {std::string("radius=") + radius});
     radius_means.push_back(mean_over_surfaces(m.raw.ao, m.raw.inputs));
-    by_radius.push_back({"radius_" + std::to_string(by_radius.size()), ao_picture(around_foot(m.raw.ao)),
-                         std::string("radius ") + radius});
+    by_radius.push_back({"radius_" + std::to_string(by_radius.size()), ao_picture(around_foot(m.raw.ao)), std::string("radius ") + radius});
 }
-book.show_row(by_radius,
-              "The same four steps stretched over a longer way: the shade reaches further, and the "
-              "pattern shows more.");
+book.show_row(by_radius, "The same four steps stretched over a longer way: the shade reaches further, and the pattern shows more.");
 book.number("radius_first", radius_means.front(), 4);
 book.number("radius_last", radius_means.back(), 4);
 book.check("A larger radius only ever closes: the mean goes from {radius_first} to {radius_last}.",
-           radius_means[0] > radius_means[1] && radius_means[1] > radius_means[2] &&
-               radius_means[2] > radius_means[3]);
+           radius_means[0] > radius_means[1] && radius_means[1] > radius_means[2] && radius_means[2] > radius_means[3]);
 
 // %% plus_text [markdown]
 // ## HBAO+: without the horizon
@@ -377,31 +339,23 @@ const MethodMap plus = view.map("hbao_plus", same);
 const MethodLimit plus_limit = judged.limit("hbao_plus", same);
 const Truth plus_truth = judged.truth(plus_limit.question);
 const MapError plus_error = judged.error(plus_limit, plus_truth);
-book.show_row(
-    {{"plus", ao_picture(around_foot(plus.raw.ao)),
-      "HBAO+ with the same samples and the same radius as HBAO above."},
-     {"plus_error",
-      difference_picture(around_foot(difference_of(plus_limit.image.mean, plus_truth.image.mean))),
-      "HBAO+ minus truth: red is too bright, blue too dark."}});
-book.table(kErrorHeader, {error_row("hbao_plus", plus_error, plus_limit),
-                          error_row("hbao, bias 0", error_without_bias, without_bias)});
+book.show_row({{"plus", ao_picture(around_foot(plus.raw.ao)), "HBAO+ with the same samples and the same radius as HBAO above."},
+               {"plus_error", difference_picture(around_foot(difference_of(plus_limit.image.mean, plus_truth.image.mean))),
+                "HBAO+ minus truth: red is too bright, blue too dark."}});
+book.table(kErrorHeader, {error_row("hbao_plus", plus_error, plus_limit), error_row("hbao, bias 0", error_without_bias, without_bias)});
 book.number("plus_noise", plus_limit.noise, 4);
 book.number("horizon_noise", without_bias.noise, 4);
-book.check(
-    "A map of HBAO+ has a noise of {plus_noise}, one of HBAO with the same samples {horizon_noise}.",
-    plus_limit.noise < without_bias.noise);
+book.check("A map of HBAO+ has a noise of {plus_noise}, one of HBAO with the same samples {horizon_noise}.", plus_limit.noise < without_bias.noise);
 
 // %% published_text [markdown]
 // **The listing as published** has four faults, each a line long. They hide behind each other: with all of them the picture
 // still looks like ambient occlusion.
 
 // %% published
-const MethodMap published = view.map("hbao_plus", {"as_published=true"}),
-                repaired = view.map("hbao_plus");
-book.compare(
-    {"published", ao_picture(around_foot(view.at_picture_size(published.raw.ao))),
-     "As listed. " + view.command("hbao_plus", {"as_published=true"})},
-    {"repaired", ao_picture(around_foot(view.at_picture_size(repaired.raw.ao))), "All four repaired."});
+const MethodMap published = view.map("hbao_plus", {"as_published=true"}), repaired = view.map("hbao_plus");
+book.compare({"published", ao_picture(around_foot(view.at_picture_size(published.raw.ao))),
+              "As listed. " + view.command("hbao_plus", {"as_published=true"})},
+             {"repaired", ao_picture(around_foot(view.at_picture_size(repaired.raw.ao))), "All four repaired."});
 std::vector<std::vector<std::string>> faults;
 bool all_show = true;
 const std::pair<const char*, const char*> switches[] = {

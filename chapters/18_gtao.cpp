@@ -102,9 +102,9 @@ double unevenness(const MethodMap& map) {
     return most;
 }
 
-// Cells stand at the margin, where notebooks look for them.
-// clang-format off
+// clang-format off: cells stand at the margin, where notebooks look for them.
 void gtao_chapter(Notebook& book) {
+
 // %% question [markdown]
 // # Slices and the cosine: GTAO
 //
@@ -114,31 +114,23 @@ void gtao_chapter(Notebook& book) {
 // right: they answer different questions. The blue one weighs by the cosine, and it is the one that ambient light asks for.
 
 // %% two_questions
-const JudgedView ball(book.options().scene.empty() ? "sphere_on_plane" : book.options().scene, {320, 180},
-                      book.seed());
+const JudgedView ball(book.options().scene.empty() ? "sphere_on_plane" : book.options().scene, {320, 180}, book.seed());
 const Words hard = {"radius=2", "radius_multiplier=1", "falloff=0", "samples=54"};
 const MethodLimit ball_limit = ball.limit("gtao", hard);
 const Truth by_cosine = ball.truth({2, 2, 2, true}), evenly = ball.truth({2, 2, 2, false});
-const PlotCurve cosine_curve =
-                    over_distance("rays, cosine", ball, by_cosine.image.mean, PlotStyle::smooth),
+const PlotCurve cosine_curve = over_distance("rays, cosine", ball, by_cosine.image.mean, PlotStyle::smooth),
                 even_curve = over_distance("rays, even", ball, evenly.image.mean, PlotStyle::smooth),
                 gtao_curve = over_distance("GTAO", ball, ball_limit.image.mean, PlotStyle::dots);
 book.plot("two_questions",
-          {"Accessibility of a floor under a ball of radius 1",
-           {"distance from where the ball rests, scene units"},
-           {"accessibility"},
-           {cosine_curve, even_curve, gtao_curve}},
-          "What lies within two units occludes. Near to it the ball hides the light from above, which "
-          "the cosine counts most; from "
-          "further away it stands low, and the cosine counts it less. GTAO opens a little early there, "
-          "as it does not see the "
+          {"Accessibility of a floor under a ball of radius 1", {"distance from where the ball rests, scene units"},
+           {"accessibility"}, {cosine_curve, even_curve, gtao_curve}},
+          "What lies within two units occludes. Near to it the ball hides the light from above, which the cosine counts most; from "
+          "further away it stands low, and the cosine counts it less. GTAO opens a little early there, as it does not see the "
           "far side of the ball.");
 book.number("questions_apart", largest_gap(cosine_curve, even_curve), 3);
 book.number("gtao_apart", largest_gap(cosine_curve, gtao_curve), 3);
-book.check(
-    "The two questions are up to {questions_apart} apart. GTAO is at most {gtao_apart} from the one that "
-    "it asks.",
-    largest_gap(cosine_curve, gtao_curve) < largest_gap(cosine_curve, even_curve));
+book.check("The two questions are up to {questions_apart} apart. GTAO is at most {gtao_apart} from the one that it asks.",
+           largest_gap(cosine_curve, gtao_curve) < largest_gap(cosine_curve, even_curve));
 
 // %% idea [markdown]
 // ## The idea
@@ -162,21 +154,17 @@ const Explanation texel = view.explanation(shown, at.x, at.y);
 const int slices = slice_plan(settings.samples).slices;
 std::vector<SliceHorizons> horizons;
 for (int i = 0; i < slices; ++i) horizons.push_back(slice_horizons(inputs, settings, at.x, at.y, i));
-const int darkest =
-    static_cast<int>(std::ranges::max_element(horizons, {}, &SliceHorizons::lost) - horizons.begin());
+const int darkest = static_cast<int>(std::ranges::max_element(horizons, {}, &SliceHorizons::lost) - horizons.begin());
 const SliceHorizons& drawn = horizons[static_cast<std::size_t>(darkest)];
 book.number("x", std::to_string(at.x));
 book.number("y", std::to_string(at.y));
 book.number("gamma", degrees(drawn.gamma));
 book.number("h_1", degrees(drawn.before));
 book.number("h_2", degrees(drawn.behind));
-book.draw(
-    "slice", slice_diagram(inputs, settings, at.x, at.y, darkest, "One slice, from its own numbers"),
-    "The slice of texel ({x}, {y}) that loses most. v points to the eye; all angles are measured from "
-    "it, upwards here. n "
-    "is the normal's part in the slice, at γ = {gamma}. On either side the highest sample r makes a "
-    "horizon: $h_1$ = {h_1} "
-    "and $h_2$ = {h_2}. Blue is open; red is what the two horizons close of the half circle around n.");
+book.draw("slice", slice_diagram(inputs, settings, at.x, at.y, darkest, "One slice, from its own numbers"),
+          "The slice of texel ({x}, {y}) that loses most. v points to the eye; all angles are measured from it, upwards here. n "
+          "is the normal's part in the slice, at γ = {gamma}. On either side the highest sample r makes a horizon: $h_1$ = {h_1} "
+          "and $h_2$ = {h_2}. Blue is open; red is what the two horizons close of the half circle around n.");
 
 // %% derivation_1 [markdown]
 // ## The integral of one slice
@@ -210,13 +198,9 @@ book.draw(
 
 // %% kept
 book.plot("kept",
-          {"What the positive side of a slice keeps",
-           {"horizon h_2, degrees from v"},
-           {"â(h_2, γ)"},
-           {kept_curve("γ = −30°", -std::numbers::pi / 6), kept_curve("γ = 0°", 0),
-            kept_curve("γ = 30°", std::numbers::pi / 6)}},
-          "Each curve ends at the horizon of the open plane. For γ = 0 a side of the slice is worth one "
-          "half. Near the core and near "
+          {"What the positive side of a slice keeps", {"horizon h_2, degrees from v"}, {"â(h_2, γ)"},
+           {kept_curve("γ = −30°", -std::numbers::pi / 6), kept_curve("γ = 0°", 0), kept_curve("γ = 30°", std::numbers::pi / 6)}},
+          "Each curve ends at the horizon of the open plane. For γ = 0 a side of the slice is worth one half. Near the core and near "
           "the plane the curves are flat: there the slice is narrow, or the light grazes.");
 
 // %% derivation_2 [markdown]
@@ -244,33 +228,28 @@ book.plot("kept",
 
 // %% kernel_of_gtao tags=["setup"]
 book.listing("ssao/methods/slices.h", "slice_of",
-             "A slice: t completes v to a basis of its plane, and gamma is measured in it. `open` is "
-             "what a slice of an open plane keeps, over |n_p|.");
+             "A slice: t completes v to a basis of its plane, and gamma is measured in it. `open` is what a slice of an open plane keeps, over |n_p|.");
 book.listing("ssao/methods/slices.h", "closed_beyond",
              "What one side loses beyond the horizon c: the integral from h to the open plane.");
-book.listing_part("ssao/methods/gtao_kernel.h", "raise", "const Vec3<F> delta",
-                  "horizon.c = select(higher",
-                  "One sample raises the horizon. Far samples are drawn down to the open horizon, -sine, "
-                  "by `weight`, which fades "
-                  "with distance. With `thickness` in the paper's form, a lower sample also lowers the "
-                  "horizon a little.");
+book.listing_part("ssao/methods/gtao_kernel.h", "raise", "const Vec3<F> delta", "horizon.c = select(higher",
+                  "One sample raises the horizon. Far samples are drawn down to the open horizon, -sine, by `weight`, which fades "
+                  "with distance. With `thickness` in the paper's form, a lower sample also lowers the horizon a little.");
 
 // %% table_of_slices
 std::vector<std::vector<std::string>> rows;
-float sum = 0;
+float sum = 0, drawn_loss = 0;
 for (std::size_t i = 0; i < horizons.size(); ++i) {
     const SliceHorizons& h = horizons[i];
-    rows.push_back({std::to_string(i + 1), text(h.length), degrees(h.gamma), degrees(h.before),
-                    degrees(h.behind), text(h.lost)});
+    rows.push_back({std::to_string(i + 1), text(h.length), degrees(h.gamma), degrees(h.before), degrees(h.behind), text(h.lost)});
+    drawn_loss += h.lost;
 }
 for (const ExplainedSample& sample : texel.samples) sum += sample.contribution;
-book.table({"slice", "|n_p|", "γ", "h_1", "h_2", "loses"}, rows,
-           "The slices of texel ({x}, {y}), with three steps to each side.");
+book.table({"slice", "|n_p|", "γ", "h_1", "h_2", "loses"}, rows, "The slices of texel ({x}, {y}), with three steps to each side.");
 book.number("slices", std::to_string(slices));
 book.number("sum", text(sum));
 book.number("ao", text(shown.raw.ao.at(at.x, at.y)));
 book.check("Together they lose {sum}. One minus that over {slices} is {ao}, the value in the map.",
-           texel.value_of_sum(sum) == shown.raw.ao.at(at.x, at.y));
+           texel.value_of_sum(sum) == shown.raw.ao.at(at.x, at.y) && std::fabs(drawn_loss - sum) < 1e-5f);
 
 // %% picture [markdown]
 // ## The picture it makes
@@ -280,9 +259,8 @@ book.check("Together they lose {sum}. One minus that over {slices} is {ao}, the 
 // edges, twice. It is smaller than the filter of chapter 08 because there is less to smooth.
 
 // %% maps
-book.show_row(
-    {{"raw", ao_picture(around_foot(shown.raw.ao)), "GTAO, {slices} slices, before the filter."},
-     {"denoised", ao_picture(around_foot(shown.denoised)), "After it. " + view.command("gtao")}});
+book.show_row({{"raw", ao_picture(around_foot(shown.raw.ao)), "GTAO, {slices} slices, before the filter."},
+               {"denoised", ao_picture(around_foot(shown.denoised)), "After it. " + view.command("gtao")}});
 
 // %% how_wrong [markdown]
 // ## How wrong it is
@@ -293,11 +271,9 @@ book.show_row(
 
 // %% errors
 const Words cut = {"falloff=0", "radius_multiplier=1"};
-const MethodLimit limit = judged.limit("gtao"), sharp = judged.limit("gtao", cut),
-                  hbao = judged.limit("hbao", {"bias=0"});
+const MethodLimit limit = judged.limit("gtao"), sharp = judged.limit("gtao", cut), hbao = judged.limit("hbao", {"bias=0"});
 const Truth truth = judged.truth(limit.question);
-const MapError error = judged.error(limit, truth), sharp_error = judged.error(sharp, truth),
-                 hbao_error = judged.error(hbao, truth);
+const MapError error = judged.error(limit, truth), sharp_error = judged.error(sharp, truth), hbao_error = judged.error(hbao, truth);
 book.number("rmse", error.rmse, 3);
 book.number("sharp_rmse", sharp_error.rmse, 3);
 book.number("hbao_rmse", hbao_error.rmse, 3);
@@ -306,27 +282,18 @@ book.number("noise", truth.noise, 3);
 book.number("rays", std::to_string(kJudgedRays));
 book.number("seeds", std::to_string(kJudgedSeeds));
 book.table(kErrorHeader,
-           {error_row("gtao, with XeGTAO's fade", error, limit),
-            error_row("gtao, cut at the radius", sharp_error, sharp),
-            error_row("hbao without bias, its own question",
-                      judged.error(hbao, judged.truth(hbao.question)), hbao),
+           {error_row("gtao, with XeGTAO's fade", error, limit), error_row("gtao, cut at the radius", sharp_error, sharp),
+            error_row("hbao without bias, its own question", judged.error(hbao, judged.truth(hbao.question)), hbao),
             error_row("hbao without bias, the question of gtao", hbao_error, hbao)},
-           "As in chapter 17: the mean of {seeds} unfiltered maps against {rays} rays a pixel at {size}; "
-           "the noise of the rays, "
+           "As in chapter 17: the mean of {seeds} unfiltered maps against {rays} rays a pixel at {size}; the noise of the rays, "
            "{noise}, is taken out.");
-book.show_row(
-    {{"truth", ao_picture(around_foot(truth.image.mean)),
-      "Truth: cosine-weighted rays as long as the radius."},
-     {"error", difference_picture(around_foot(difference_of(sharp.image.mean, truth.image.mean))),
-      "GTAO, cut at the radius, minus truth: red is too bright. Between the texel and the first step "
-      "nothing is seen."},
-     {"hbao_error", difference_picture(around_foot(difference_of(hbao.image.mean, truth.image.mean))),
-      "HBAO minus the same truth."}});
-book.check(
-    "Cut at the radius, GTAO is a little nearer to the truth of ambient light than HBAO: {sharp_rmse} "
-    "against {hbao_rmse}. With the fade "
-    "it is not, here: {rmse}. A fit holds for what it was fitted to.",
-    sharp_error.rmse < hbao_error.rmse);
+book.show_row({{"truth", ao_picture(around_foot(truth.image.mean)), "Truth: cosine-weighted rays as long as the radius."},
+               {"error", difference_picture(around_foot(difference_of(sharp.image.mean, truth.image.mean))),
+                "GTAO, cut at the radius, minus truth: red is too bright. Between the texel and the first step nothing is seen."},
+               {"hbao_error", difference_picture(around_foot(difference_of(hbao.image.mean, truth.image.mean))), "HBAO minus the same truth."}});
+book.check("Cut at the radius, GTAO is a little nearer to the truth of ambient light than HBAO: {sharp_rmse} against {hbao_rmse}. With the fade "
+           "it is not, here: {rmse}. A fit holds for what it was fitted to.",
+           sharp_error.rmse < hbao_error.rmse);
 
 // %% strips_text [markdown]
 // ## Its parameters
@@ -342,10 +309,8 @@ for (const char* samples : {"4", "8", "18", "54"}) {
     const Words words = {std::string("samples=") + samples};
     const MethodLimit l = judged.limit("gtao", words);
     sample_noise.push_back(l.noise);
-    sample_rows.push_back(
-        error_row(std::string("gtao, samples = ") + samples, judged.error(l, truth), l));
-    by_samples.push_back({std::string("samples_") + samples,
-                          ao_picture(around_foot(view.map("gtao", words).raw.ao)),
+    sample_rows.push_back(error_row(std::string("gtao, samples = ") + samples, judged.error(l, truth), l));
+    by_samples.push_back({std::string("samples_") + samples, ao_picture(around_foot(view.map("gtao", words).raw.ao)),
                           std::string("samples = ") + samples});
 }
 book.show_row(by_samples, "Before the filter.");
@@ -353,20 +318,17 @@ book.table(kErrorHeader, sample_rows);
 for (const char* radius : {"0.25", "0.5", "1", "2"}) {
     const MethodMap m = view.map("gtao", {std::string("radius=") + radius});
     radius_means.push_back(mean_over_surfaces(m.raw.ao, m.raw.inputs));
-    by_radius.push_back({"radius_" + std::to_string(by_radius.size()),
-                         ao_picture(around_foot(m.denoised)), std::string("radius ") + radius});
+    by_radius.push_back({"radius_" + std::to_string(by_radius.size()), ao_picture(around_foot(m.denoised)), std::string("radius ") + radius});
 }
 book.show_row(by_radius, "The same 18 samples over a larger and larger radius, after the filter.");
 book.number("radius_first", radius_means.front(), 4);
 book.number("radius_last", radius_means.back(), 4);
 book.number("noise_4", sample_noise.front(), 4);
 book.number("noise_54", sample_noise.back(), 4);
-book.check(
-    "A larger radius only ever closes, from a mean of {radius_first} to {radius_last}. From 4 to 54 "
-    "samples the noise falls "
-    "from {noise_4} to {noise_54}.",
-    radius_means[0] > radius_means[1] && radius_means[1] > radius_means[2] &&
-        radius_means[2] > radius_means[3] && sample_noise[3] < sample_noise[0]);
+book.check("A larger radius only ever closes, from a mean of {radius_first} to {radius_last}. From 4 to 54 samples the noise falls "
+           "from {noise_4} to {noise_54}.",
+           radius_means[0] > radius_means[1] && radius_means[1] > radius_means[2] && radius_means[2] > radius_means[3] &&
+               sample_noise[3] < sample_noise[0]);
 
 // %% kept_text [markdown]
 // ## What can go wrong
@@ -376,19 +338,14 @@ book.check(
 
 // %% kept_or_lost
 const JudgedView columns(book, "columns", "gtao");
-const MethodMap kept = columns.map("gtao", {"samples=8", "form=paper"}),
-                lost = columns.map("gtao", {"samples=8", "form=losses"});
-book.compare({"form_paper", ao_picture(columns.at_picture_size(kept.raw.ao)),
-              "What is kept, two slices: the open floor is grainy."},
-             {"form_losses", ao_picture(columns.at_picture_size(lost.raw.ao)),
-              "What is lost, the same two slices: the open floor is white."});
+const MethodMap kept = columns.map("gtao", {"samples=8", "form=paper"}), lost = columns.map("gtao", {"samples=8", "form=losses"});
+book.compare({"form_paper", ao_picture(columns.at_picture_size(kept.raw.ao)), "What is kept, two slices: the open floor is grainy."},
+             {"form_losses", ao_picture(columns.at_picture_size(lost.raw.ao)), "What is lost, the same two slices: the open floor is white."});
 book.number("kept_most", unevenness(kept), 3);
 book.number("lost_most", unevenness(lost), 3);
-book.check(
-    "In the lowest tenth of the picture, open floor, a texel is up to {kept_most} off when kept light is "
-    "counted, and "
-    "{lost_most} when lost light is.",
-    unevenness(lost) < 0.02 && unevenness(kept) > unevenness(lost));
+book.check("In the lowest tenth of the picture, open floor, a texel is up to {kept_most} off when kept light is counted, and "
+           "{lost_most} when lost light is.",
+           unevenness(lost) < 0.02 && unevenness(kept) > unevenness(lost));
 
 // %% falloff_text [markdown]
 // **Without a fade the horizon jumps.** A sample at the very end of the radius counts fully or not at all, and which of the two may change from
@@ -399,19 +356,13 @@ book.check(
 const Words step = {"falloff=0", "radius_multiplier=1", "radius=1"}, fade = {"radius=1"};
 const MethodLimit by_step = judged.limit("gtao", step), by_fade = judged.limit("gtao", fade);
 const Truth wide = judged.truth(by_fade.question);
-book.compare(
-    {"falloff_none", ao_picture(around_foot(view.at_picture_size(view.map("gtao", step).denoised))),
-     "No fade: " + view.command("gtao", step)},
-    {"falloff_fade", ao_picture(around_foot(view.at_picture_size(view.map("gtao", fade).denoised))),
-     "XeGTAO's fade: " + view.command("gtao", fade)});
-book.table(kErrorHeader,
-           {error_row("no fade", judged.error(by_step, wide), by_step),
-            error_row("XeGTAO's fade", judged.error(by_fade, wide), by_fade)},
+book.compare({"falloff_none", ao_picture(around_foot(view.at_picture_size(view.map("gtao", step).denoised))), "No fade: " + view.command("gtao", step)},
+             {"falloff_fade", ao_picture(around_foot(view.at_picture_size(view.map("gtao", fade).denoised))), "XeGTAO's fade: " + view.command("gtao", fade)});
+book.table(kErrorHeader, {error_row("no fade", judged.error(by_step, wide), by_step), error_row("XeGTAO's fade", judged.error(by_fade, wide), by_fade)},
            "Against rays of length 1.");
 book.number("step_noise", by_step.noise, 4);
 book.number("fade_noise", by_fade.noise, 4);
-book.check("What the fade buys for certain is less noise: {fade_noise} instead of {step_noise}.",
-           by_fade.noise < by_step.noise);
+book.check("What the fade buys for certain is less noise: {fade_noise} instead of {step_noise}.", by_fade.noise < by_step.noise);
 
 // %% bent_text [markdown]
 // ## More from the same horizons
@@ -427,19 +378,15 @@ Image<float> turned(inputs.size(), 1.0f);
 for (int y = 0; y < turned.size.height; ++y) {
     for (int x = 0; x < turned.size.width; ++x) {
         if (!std::isfinite(inputs.view_depth.at(x, y))) continue;
-        turned.at(x, y) = inputs.normal.x.at(x, y) * bent.x.at(x, y) +
-                          inputs.normal.y.at(x, y) * bent.y.at(x, y) +
+        turned.at(x, y) = inputs.normal.x.at(x, y) * bent.x.at(x, y) + inputs.normal.y.at(x, y) * bent.y.at(x, y) +
                           inputs.normal.z.at(x, y) * bent.z.at(x, y);
     }
 }
-book.show_row(
-    {{"normals", normal_picture(inputs.normal), "The normals."},
-     {"bent", normal_picture(bent), "The bent normals: beside the column they lean away from it."},
-     {"turned", grey_picture(around_foot(turned), 0.9f, 1),
-      "The cosine between the two around the foot, from 0.9 black to 1 white."}});
+book.show_row({{"normals", normal_picture(inputs.normal), "The normals."},
+               {"bent", normal_picture(bent), "The bent normals: beside the column they lean away from it."},
+               {"turned", grey_picture(around_foot(turned), 0.9f, 1), "The cosine between the two around the foot, from 0.9 black to 1 white."}});
 book.number("most_bent", degrees(std::acos(std::clamp(buffer_statistics(turned).min, -1.0f, 1.0f))));
-book.check("A bent normal lies up to {most_bent} off its normal, and never below the surface.",
-           buffer_statistics(turned).min > 0);
+book.check("A bent normal lies up to {most_bent} off its normal, and never below the surface.", buffer_statistics(turned).min > 0);
 
 // %% bounce_text [markdown]
 // **Light that bounces.** An occluder is not black: it is lit, and sends light back. The paper fits a cubic in $A$ to path-traced
@@ -448,17 +395,12 @@ book.check("A bent normal lies up to {most_bent} off its normal, and never below
 
 // %% bounce
 book.plot("bounce",
-          {"Accessibility with bounced light",
-           {"accessibility A"},
-           {"with bounces"},
+          {"Accessibility with bounced light", {"accessibility A"}, {"with bounces"},
            {bounce_curve("albedo 0.2", 0.2f, kPaperFit), bounce_curve("albedo 0.5", 0.5f, kPaperFit),
-            bounce_curve("albedo 0.9", 0.9f, kPaperFit),
-            bounce_curve("albedo 0.9, rounded", 0.9f, kRoundedFit)}},
-          "The fit of the paper for three albedos, and the fit with the rounded coefficients of the "
-          "Unity notes.");
+            bounce_curve("albedo 0.9", 0.9f, kPaperFit), bounce_curve("albedo 0.9, rounded", 0.9f, kRoundedFit)}},
+          "The fit of the paper for three albedos, and the fit with the rounded coefficients of the Unity notes.");
 book.number("rounding", rounding_of_fit(), 3);
-book.check("Rounding the coefficients, as the Unity notes do, takes up to {rounding} from the result.",
-           rounding_of_fit() > 0.03);
+book.check("Rounding the coefficients, as the Unity notes do, takes up to {rounding} from the result.", rounding_of_fit() > 0.03);
 
 // %% choosing [markdown]
 // ## What is gained, and what it costs

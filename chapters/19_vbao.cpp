@@ -111,9 +111,9 @@ bool same_question(const AoQuestion& a, const AoQuestion& b) {
            a.cosine_weighted == b.cosine_weighted;
 }
 
-// Cells stand at the margin, where notebooks look for them.
-// clang-format off
+// clang-format off: cells stand at the margin, where notebooks look for them.
 void vbao_chapter(Notebook& book) {
+
 // %% question [markdown]
 // # Things have backs: the visibility bitmask
 //
@@ -129,10 +129,8 @@ const MethodLimit bars_gtao = bars.limit("gtao", cut), bars_vbao = bars.limit("v
 const Truth bars_truth = bars.truth(bars_vbao.question);
 book.number("rays", std::to_string(kJudgedRays));
 book.number("seeds", std::to_string(kJudgedSeeds));
-book.show_row({{"bars_gtao", ao_picture(bars_gtao.image.mean),
-                "GTAO with a radius of 2, cut there, the mean of many maps."},
-               {"bars_truth", ao_picture(bars_truth.image.mean),
-                "Truth: {rays} rays a pixel of the same length."}});
+book.show_row({{"bars_gtao", ao_picture(bars_gtao.image.mean), "GTAO with a radius of 2, cut there, the mean of many maps."},
+               {"bars_truth", ao_picture(bars_truth.image.mean), "Truth: {rays} rays a pixel of the same length."}});
 
 // %% idea [markdown]
 // ## The idea
@@ -156,19 +154,15 @@ const Explanation texel = view.explanation(shown, at.x, at.y);
 const int slices = slice_plan(settings.samples).slices;
 std::vector<SliceSectors> found;
 for (int i = 0; i < slices; ++i) found.push_back(slice_sectors(inputs, settings, at.x, at.y, i));
-const int darkest =
-    static_cast<int>(std::ranges::max_element(found, {}, &SliceSectors::lost) - found.begin());
+const int darkest = static_cast<int>(std::ranges::max_element(found, {}, &SliceSectors::lost) - found.begin());
 book.number("x", std::to_string(at.x));
 book.number("y", std::to_string(at.y));
 book.number("slices", std::to_string(slices));
 book.number("thickness", text(settings.thickness));
 book.draw("sectors", sectors_diagram(inputs, settings, at.x, at.y, darkest, "One slice in 32 sectors"),
-          "The slice of texel ({x}, {y}) that loses most. Each sample r has its front on the surface and "
-          "its back {thickness} units "
-          "further away from the eye, at the end of the arrow against v. Solid and dashed lines lead to "
-          "front and back; the sectors between them are "
-          "red. Rings are samples that close nothing new. Sectors are wide near v, where the slice is "
-          "thin like the core of an orange's piece, "
+          "The slice of texel ({x}, {y}) that loses most. Each sample r has its front on the surface and its back {thickness} units "
+          "further away from the eye, at the end of the arrow against v. Solid and dashed lines lead to front and back; the sectors between them are "
+          "red. Rings are samples that close nothing new. Sectors are wide near v, where the slice is thin like the core of an orange's piece, "
           "and near the plane, where light grazes: so each is worth the same.");
 
 // %% derivation [markdown]
@@ -209,32 +203,28 @@ book.draw("sectors", sectors_diagram(inputs, settings, at.x, at.y, darkest, "One
 
 // %% kernel_of_vbao tags=["setup"]
 book.listing("ssao/methods/vbao_kernel.h", "sectors_beyond",
-             "How many sectors lie between a direction and the open horizon of its side, as a number "
-             "with a fraction.");
+             "How many sectors lie between a direction and the open horizon of its side, as a number with a fraction.");
 book.listing_part("ssao/methods/vbao_kernel.h", "sample", "const Vec3<F> delta", "facts.contribution",
                   "One sample. `counts` is false for what is too far, too near, or behind the eye.");
 book.listing("ssao/methods/sector_bits.h", "bits_between",
-             "Bits first to end - 1. Lanes of a register cannot all be shifted by counts of their own, "
-             "so the 33 masks stand in a table.");
+             "Bits first to end - 1. Lanes of a register cannot all be shifted by counts of their own, so the 33 masks stand in a table.");
 
 // %% table_of_slices
 std::vector<std::vector<std::string>> rows;
-float sum = 0;
+float sum = 0, drawn_loss = 0;
 int closed = 0;
 for (std::size_t i = 0; i < found.size(); ++i) {
-    rows.push_back({std::to_string(i + 1), bits(found[i].closed),
-                    std::to_string(std::popcount(found[i].closed)), text(found[i].lost)});
+    rows.push_back({std::to_string(i + 1), bits(found[i].closed), std::to_string(std::popcount(found[i].closed)), text(found[i].lost)});
     closed += std::popcount(found[i].closed);
+    drawn_loss += found[i].lost;
 }
 for (const ExplainedSample& sample : texel.samples) sum += sample.contribution;
 book.table({"slice", "its bits, 1 is closed", "closed", "loses"}, rows, "The masks of texel ({x}, {y}).");
 book.number("sum", text(sum));
 book.number("closed", std::to_string(closed));
 book.number("ao", text(shown.raw.ao.at(at.x, at.y)));
-book.check(
-    "{closed} sectors are closed, worth {sum}. One minus that over {slices} is {ao}, the value in the "
-    "map.",
-    texel.value_of_sum(sum) == shown.raw.ao.at(at.x, at.y) && closed > 0);
+book.check("{closed} sectors are closed, worth {sum}. One minus that over {slices} is {ao}, the value in the map.",
+           texel.value_of_sum(sum) == shown.raw.ao.at(at.x, at.y) && closed > 0 && std::fabs(drawn_loss - sum) < 1e-5f);
 
 // %% picture [markdown]
 // ## The picture it makes
@@ -243,15 +233,12 @@ book.check(
 // what lies more than {thickness} units behind the front of the column counts as open, although it is stone.
 
 // %% maps
-book.show_row(
-    {{"raw", ao_picture(around_foot(shown.raw.ao)),
-      "Visibility bitmask, {slices} slices, before the blur."},
-     {"denoised", ao_picture(around_foot(shown.denoised)), "After it. " + view.command("vbao")}});
-book.compare(
-    {"bars_horizon", difference_picture(difference_of(bars_gtao.image.mean, bars_truth.image.mean)),
-     "GTAO minus truth: blue is too dark."},
-    {"bars_bits", difference_picture(difference_of(bars_vbao.image.mean, bars_truth.image.mean)),
-     "The bitmask minus truth, with a thickness of 0.5: a little too bright everywhere near the bars."});
+book.show_row({{"raw", ao_picture(around_foot(shown.raw.ao)), "Visibility bitmask, {slices} slices, before the blur."},
+               {"denoised", ao_picture(around_foot(shown.denoised)), "After it. " + view.command("vbao")}});
+book.compare({"bars_horizon", difference_picture(difference_of(bars_gtao.image.mean, bars_truth.image.mean)),
+              "GTAO minus truth: blue is too dark."},
+             {"bars_bits", difference_picture(difference_of(bars_vbao.image.mean, bars_truth.image.mean)),
+              "The bitmask minus truth, with a thickness of 0.5: a little too bright everywhere near the bars."});
 
 // %% how_wrong [markdown]
 // ## How wrong it is, and the one guess
@@ -262,23 +249,15 @@ book.compare(
 // without meeting it, and a thickness above the true one makes up for those in the mean.
 
 // %% thickness
-const MethodLimit foot_gtao = judged.limit("gtao", cut), foot_vbao = judged.limit("vbao", half_thick),
-                  bars_endless = bars.limit("vbao", endless);
+const MethodLimit foot_gtao = judged.limit("gtao", cut), foot_vbao = judged.limit("vbao", half_thick), bars_endless = bars.limit("vbao", endless);
 const Truth foot_truth = judged.truth(foot_vbao.question);
-const ThicknessError by_bars = over_thickness("bars", bars, bars_truth, wide),
-                     by_foot = over_thickness("column", judged, foot_truth, wide);
-book.plot("thickness",
-          {"What the thickness does",
-           {"thickness, scene units", true},
-           {"RMS error"},
-           {by_bars.curve, by_foot.curve}},
+const ThicknessError by_bars = over_thickness("bars", bars, bars_truth, wide), by_foot = over_thickness("column", judged, foot_truth, wide);
+book.plot("thickness", {"What the thickness does", {"thickness, scene units", true}, {"RMS error"}, {by_bars.curve, by_foot.curve}},
           "The error of what the bitmask tends to, against rays of length 2. The column is 1 thick.");
-const MapError bars_gtao_error = bars.error(bars_gtao, bars_truth),
-                 bars_vbao_error = bars.error(bars_vbao, bars_truth),
+const MapError bars_gtao_error = bars.error(bars_gtao, bars_truth), bars_vbao_error = bars.error(bars_vbao, bars_truth),
                  endless_error = bars.error(bars_endless, bars_truth);
 book.table(kErrorHeader,
-           {error_row("gtao, bars", bars_gtao_error, bars_gtao),
-            error_row("vbao, bars, thickness 0.5", bars_vbao_error, bars_vbao),
+           {error_row("gtao, bars", bars_gtao_error, bars_gtao), error_row("vbao, bars, thickness 0.5", bars_vbao_error, bars_vbao),
             error_row("vbao, bars, without end", endless_error, bars_endless),
             error_row("gtao, column", judged.error(foot_gtao, foot_truth), foot_gtao),
             error_row("vbao, column, thickness 0.5", judged.error(foot_vbao, foot_truth), foot_vbao)},
@@ -288,13 +267,10 @@ book.number("best_foot", significant_text(by_foot.best, 3));
 book.number("bars_gtao_rmse", bars_gtao_error.rmse, 3);
 book.number("bars_vbao_rmse", bars_vbao_error.rmse, 3);
 book.number("endless_rmse", endless_error.rmse, 3);
-book.check(
-    "Of the values tried the bars are served best by {best_bars}, the column by {best_foot}. Before the "
-    "bars the bitmask errs by "
-    "{bars_vbao_rmse}, GTAO by {bars_gtao_rmse}, and so does the bitmask when things have no end: "
-    "{endless_rmse}.",
-    by_bars.best < by_foot.best && bars_vbao_error.rmse < 0.6 * bars_gtao_error.rmse &&
-        std::fabs(endless_error.rmse - bars_gtao_error.rmse) < 0.01);
+book.check("Of the values tried the bars are served best by {best_bars}, the column by {best_foot}. Before the bars the bitmask errs by "
+           "{bars_vbao_rmse}, GTAO by {bars_gtao_rmse}, and so does the bitmask when things have no end: {endless_rmse}.",
+           by_bars.best < by_foot.best && bars_vbao_error.rmse < 0.6 * bars_gtao_error.rmse &&
+               std::fabs(endless_error.rmse - bars_gtao_error.rmse) < 0.01);
 
 // %% strips
 std::vector<Notebook::Named> by_thickness, by_samples;
@@ -302,28 +278,21 @@ std::vector<double> thickness_means;
 for (const char* thickness : {"0.03", "0.06", "0.25", "1e30"}) {
     const MethodMap m = view.map("vbao", {std::string("thickness=") + thickness});
     thickness_means.push_back(mean_over_surfaces(m.raw.ao, m.raw.inputs));
-    by_thickness.push_back({"thickness_" + std::to_string(by_thickness.size()),
-                            ao_picture(around_foot(m.raw.ao)), std::string("thickness ") + thickness});
+    by_thickness.push_back({"thickness_" + std::to_string(by_thickness.size()), ao_picture(around_foot(m.raw.ao)),
+                            std::string("thickness ") + thickness});
 }
 book.show_row(by_thickness, "From foil to things without end.");
 for (const char* samples : {"4", "8", "18", "54"}) {
-    by_samples.push_back(
-        {std::string("samples_") + samples,
-         ao_picture(around_foot(view.map("vbao", {std::string("samples=") + samples}).raw.ao)),
-         std::string("samples = ") + samples});
+    by_samples.push_back({std::string("samples_") + samples, ao_picture(around_foot(view.map("vbao", {std::string("samples=") + samples}).raw.ao)),
+                          std::string("samples = ") + samples});
 }
-book.show_row(by_samples,
-              "The same slices and steps as GTAO: what lies between two steps is missed, and here "
-              "nothing below a sample makes up for it.");
+book.show_row(by_samples, "The same slices and steps as GTAO: what lies between two steps is missed, and here nothing below a sample makes up for it.");
 const MethodMap nothing = view.map("vbao", {"thickness=0"});
 book.number("thickness_thin", thickness_means.front(), 4);
 book.number("thickness_all", thickness_means.back(), 4);
-book.check(
-    "A thicker world is darker: the mean goes from {thickness_thin} to {thickness_all}. With no "
-    "thickness at all everything is open.",
-    mean_over_surfaces(nothing.raw.ao, nothing.raw.inputs) == 1 &&
-        thickness_means[0] > thickness_means[1] && thickness_means[1] > thickness_means[2] &&
-        thickness_means[2] > thickness_means[3]);
+book.check("A thicker world is darker: the mean goes from {thickness_thin} to {thickness_all}. With no thickness at all everything is open.",
+           mean_over_surfaces(nothing.raw.ao, nothing.raw.inputs) == 1 && thickness_means[0] > thickness_means[1] &&
+               thickness_means[1] > thickness_means[2] && thickness_means[2] > thickness_means[3]);
 
 // %% touched_text [markdown]
 // ## What can go wrong
@@ -334,15 +303,12 @@ book.check(
 
 // %% touched
 const MethodMap touched = view.map("vbao", {"closed=touched"});
-book.compare({"touched", ao_picture(around_foot(view.at_picture_size(touched.raw.ao))),
-              "Touched sectors count as closed. " + view.command("vbao", {"closed=touched"})},
-             {"middle", ao_picture(around_foot(view.at_picture_size(shown.raw.ao))),
-              "A sector is closed by what covers its middle."});
+book.compare({"touched", ao_picture(around_foot(view.at_picture_size(touched.raw.ao))), "Touched sectors count as closed. " + view.command("vbao", {"closed=touched"})},
+             {"middle", ao_picture(around_foot(view.at_picture_size(shown.raw.ao))), "A sector is closed by what covers its middle."});
 book.number("mean_touched", mean_over_surfaces(touched.raw.ao, touched.raw.inputs), 3);
 book.number("mean_middle", mean_over_surfaces(shown.raw.ao, shown.raw.inputs), 3);
 book.check("The mean over the surfaces is {mean_touched} against {mean_middle}.",
-           mean_over_surfaces(touched.raw.ao, touched.raw.inputs) <
-               mean_over_surfaces(shown.raw.ao, shown.raw.inputs));
+           mean_over_surfaces(touched.raw.ao, touched.raw.inputs) < mean_over_surfaces(shown.raw.ao, shown.raw.inputs));
 
 // %% angles_text [markdown]
 // **Equal angles forget the cosine.** With 32 sectors of the same angle, and slices averaged as they are, a sector near the
@@ -350,16 +316,12 @@ book.check("The mean over the surfaces is {mean_touched} against {mean_middle}."
 
 // %% angles
 const MethodLimit angles = judged.limit("vbao", {"radius=2", "thickness=0.5", "sectors=angle"});
-const MapError light_error = judged.error(foot_vbao, foot_truth),
-                 angle_error = judged.error(angles, foot_truth);
-book.table(kErrorHeader,
-           {error_row("sectors of equal light", light_error, foot_vbao),
-            error_row("sectors of equal angle", angle_error, angles)},
+const MapError light_error = judged.error(foot_vbao, foot_truth), angle_error = judged.error(angles, foot_truth);
+book.table(kErrorHeader, {error_row("sectors of equal light", light_error, foot_vbao), error_row("sectors of equal angle", angle_error, angles)},
            "At the foot of the column, against cosine-weighted rays.");
 book.number("angle_rmse", angle_error.rmse, 4);
 book.number("light_rmse", light_error.rmse, 4);
-book.check("Judged by the light, equal angles err by {angle_rmse}, equal light by {light_rmse}.",
-           light_error.rmse < angle_error.rmse);
+book.check("Judged by the light, equal angles err by {angle_rmse}, equal light by {light_rmse}.", light_error.rmse < angle_error.rmse);
 
 // %% own [markdown]
 // ## Leaving the screen: the lab's own method
@@ -375,35 +337,26 @@ book.check("Judged by the light, equal angles err by {angle_rmse}, equal light b
 
 // %% own_code tags=["setup"]
 book.listing("ssao/rows/ray_rows.cpp", "crevice_row",
-             "All of it that is not ray casting: two rays, the pattern, full size, and one pass of a "
-             "filter along planes.");
+             "All of it that is not ray casting: two rays, the pattern, full size, and one pass of a filter along planes.");
 
 // %% own_maps
 const MethodMap own = view.map("crevice");
 const Words full_size = {"ao_scale=1"};
-const MethodMap own_map = judged.map("crevice"), gtao_map = judged.map("gtao", full_size),
-                vbao_map = judged.map("vbao", full_size);
+const MethodMap own_map = judged.map("crevice"), gtao_map = judged.map("gtao", full_size), vbao_map = judged.map("vbao", full_size);
 const Truth light = judged.truth(own_map.method->question(own_map.settings.ao));
-const double own_rmse = judged.error(own_map, light).rmse,
-             gtao_rmse = judged.error(gtao_map, light).rmse;
-book.show_row({{"own_raw", ao_picture(around_foot(own.raw.ao)),
-                "Two rays a pixel: a pixel can only be 0, 1/2 or 1."},
-               {"own_denoised", ao_picture(around_foot(own.denoised)),
-                "After one pass of the filter. " + view.command("crevice")}});
-book.show_row(
-    {{"own_error", difference_picture(around_foot(difference_of(own_map.denoised, light.image.mean))),
-      "One map of crevice after its filter, minus truth: grain in both colours."},
-     {"gtao_error", difference_picture(around_foot(difference_of(gtao_map.denoised, light.image.mean))),
-      "One map of GTAO after its filter, minus the same truth: one colour."}});
+const double own_rmse = judged.error(own_map, light).rmse, gtao_rmse = judged.error(gtao_map, light).rmse;
+book.show_row({{"own_raw", ao_picture(around_foot(own.raw.ao)), "Two rays a pixel: a pixel can only be 0, 1/2 or 1."},
+               {"own_denoised", ao_picture(around_foot(own.denoised)), "After one pass of the filter. " + view.command("crevice")}});
+book.show_row({{"own_error", difference_picture(around_foot(difference_of(own_map.denoised, light.image.mean))),
+                "One map of crevice after its filter, minus truth: grain in both colours."},
+               {"gtao_error", difference_picture(around_foot(difference_of(gtao_map.denoised, light.image.mean))),
+                "One map of GTAO after its filter, minus the same truth: one colour."}});
 book.table({"one map, full size, after its filter", "RMS error"},
-           {{"crevice, 2 rays", decimal_text(own_rmse, 4)},
-            {"gtao, 18 samples", decimal_text(gtao_rmse, 4)},
+           {{"crevice, 2 rays", decimal_text(own_rmse, 4)}, {"gtao, 18 samples", decimal_text(gtao_rmse, 4)},
             {"vbao, 18 samples", decimal_text(judged.error(vbao_map, light).rmse, 4)}});
 book.number("own_rmse", own_rmse, 3);
 book.number("gtao_rmse", gtao_rmse, 3);
-book.check(
-    "With two rays a pixel the map is {own_rmse} from the truth, GTAO with 18 samples {gtao_rmse}.",
-    own_rmse < gtao_rmse);
+book.check("With two rays a pixel the map is {own_rmse} from the truth, GTAO with 18 samples {gtao_rmse}.", own_rmse < gtao_rmse);
 
 // %% table_text [markdown]
 // ## All methods in one table
@@ -424,23 +377,17 @@ for (const Candidate& c : kCandidates) {
     const double own_question = judged.error(l, std::ranges::find_if(truths, asked)->second).rmse;
     const double of_light = judged.error(l, light).rmse;
     const double of_bars = bars.error(bars.limit(c.name, with_radius_2(c.words)), bars_truth).rmse;
-    table.push_back({c.label, question_text(l.question), c.reads, decimal_text(own_question, 3),
-                     decimal_text(l.noise, 3), decimal_text(of_light, 3), decimal_text(of_bars, 3),
-                     c.fails});
+    table.push_back({c.label, question_text(l.question), c.reads, decimal_text(own_question, 3), decimal_text(l.noise, 3),
+                     decimal_text(of_light, 3), decimal_text(of_bars, 3), c.fails});
     ranking.emplace_back(of_light, c.label);
 }
-book.table({"method", "its question", "reads", "error, own question", "noise", "error, light",
-            "error, bars", "what stays wrong"},
-           table,
-           "What crevice tends to is the truth itself; its error here is what is left of its noise in "
-           "{seeds} maps.");
+book.table({"method", "its question", "reads", "error, own question", "noise", "error, light", "error, bars", "what stays wrong"}, table,
+           "What crevice tends to is the truth itself; its error here is what is left of its noise in {seeds} maps.");
 std::ranges::sort(ranking);
 book.number("nearest", ranking[1].second);
 book.number("next", ranking[2].second);
-book.check(
-    "As an answer to the question of ambient light, rays apart, {nearest} is nearest to the truth here, "
-    "and {next} the next.",
-    ranking[0].second == "crevice");
+book.check("As an answer to the question of ambient light, rays apart, {nearest} is nearest to the truth here, and {next} the next.",
+           ranking[0].second == "crevice");
 
 // %% choosing [markdown]
 // ## Choosing a method, and defending the choice

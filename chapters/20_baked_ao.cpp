@@ -1,17 +1,14 @@
-// Question: if nothing moves, why cast rays in every frame?
-//
-// The one idea: cast them once and keep the answer with the mesh, at its vertices or in a map. What the store
-// is too coarse for is lost, and whatever moves leaves its shade behind.
-//
+// %% setup tags=["setup"]
 // Source: Luna, BuildVertexAmbientOcclusion; the Unity notes on baked AO (lightmaps).
-// Look for: the shade on walls, which four vertices cannot hold; the black foot of the sunk box; the lines
-//           along edges without dilation; the shade of a box that has left.
 // Run: crevice chapter 20
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "chapters/diagrams/ray_fan.h"
 #include "chapters/notebook/chapter.h"
 #include "chapters/terminal/number_text.h"
+#include "rasterizer/lanes/approx_math.h"
 #include "scenes/builtin_scenes.h"
 #include "scenes/composing.h"
 #include "scenes/shapes.h"
@@ -48,97 +45,253 @@ struct View {
     }
 };
 
-// A box sunk into floors of ever more vertices.
-void coarse_and_fine_floors(Notebook& book, const RayAoSettings& settings) {
-    std::vector<Notebook::Named> pictures;
-    std::vector<double> errors;
-    Values baked;
-    for (const int cells : {1, 8, 64}) {
-        Scene scene = empty_scene();
-        scene.instances = {placed(add_mesh(scene, grid_mesh(6, 6, cells + 1, cells + 1)), {0, 0, 0}),
-                           placed(add_mesh(scene, box_mesh({1.2, 2, 1.2}, 8)), {0.1f, 0.4f, 0.1f})};
-        scene.camera.eye = {-3, 4, -5};
-        const View view(scene, book.size(), settings);
-        baked = looked_up(scene, view.rays, vertex_ao_from_corners(scene, view.rays, settings), view.hits);
-        errors.push_back(view.error(baked).rmse);
-        pictures.push_back({"floor_" + std::to_string(cells), view.picture(baked)});
-    }
-    book.show_row("A box sunk into floors of 1, 64 and 4096 cells, baked to vertices.", pictures);
-    book.check("one cell has twice the error of 64", errors[0] > 2 * errors[1], decimal_text(errors[0], 4));
-    book.check("black vertices in the box darken its foot, truly 1/2", std::ranges::min(baked) < 0.4f);
-}
-
-// Returns the map's error.
-double vertices_and_map(Notebook& book, const Scene& scene, const View& view, const LightmapCharts& charts,
-                        const LightmapAo& map, const RayAoSettings& settings) {
-    RayAoSettings tutorial = kTutorialRays;
-    tutorial.radius = settings.radius;
-    const VertexAo centroids = vertex_ao_from_centroids(scene, view.rays, tutorial);
-    const VertexAo corners = vertex_ao_from_corners(scene, view.rays, settings);
-    Image<float> bare = map.ao;
-    for (std::size_t i = 0; i < bare.pixels.size(); ++i)
-        bare.pixels[i] *= map.kind.pixels[i] == TexelKind::centre ? 1.0f : 0.0f;
-    std::vector<Notebook::Named> pictures;
-    std::vector<std::vector<std::string>> rows;
-    std::vector<double> rmse;
-    const auto add = [&](const std::string& name, auto stored, const Values& values) {
-        const ImageError e = view.error(values);
-        pictures.insert(pictures.end(),
-                        {{name, view.picture(values)}, {name + "_error", view.difference(values)}});
-        rows.push_back({name, std::to_string(stored), decimal_text(e.rmse, 4), decimal_text(e.bias, 4),
-                        decimal_text(e.max_abs, 4)});
-        rmse.push_back(e.rmse);
-    };
-    add("centroids", joined(centroids).size(), looked_up(scene, view.rays, centroids, view.hits));
-    add("corners", joined(corners).size(), looked_up(scene, view.rays, corners, view.hits));
-    add("map", map.rays_cast / settings.rays, looked_up(charts, map.ao, view.hits));
-    add("map_without_edges", map.count(TexelKind::centre), looked_up(charts, bare, view.hits));
-    book.show_row("Vertices by Luna's rule and from corners; the map; each minus truth.", pictures);
-    book.table({"baked", "values", "RMSE", "bias", "largest"}, rows);
-    book.check("the map errs less than a third as much", 3 * rmse[2] < std::min(rmse[0], rmse[1]));
-    book.check("texels at edges and dilation take the seams away", rmse[3] > 1.5 * rmse[2]);
-    return rmse[2];
-}
-
-void baked_ao(Notebook& book) {
-    book.text(R"(
-        # 20 Baked ambient occlusion
-
-        Rays are cast once, and a frame looks the answer up. Luna keeps it in vertices: 32 rays start from the
-        middle of each triangle, and a vertex takes its triangles' mean. Engines, as the Unity notes tell, keep
-        it in a lightmap: a second set of texture coordinates, rays up to a maximum distance, static objects,
-        indirect light only.
-    )");
+// The Cornell box with one more box on its floor.
+constexpr int kLooseBox = 1;  // its instance
+Scene box_in_a_room(float height) {
     Scene scene = cornell_scene();
-    scene.instances.push_back(placed(add_mesh(scene, box_mesh({1.2, 1.2, 1.2})), {-4.4f, 0.6f, 1.1f}));
-    const RayAoSettings settings{.rays = 256, .radius = 2, .seed = book.seed()};
-    const View view(scene, book.size(), settings);
-    book.show("truth", view.picture(view.truth), "Truth, 256 rays a pixel: the Cornell box, one more box.");
-    const int side = std::clamp(book.size().width * 2 / 5, 64, 1024);
-    const LightmapCharts charts = lightmap_charts(scene, view.rays, {.texels = side});
-    const LightmapAo map =
-        lightmap_ao(view.rays, charts, lightmap_points(scene, view.rays, charts), settings);
-    book.show("lightmap", ao_picture(map.ao), "The map: every surface once, flat, apart from the others.");
-    const double of_map = vertices_and_map(book, scene, view, charts, map, settings);
-    coarse_and_fine_floors(book, settings);
+    scene.instances.push_back(placed(add_mesh(scene, box_mesh({1.2, 1.2, 1.2})), {-4.4f, height, 1.1f}));
+    return scene;
+}
 
-    scene.instances[1] = placed(1, {-4.4f, 2.6f, 1.1f});
-    const View moved(scene, book.size(), settings);
-    const Values stale = looked_up(charts, map.ao, moved.hits);
-    const Picture baked = moved.picture(stale), truth = moved.picture(moved.truth);
-    book.show_row("The box has risen; its shade is still on the floor. Baked, truth, baked minus truth.",
-                  {{"stale", baked}, {"moved", truth}, {"stale_error", moved.difference(stale)}});
-    book.check("a bake is stale once something has moved", moved.error(stale).rmse > 2 * of_map);
-    book.try_it({
-        "Set `side = 64`, a quarter: lines appear at the blocks' feet, as wide as a texel.",
-        "Set `tutorial.rays = 1024`: no better; it is the mean over whole triangles that errs.",
-        "Set `.radius = 100`: wider, smoother shade; the vertices at corners come much nearer to it.",
-    });
-    book.errata({
-        "*Luna:* a vertex without triangles gets 0 / 0; slivers count like large triangles.",
-        "*Unity notes:* AO on direct light is, as their text says, not physically right; hence their "
-        "default.",
-    });
+// A box sunk into a floor of so many cells a side.
+Scene sunk_box(int cells) {
+    Scene scene = empty_scene();
+    scene.instances = {placed(add_mesh(scene, grid_mesh(6, 6, cells + 1, cells + 1)), {0, 0, 0}),
+                       placed(add_mesh(scene, box_mesh({1.2, 2, 1.2}, 8)), {0.1f, 0.4f, 0.1f})};
+    scene.camera.eye = {-3, 4, -5};
+    return scene;
+}
+
+std::vector<double> half_circle(int count) {
+    std::vector<double> angles_rad;
+    for (int i = 0; i < count; ++i) angles_rad.push_back(kPi * (i + 0.5) / count);
+    return angles_rad;
+}
+
+std::vector<std::string> baked_row(const std::string& name, std::size_t stored, const ImageError& error) {
+    return {name, std::to_string(stored), decimal_text(error.rmse, 4), decimal_text(error.bias, 4),
+            decimal_text(error.max_abs, 4)};
+}
+
+// clang-format off: cells stand at the margin, where notebooks look for them.
+void baked_ao(Notebook& book) {
+
+// %% question [markdown]
+// # Baked ambient occlusion
+//
+// Every method so far computes its map again in each frame, sixty times a second, and each time the room below gives the same
+// answer: nothing in it moves. Rays gave the picture below, so many that one frame takes far too long. If nothing moves, why cast them
+// in every frame?
+
+// %% start
+const Scene scene = box_in_a_room(0.6f);
+const RayAoSettings settings{.rays = 256, .radius = 2, .seed = book.seed()};
+const View view(scene, book.size(), settings);
+book.number("rays", std::to_string(settings.rays));
+book.show("truth", view.picture(view.truth), "A room with three boxes. {rays} rays a pixel, two units long: the truth of this chapter.");
+
+// %% idea [markdown]
+// ## The idea
+//
+// **Cast the rays once, before the first frame, keep the answers with the mesh, and let each frame look them up.**
+//
+// This is called *baking*. What remains in a frame is a look-up: a number at each vertex, which the rasterizer mixes over the
+// triangle anyway, or one texture more. The whole question is where to keep the numbers, since a mesh has room for few, and
+// between two of them the truth may do anything.
+
+// %% fans
+const RayScene corner = ray_scene(wall_corner_scene(), glm::dvec3(0));
+constexpr int kFan = 32;
+const std::vector<SectionPoint> outline = {{-4, 0}, {0, 0}, {0, 4}};
+const RayFan middle = ray_fan(corner, {-1.5, 0}, half_circle(kFan), 2, outline, "From the middle of a triangle"),
+             edge = ray_fan(corner, {-0.1, 0}, half_circle(kFan), 2, outline, "From near its vertex");
+book.number("fan", std::to_string(kFan));
+book.number("middle_blocked", std::to_string(middle.blocked));
+book.number("edge_blocked", std::to_string(edge.blocked));
+book.draw("from_middle", middle.svg,
+          "A floor that ends at a wall, seen from the side. The floor's triangle is three units long. Of {fan} rays from its middle, "
+          "{middle_blocked} meet the wall.");
+book.draw("from_vertex", edge.svg, "Of as many from near its vertex at the wall, {edge_blocked} do. The vertex is where the number will be kept.");
+
+// %% vertices_text [markdown]
+// ## At the vertices
+//
+// Luna's program takes each triangle, casts 32 rays from its middle, and calls the share that meets nothing the *accessibility* of the triangle.
+// A vertex gets the mean of the $T$ triangles that use it:
+//
+// $$ A_{vertex} = \frac1T \sum_{t=1}^{T} \frac{\mathrm{open}_t}{32} $$
+//
+// The figures show what is wrong with that. The rays start where the triangle is, and the number is used where the vertex is. On a head of sixty thousand
+// triangles the two are close together. On a wall of two they are metres apart, and what is stored is a mean over everything that the
+// triangle reaches. Chapter 02 bakes that head; here are the walls.
+//
+// The cure costs nothing: let the rays start at the corners of the triangles, a thirty-second of the way inwards, about the vertex's normal, and
+// weigh triangles by their area. The vertex itself is no place to start, for in a concave corner a ray that is lifted off one wall begins on the
+// other and goes through it unseen.
+
+// %% the_code tags=["setup"]
+book.listing("ssao/bakes/vertex_ao.cpp", "means_of_triangles", "Luna's rule: every triangle counts the same, whatever its size. `open` holds one share of rays a triangle.");
+book.listing("ssao/bakes/vertex_ao.cpp", "point_of", "The lab's: where the rays of one corner start.");
+
+// %% vertices
+RayAoSettings tutorial = kTutorialRays;
+tutorial.radius = settings.radius;
+const VertexAo centroids = vertex_ao_from_centroids(scene, view.rays, tutorial), corners = vertex_ao_from_corners(scene, view.rays, settings);
+const Values by_centroids = looked_up(scene, view.rays, centroids, view.hits), by_corners = looked_up(scene, view.rays, corners, view.hits);
+book.show_row({{"centroids", view.picture(by_centroids), "Luna's rule: a few triangles decide for whole walls."},
+               {"corners", view.picture(by_corners), "From corners: each vertex is right, and what lies between them is a mixture."}});
+book.show_row({{"centroids_error", view.difference(by_centroids), "Luna's rule minus truth: red is too bright, blue too dark."},
+               {"corners_error", view.difference(by_corners), "From corners minus truth: dark corners run out over the walls."}});
+
+// %% map_text [markdown]
+// ## In a map
+//
+// A wall of two triangles has four vertices and, on this screen, thousands of pixels. Engines therefore keep the answers in a texture, a
+// *lightmap*, as the Unity notes tell. It needs texture coordinates of its own, since those for bricks repeat and those
+// for a lightmap must not: each place of each surface has a texel to itself. The lab cuts the surfaces into nearly flat pieces, the
+// *charts*, lays them side by side into a square, and casts rays from the middle of every texel that a triangle covers.
+//
+// A texel covers a square of side $1/d$, where $d$ is the *density* in texels a unit. Shade that changes faster than that is lost, as
+// between the vertices of a mesh; but $d$ is ours to choose.
+
+// %% map
+const int side = std::clamp(book.size().width * 2 / 5, 64, 1024);
+const LightmapCharts charts = lightmap_charts(scene, view.rays, {.texels = side});
+const LightmapAo map = lightmap_ao(view.rays, charts, lightmap_points(scene, view.rays, charts), settings);
+const Values by_map = looked_up(charts, map.ao, view.hits);
+book.number("side", std::to_string(side));
+book.number("density", decimal_text(charts.density, 1));
+book.show("lightmap", ao_picture(map.ao), "The map, {side} texels a side, {density} texels a unit: every surface once, flat, apart from the others.");
+book.show_row({{"by_map", view.picture(by_map), "The room with the map."},
+               {"by_map_error", view.difference(by_map), "Minus truth: what is left lies within a texel of the corners."}});
+
+// %% edges_text [markdown]
+// ## The edge of a chart
+//
+// **Texels that no triangle's middle covers make lines along every edge.** A look-up with linear filtering mixes four texels, and at the rim
+// of a chart some of them lie outside. If they are black, each edge of the room gets a black line. Two things cure it. A texel that a triangle touches
+// without covering its centre gets rays from the middle of the part that is covered. Then all empty texels beside others take their mean,
+// round after round, which is called *dilation*.
+
+// %% dilation_code tags=["setup"]
+book.listing("ssao/bakes/lightmap_ao.cpp", "dilated", "Dilation. `before` is what was filled when the round began, so that the order of the texels does not matter.");
+
+// %% edges
+Image<float> bare = map.ao;
+for (std::size_t i = 0; i < bare.pixels.size(); ++i) bare.pixels[i] *= map.kind.pixels[i] == TexelKind::centre ? 1.0f : 0.0f;
+const Values by_bare = looked_up(charts, bare, view.hits);
+book.compare({"map_without_edges", view.picture(by_bare), "Only texels whose centre is covered: lines along all edges."},
+             {"map_with_edges", view.picture(by_map), "With touched texels and dilation."});
+
+// %% how_wrong [markdown]
+// ## How wrong each is
+//
+// The table counts what is stored, and the error over the pixels that show a surface. Noise is small in all rows but the first, so what it shows is the
+// price of few places.
+
+// %% errors
+const ImageError of_centroids = view.error(by_centroids), of_corners = view.error(by_corners), of_map = view.error(by_map), of_bare = view.error(by_bare);
+book.table({"baked", "values", "RMS error", "mean error", "largest"},
+           {baked_row("vertices, Luna's rule", joined(centroids).size(), of_centroids), baked_row("vertices, from corners", joined(corners).size(), of_corners),
+            baked_row("map", static_cast<std::size_t>(map.rays_cast / settings.rays), of_map), baked_row("map without edges", map.count(TexelKind::centre), of_bare)});
+book.number("map_rmse", of_map.rmse, 4);
+book.number("vertex_rmse", std::min(of_centroids.rmse, of_corners.rmse), 4);
+book.number("bare_rmse", of_bare.rmse, 4);
+book.check("The map errs by {map_rmse}, less than a third of the {vertex_rmse} of the better vertices.", 3 * of_map.rmse < std::min(of_centroids.rmse, of_corners.rmse));
+book.check("Without touched texels and dilation it errs by {bare_rmse}, more than half as much again.", of_bare.rmse > 1.5 * of_map.rmse);
+
+// %% floors_text [markdown]
+// ## What can go wrong
+//
+// **A mesh is too coarse for its shade.** A box stands on a floor, sunk into it a little. The floor's cells decide what can be kept. With one cell the shade of the
+// box does not exist, as it reaches none of the four vertices. With 64 cells there is shade, in the shape of cells. With 4096 it is round.
+//
+// **A vertex is buried.** The box goes on below the floor, and its lowest vertices see nothing but the dark between floor and box: 0. The rasterizer mixes them
+// upwards, and darkens the box where it comes out of the floor. There truth is about one half. A map has the same trouble in the texels that lie on both sides
+// of the floor.
+
+// %% floors
+std::vector<Notebook::Named> floors;
+std::vector<double> floor_errors;
+float darkest = 1;
+for (const int cells : {1, 8, 64}) {
+    const Scene floor = sunk_box(cells);
+    const View seen(floor, book.size(), settings);
+    const Values baked = looked_up(floor, seen.rays, vertex_ao_from_corners(floor, seen.rays, settings), seen.hits);
+    floor_errors.push_back(seen.error(baked).rmse);
+    darkest = std::ranges::min(baked);
+    floors.push_back({"floor_" + std::to_string(cells), seen.picture(baked), std::to_string(cells * cells) + (cells == 1 ? " cell" : " cells")});
+}
+book.show_row(floors, "Baked to the vertices of ever finer floors. The foot of the box is too dark in all three.");
+book.number("floor_1", floor_errors[0], 4);
+book.number("floor_8", floor_errors[1], 4);
+book.number("darkest", decimal_text(static_cast<double>(darkest), 2));
+book.check("One cell errs by {floor_1}, more than twice the {floor_8} of 64 cells.", floor_errors[0] > 2 * floor_errors[1]);
+book.check("The darkest pixel of the finest floor is {darkest}, where the truth at the foot of the box is one half.", darkest < 0.4f);
+
+// %% stale_text [markdown]
+// **Something moves.** The small box rises by two units. Its shade stays on the floor, and the box takes with it the darkness of a place where it no longer
+// is. No filter cures this; the bake is about another room. Games bake what stands still, and take one of the methods of chapters 13 to 19, with a small radius, for what moves.
+
+// %% stale
+const Scene moved_scene = [&] {
+    Scene moved = scene;
+    moved.instances[kLooseBox] = placed(1, {-4.4f, 2.6f, 1.1f});
+    return moved;
+}();
+const View moved(moved_scene, book.size(), settings);
+const Values stale = looked_up(charts, map.ao, moved.hits);
+book.compare({"stale", moved.picture(stale), "Baked before the box rose: its shade is still on the floor."},
+             {"moved", moved.picture(moved.truth), "Truth: no shade below it."});
+book.show("stale_error", moved.difference(stale), "Baked minus truth. Blue is the old shade.");
+book.number("stale_rmse", moved.error(stale).rmse, 4);
+book.check("Once the box has moved the error is {stale_rmse}, more than twice that of the map before.", moved.error(stale).rmse > 2 * of_map.rmse);
+
+// %% choosing [markdown]
+// ## What is gained, and what it costs
+//
+// Against chapter 19's two rays a pixel a bake gains everything at once: as many rays as one likes, nothing that the screen hides, no noise, and a frame that pays for a
+// texture read. It costs memory for each surface, a build of seconds to minutes, texture coordinates without overlap, and the freedom to move. Use it for buildings and ground. Whatever is
+// baked should multiply ambient light only, as with the maps of a frame: light that comes from a lamp is either blocked by a thing or not, and
+// a shadow map answers that.
+
+// %% exercises [markdown]
+// ## Exercises
+//
+// 1. In the cell `map`, set `side = 64` in `chapters/20_baked_ao.cpp`. Where do lines appear, and how wide are they?
+// 2. In the cell `vertices`, set `tutorial.rays = 1024`. Does Luna's rule get better?
+// 3. In the cell `start`, set `.radius = 100`. Which of the ways to store gains most?
+// 4. Bake a scene of your own: `crevice bake columns --vertex` and `crevice bake columns --lightmap`. Which of its meshes would you rather bake to vertices?
+// 5. Why must no two surfaces share a texel of a lightmap, although they may share one of a brick texture?
+// 6. (Open) A door opens and closes. What could you store so that both are right, and half open nearly?
+//
+// <details><summary>Answers</summary>
+//
+// 1. At the feet of the blocks, as wide as a texel: shade of the floor and light of the block's side fall into one.
+// 2. No. It is the mean over whole triangles that errs, and not the noise of 32 rays.
+// 3. The vertices at corners: shade with a long reach is smooth, and a smooth function is well kept in few places.
+// 4. The head, the spheres, the columns: what has many small triangles. The ground plane has too few.
+// 5. The brick is the same wherever it is; the light at it is not.
+// 6. Two maps, one for each, mixed by how far the door is open. It is right at both ends.
+//
+// </details>
+
+// %% errata [markdown]
+// <details><summary>Errata of the tutorials</summary>
+//
+// - *Luna:* a vertex that no triangle uses gets 0/0. Here it is 1.
+// - *Luna:* slivers count like large triangles in the mean over a vertex.
+// - *Luna:* the start of a ray is lifted by 0.001 units. On a large mesh that is less than the rounding of a float, on a tiny one it leads through the next wall. Here the lift follows from the size of the coordinates.
+// - *Luna:* rays have no end, which the listing itself calls a shortcut: in a closed room everything is black.
+// - *Unity notes:* AO on direct light is, as the text says itself, not physically right; hence the engine's default of leaving it out.
+//
+// </details>
+//
+// ## Where to go on
+//
+// Chapter 21 sets all methods, rays and bakes against their time.
+
+// %% end tags=["setup"]
 }
 
 const Chapter kChapter("20", "baked_ao", "Baked ambient occlusion", baked_ao);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "chapters/props/crops.h"
 #include "chapters/terminal/number_text.h"
 #include "rasterizer/base/error.h"
 #include "scenes/builtin_scenes.h"
@@ -177,13 +178,8 @@ JudgedView judged_column_foot(const Notebook& book, const std::string& own, Size
 Image<float> around_foot(const Image<float>& ao) {
     constexpr double kLeft = 0.28, kTop = 0.36, kPart = 0.42;
     const auto part = [](int whole, double share) { return static_cast<int>(share * whole); };
-    Image<float> seen(Size{std::max(part(ao.size.width, kPart), 1), std::max(part(ao.size.height, kPart), 1)},
-                      1.0f);
-    for (int y = 0; y < seen.size.height; ++y) {
-        for (int x = 0; x < seen.size.width; ++x)
-            seen.at(x, y) = ao.at(x + part(ao.size.width, kLeft), y + part(ao.size.height, kTop));
-    }
-    return seen;
+    const int x0 = part(ao.size.width, kLeft), y0 = part(ao.size.height, kTop);
+    return cropped(ao, {x0, y0, x0 + part(ao.size.width, kPart), y0 + part(ao.size.height, kPart)});
 }
 
 std::vector<std::string> error_row(const std::string& name, const MapError& error) {
