@@ -80,7 +80,8 @@ double rms_between(const Image<float>& a, const Image<float>& b) { return compar
 
 double sixth_root(double value) { return std::cbrt(std::sqrt(value)); }
 
-// clang-format off: cells stand at the margin, where notebooks look for them.
+// Cells stand at the margin, where notebooks look for them.
+// clang-format off
 void sao_chapter(Notebook& book) {
 // %% question [markdown]
 // # How large does it look? Alchemy and scalable obscurance

@@ -61,11 +61,6 @@ struct CheckOutput {
     std::string detail;  // the numbers behind it, may be empty
 };
 
-struct TextOutput {
-    std::string markdown;
-    bool aside = false;
-};
-
 struct ListingOutput {
     CodeListing listing;
     BookText caption;  // Markdown, may be empty
@@ -74,8 +69,7 @@ struct ListingOutput {
 // Whether every cell of a table's column reads as a number, so that it is set flush right.
 bool is_numeric_column(const TableOutput& table, std::size_t column);
 
-using Output =
-    std::variant<PictureOutput, DrawingOutput, TableOutput, CheckOutput, ListingOutput, TextOutput>;
+using Output = std::variant<PictureOutput, DrawingOutput, TableOutput, CheckOutput, ListingOutput>;
 
 struct NotebookCell {
     SourceCell source;

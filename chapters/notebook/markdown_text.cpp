@@ -65,8 +65,6 @@ std::string markdown_of(const ListingOutput& output, BookLanguage language) {
            std::to_string(listing.first_line) + "`\n\n" + fenced(listing.code);
 }
 
-std::string markdown_of(const TextOutput& output, BookLanguage) { return output.markdown + "\n"; }
-
 }  // namespace
 
 std::string code_markdown(const SourceCell& cell) {

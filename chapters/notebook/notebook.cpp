@@ -306,25 +306,4 @@ void Notebook::write_files() const {
     if (options_.language != BookLanguage::en && translated) write(name() + ".zh", BookLanguage::zh);
 }
 
-// ---- chapters that are not cells yet --------------------------------------------------------------------------------
-
-void Notebook::text(const std::string& markdown, int line) {
-    if (!begins(line)) return;
-    put(TextOutput{markdown});
-}
-
-void Notebook::try_it(const std::vector<std::string>& edits, int line) {
-    if (!begins(line)) return;
-    std::string markdown = "**Try:**\n\n";
-    for (std::size_t i = 0; i < edits.size(); ++i) markdown += std::to_string(i + 1) + ". " + edits[i] + "\n";
-    put(TextOutput{markdown, true});
-}
-
-void Notebook::errata(const std::vector<std::string>& items, int line) {
-    if (!begins(line)) return;
-    std::string markdown = "**Errata of the tutorial:**\n\n";
-    for (std::size_t i = 0; i < items.size(); ++i) markdown += std::to_string(i + 1) + ". " + items[i] + "\n";
-    put(TextOutput{markdown, true});
-}
-
 }  // namespace crevice

@@ -85,10 +85,6 @@ class Notebook {
     // Pictures to be seen side by side.
     void show_row(const std::vector<Named>& pictures, const std::string& caption = "",
                   int line = __builtin_LINE());
-    void show_row(const std::string& caption, const std::vector<Named>& pictures,
-                  int line = __builtin_LINE()) {
-        show_row(pictures, caption, line);
-    }
     // Two pictures of one size, on one another behind a slider. Throws UsageError for two sizes.
     void compare(const Named& before, const Named& after, const std::string& caption = "",
                  int line = __builtin_LINE());
@@ -109,10 +105,6 @@ class Notebook {
                  int line = __builtin_LINE());
     void listing_part(const std::string& file, const std::string& symbol, const std::string& from,
                       const std::string& to, const std::string& caption = "", int line = __builtin_LINE());
-
-    void text(const std::string& markdown, int line = __builtin_LINE());
-    void try_it(const std::vector<std::string>& edits, int line = __builtin_LINE());
-    void errata(const std::vector<std::string>& items, int line = __builtin_LINE());
 
     // What follows the last output. Called once, after the chapter's function.
     void finish();

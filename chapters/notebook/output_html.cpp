@@ -97,11 +97,6 @@ std::string html_of(const ListingOutput& output) {
            "</figure>\n";
 }
 
-std::string html_of(const TextOutput& output) {
-    const std::string html = html_from_markdown(output.markdown);
-    return output.aside ? "<aside class=\"box\">\n" + html + "</aside>\n" : html;
-}
-
 }  // namespace
 
 std::string prose_html(const BookText& markdown) {

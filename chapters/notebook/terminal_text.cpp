@@ -92,10 +92,6 @@ std::string text_of(const ListingOutput& output, const TerminalStyle& style) {
     return result + "\n";
 }
 
-std::string text_of(const TextOutput& output, const TerminalStyle& style) {
-    return terminal_prose(output.markdown, style.colour);
-}
-
 // A line of HTML that folds a part of the page: of these the terminal shows the summary alone.
 std::string without_fold(const std::string& line) {
     const std::size_t open = line.find("<summary>"), close = line.find("</summary>");

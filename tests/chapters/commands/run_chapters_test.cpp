@@ -32,7 +32,7 @@ NotebookOptions options_in(const ScratchDirectory& scratch) {
 void passing(Notebook& book) { book.check("one is one", true); }
 void failing(Notebook& book) { book.check("one is two", false, "1 and 2"); }
 void throwing(Notebook& book) {
-    book.text("before");
+    book.check("before", true);
     throw InputError("scene.obj:3: no such vertex (9); check it");
 }
 void silent(Notebook&) {}
