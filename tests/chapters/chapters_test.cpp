@@ -124,9 +124,9 @@ TEST_CASE("chapters: every claim holds, every picture is on disk, quiet says not
 TEST_CASE("chapters: each has a question, exercises with answers, and says where to go on") {
     for (const Chapter* chapter : real_chapters()) {
         CAPTURE(chapter->name());
-        std::string prose;
+        std::string prose = "\n";
         for (const NotebookCell& cell : first_run(*chapter).cells) prose += cell.prose.en + "\n";
-        if (prose.find("# ") == std::string::npos) continue;  // not written as cells yet
+        CHECK(prose.find("\n# ") != std::string::npos);
         for (const char* part : {"## Exercises", "<summary>Answers</summary>", "## Where to go on"}) {
             CAPTURE(part);
             CHECK(prose.find(part) != std::string::npos);
