@@ -74,8 +74,8 @@ void occlusion_test(Notebook& book) {
 // # The occlusion test
 //
 // Look at the foot of the column below. Stone and floor meet there, and the corner between them ought to be dark: from a
-// point on the floor, the column hides a large part of the surroundings. All that we have of the scene is the picture on
-// the right, the *depth map*. How does one read off a depth map that something stands in the way?
+// point on the floor, the column hides a large part of the surroundings. All that we have of the scene is the second
+// picture, the *depth map*. How does one read off a depth map that something stands in the way?
 
 // %% start
 const SwitchedView view = column_foot(book);
@@ -92,7 +92,8 @@ book.show_row({{"normals", normal_picture(shown.gbuffer.normal), "The normals of
 // Chapter 05 has made the steps: fourteen vectors of at most the length *radius*, all turned to the side of the surface
 // that the normal $n$ points to. Adding one of them to the point $p$ of the texel gives a point $q$ in the air beside the
 // surface. Whether $q$ itself is inside of something we cannot know, for the depth map only holds the first surface along
-// each of the eye's rays. So we ask for that surface: the eye's ray through $q$ meets it at a point that we call $r$.
+// each of the eye's rays. So we ask for that surface: the eye's ray through $q$ meets it at a point that we call $r$. (The
+// random vector of chapter 05, for which the tutorials use the same letter, does not appear any more.)
 
 // %% numbers_of_one_texel
 const Texel at = followed_texel(shown.inputs.size());
@@ -112,6 +113,7 @@ book.number("dp", text(texel.samples[blocked].dp));
 book.number("occlusion", text(texel.samples[blocked].weight));
 book.number("taken", text(texel.samples[blocked].contribution));
 book.number("behind", text(-texel.samples[free].dz));
+book.number("sky", static_cast<double>(kBackgroundOverFar * view.camera().far_plane), 0);
 book.draw("occluded_sample",
           sample_diagram(shown.inputs, at.x, at.y, texel, blocked, radius, "One sample that is occluded"),
           "A cut through the depth buffer at texel ({x}, {y}), drawn from its own numbers. The eye looks from the left. "
@@ -132,6 +134,12 @@ book.draw("occluded_sample",
 //
 // $$ u = \frac12 + \frac{q_x}{2\, q_z\, a \tan(fov_y/2)}, \qquad v = \frac12 - \frac{q_y}{2\, q_z \tan(fov_y/2)} $$
 //
+// The depth map that is read here is the picture's own, at full size, although the AO map has half its width and height.
+// Its depths stand at the centres of the pixels, so in a map of $w \times h$ pixels the place is
+// $(u\,w - \frac12,\; v\,h - \frac12)$; between four pixels the depth is mixed linearly, first along the rows, then between
+// them. Pixels of the sky, and everything beyond the picture's rim, count as very far away: {sky} units, a hundred times
+// the far plane, because the mean with an infinite depth would be infinite.
+//
 // At our texel $p = ({{p}})$ and, for the sample of the figure, $q = ({{q}})$. The depth map shows
 // $r_z = {{r_z}}$ there, so $r = ({{r}})$.
 
@@ -141,8 +149,8 @@ book.draw("occluded_sample",
 // Two things must be true for $r$ to block light from $p$.
 //
 // **It stands in front, but not far in front.** We compare depths only: $dz = p_z - r_z$. Where $dz$ is negative, $r$ lies
-// behind $p$ and cannot be in the way. Where it is hardly positive, the difference may be rounding, or the floor itself a
-// little further on: nothing below *epsilon* counts. And where it is large, $r$ is something in the foreground that happens
+// behind $p$ and cannot be in the way. Where it is hardly positive, the difference may be rounding, or the same floor one
+// texel nearer to the eye: what is not more than *epsilon* in front counts nothing. And where it is large, $r$ is something in the foreground that happens
 // to overlap $p$ on the screen and is nowhere near it: the occlusion fades out between *fade start* and *fade end*. This is
 // the *range check* of many tutorials:
 //
@@ -153,7 +161,21 @@ book.draw("occluded_sample",
 //
 // $$ dp = \max\left(0,\; n \cdot \frac{r - p}{|r - p|}\right) $$
 //
-// What the sample takes from $p$ is the product $dp \cdot \mathrm{occlusion}(dz)$.
+// What the sample takes from $p$ is the product $dp \cdot \mathrm{occlusion}(dz)$. These are the numbers of the two
+// tutorials from which this part of the book is built, X_Jun's and Luna's; the pictures here are made with X_Jun's.
+
+// %% settings_of_both tags=["setup"]
+std::vector<std::vector<std::string>> numbers;
+const auto add_number = [&](const char* name, auto of) {
+    numbers.push_back({name, exact_text(static_cast<float>(of(kXjunSettings))), exact_text(static_cast<float>(of(kLunaSettings)))});
+};
+add_number("samples", [](const LunaSettings& s) { return s.samples; });
+add_number("radius, scene units", [](const LunaSettings& s) { return s.radius; });
+add_number("epsilon, scene units", [](const LunaSettings& s) { return s.epsilon; });
+add_number("fade start, scene units", [](const LunaSettings& s) { return s.fade_start; });
+add_number("fade end, scene units", [](const LunaSettings& s) { return s.fade_end; });
+add_number("exponent", [](const LunaSettings& s) { return s.exponent; });
+book.table({"", "X_Jun", "Luna"}, numbers);
 
 // %% curves
 const LunaKernel xjun(shown.inputs, kXjunSettings), luna(shown.inputs, kLunaSettings);
@@ -164,29 +186,38 @@ book.plot("curves",
             {static_cast<double>(kXjunSettings.fade_start), "fade start"},
             {static_cast<double>(kLunaSettings.fade_end), "fade end (Luna)"},
             {static_cast<double>(kXjunSettings.fade_end), "fade end (X_Jun)"}}},
-          "The occlusion function of both tutorials. They differ in one number: X_Jun lets occluders count twice as far "
-          "away.");
+          "The occlusion function of both tutorials: nothing up to epsilon, everything from there to fade start, less and "
+          "less up to fade end. They differ in the last number: X_Jun lets occluders count twice as far away.");
 
 // %% the_code [markdown]
 // ## The code
 //
 // The kernel of this lab does exactly that. `F` is a `float`, or several of them side by side; `select(condition, a, b)` is
-// `condition ? a : b` for each. The test for $q_z$ says whether $q$ is in front of the eye at all: what is not cannot be
-// projected, and counts nothing. It still counts in the fourteen by which the sum is divided.
+// `condition ? a : b` for each. Four cases need a word, because the tutorials' shaders leave them to chance:
+//
+// - A point $q$ that is not beyond the near plane, $q_z \le near$, has no place on the screen. Such a sample takes nothing.
+// - Where $r$ and $p$ are the same point (nearer than a millionth of the radius), the way between them has no direction, and
+//   $dp$ would be 0/0. Such a sample takes nothing.
+// - Where fade start equals fade end, the fraction would be 0/0 again. The function is a step then: 1 before, 0 from there
+//   on.
+// - Far away, a `float` cannot hold a difference as small as epsilon. There epsilon is $2^{-20} p_z$, a few of its steps.
+//
+// Whatever takes nothing still counts among the fourteen by which the sum is divided.
 
 // %% kernel_occlusion tags=["setup"]
 book.listing("ssao/methods/luna_occlusion.h", "occlusion",
-             "The second factor. `nearest_occluder` is epsilon, or what the rounding of a float makes of it far away.");
+             "The second factor. `nearest_occluder` is the larger one of epsilon and $2^{-20} p_z$; `inverse_fade` is one over "
+             "the length of the fade.");
 book.listing("ssao/methods/luna_occlusion.h", "facing",
-             "The first factor, dp. Where r and p are the same point, the way between them has no direction: 0/0 in the "
-             "tutorials' shaders. Here such a sample counts nothing.");
+             "The first factor, dp. `at_depth` is the formula for r, and `apart` asks whether r and p are two points.");
 book.listing("ssao/methods/luna_occlusion.h", "sample", "One sample from beginning to end.");
 
 // %% fourteen [markdown]
 // ## One texel, sample by sample
 //
 // Here are all fourteen samples of texel $({{x}}, {{y}})$, whose normal is $n = ({{n}})$. Read the table by its two
-// factors: a sample takes something only where both are large.
+// factors: a sample takes something only where both are large. "Nothing in front" is said of every $dz$ that is not above
+// epsilon.
 
 // %% table_of_samples
 std::vector<std::vector<std::string>> rows;
@@ -250,8 +281,9 @@ book.compare({"ao_without_dp", ao_picture(view.ao(no_dp).raw), "The columns with
 // %% epsilon
 std::vector<Notebook::Named> by_epsilon;
 std::vector<double> epsilon_means;
-for (const auto& [value, caption] : {std::pair{"0", "epsilon = 0"}, std::pair{"0.05", "epsilon = 0.05, the tutorials'"},
-                                     std::pair{"0.5", "epsilon = 0.5, as large as the radius: next to none is left"}}) {
+for (const auto& [value, caption] : {std::pair{"0", "Epsilon 0: the floor is specked, and so is the column's edge."},
+                                     std::pair{"0.05", "Epsilon 0.05, the tutorials': clean stone, and shade at the foot."},
+                                     std::pair{"0.5", "Epsilon 0.5, as large as the radius: next to no shade is left."}}) {
     const SwitchedAo ao = view.ao({std::string("epsilon=") + value});
     by_epsilon.push_back({"epsilon_" + std::to_string(by_epsilon.size()), ao_picture(ao.raw), caption});
     epsilon_means.push_back(mean_over_surfaces(ao.raw, ao.inputs));
@@ -272,8 +304,9 @@ book.check("A larger epsilon only ever opens: the mean over the surfaces goes fr
 std::vector<Notebook::Named> by_fade;
 std::vector<double> fade_means;
 const SwitchedView whole(book, "columns");
-for (const auto& [value, caption] : {std::pair{"1", "fade end = 1, Luna's"}, std::pair{"2", "fade end = 2, X_Jun's"},
-                                     std::pair{"1e30", "no range check: a halo round every column"}}) {
+for (const auto& [value, caption] : {std::pair{"1", "Fade end 1, Luna's: shade where things touch."},
+                                     std::pair{"2", "Fade end 2, X_Jun's: it reaches a little further."},
+                                     std::pair{"1e30", "No range check: a halo round every column."}}) {
     const SwitchedAo ao = whole.ao({std::string("fade_end=") + value});
     by_fade.push_back({"fade_" + std::to_string(by_fade.size()), ao_picture(ao.raw), caption});
     fade_means.push_back(mean_over_surfaces(ao.raw, ao.inputs));
@@ -282,7 +315,7 @@ book.show_row(by_fade);
 book.number("fade_0", fade_means[0], 4);
 book.number("fade_1", fade_means[1], 4);
 book.number("fade_2", fade_means[2], 4);
-book.check("A wider range only ever closes: {fade_0}, {fade_1}, {fade_2}.",
+book.check("A wider range only ever closes: the mean over the surfaces goes from {fade_0} to {fade_1} to {fade_2}.",
            fade_means[0] > fade_means[1] && fade_means[1] > fade_means[2]);
 
 // %% sign_text [markdown]
@@ -297,8 +330,8 @@ const SwitchedView wall(book, "cornell");
 const Words plain = {"random_vectors=none"}, trap = {plain[0], "sign_of_zero=zero"};
 const Image<float> cured = wall.ao(plain).raw, trapped = wall.ao(trap).raw;
 book.number("samples_zero", std::to_string(zero));
-book.compare({"sign_zero", ao_picture(trapped), "sign(0) = 0 (" + wall.command(trap) + ")."},
-             {"sign_plus", ao_picture(cured), "sign(0) = 1: all fourteen samples leave p."});
+book.compare({"sign_zero", ao_picture(trapped), "With sign(0) = 0 four samples a texel are lost, and the shade is paler (" + wall.command(trap) + ")."},
+             {"sign_plus", ao_picture(cured), "With sign(0) = 1 all fourteen samples leave p."});
 book.check("Facing a wall, only {samples_zero} of the 14 unturned samples leave p where sign(0) is 0; all do where it is 1.",
            plus == kCubeVectors && zero == kCubeVectors - 4);
 
