@@ -318,6 +318,9 @@ book.check(
 book.listing("ssao/inputs/random_vectors.cpp", "cube_offsets",
              "The fourteen offsets. `hash_of` gives every sample a random number that depends on "
              "the seed alone.");
+book.listing("rasterizer/base/hash.h", "hash_of",
+             "Where every random number of this book comes from: whole numbers mixed until no pattern is left.");
+book.listing("ssao/inputs/random_vectors.cpp", "random_map", "The random map, one byte a component.");
 book.listing("ssao/methods/luna_occlusion.h", "random_vector",
              "r of a texel. `raw` leaves it as the map has it, as the tutorials do; `none` leaves "
              "the offsets where they are.");

@@ -134,8 +134,8 @@ void raw_ao(Notebook& book) {
 // %% question [markdown]
 // # Raw ambient occlusion
 //
-// Chapter 06 has judged one texel by fourteen samples. Here every texel of a map is judged so, all of them in the same
-// fourteen directions. The shade at the foot of the column ought to fade out softly. Instead it breaks into *bands*:
+// Chapter 06 has judged one texel by fourteen samples. Here every texel of a map is judged so, for a start without the
+// random turn of chapter 05: all of them look in the same fourteen directions. The shade at the foot of the column ought to fade out softly. Instead it breaks into *bands*:
 // flat patches with hard borders, at places where there is nothing in the scene that has a border.
 
 // %% bands
