@@ -55,7 +55,8 @@ Image<float> without_noise(const Scene& scene, Size size, HbaoSettings settings)
     return hbao(ao_inputs(gbuffer, scene.camera, pixel_fetch(settings)), settings).ao;
 }
 
-// clang-format off: cells stand at the margin, where notebooks look for them.
+// Cells stand at the margin, where notebooks look for them.
+// clang-format off
 void hbao_chapter(Notebook& book) {
 
 // %% question [markdown]

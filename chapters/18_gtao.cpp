@@ -102,7 +102,8 @@ double unevenness(const MethodMap& map) {
     return most;
 }
 
-// clang-format off: cells stand at the margin, where notebooks look for them.
+// Cells stand at the margin, where notebooks look for them.
+// clang-format off
 void gtao_chapter(Notebook& book) {
 
 // %% question [markdown]

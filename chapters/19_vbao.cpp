@@ -111,7 +111,8 @@ bool same_question(const AoQuestion& a, const AoQuestion& b) {
            a.cosine_weighted == b.cosine_weighted;
 }
 
-// clang-format off: cells stand at the margin, where notebooks look for them.
+// Cells stand at the margin, where notebooks look for them.
+// clang-format off
 void vbao_chapter(Notebook& book) {
 
 // %% question [markdown]

@@ -73,7 +73,8 @@ std::vector<std::string> baked_row(const std::string& name, std::size_t stored, 
             decimal_text(error.max_abs, 4)};
 }
 
-// clang-format off: cells stand at the margin, where notebooks look for them.
+// Cells stand at the margin, where notebooks look for them.
+// clang-format off
 void baked_ao(Notebook& book) {
 
 // %% question [markdown]
