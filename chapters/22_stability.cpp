@@ -6,23 +6,18 @@
 #include <array>
 #include <cmath>
 
-#include "chapters/diagrams/section_drawing.h"
 #include "chapters/frame/frame.h"
 #include "chapters/notebook/chapter.h"
-#include "chapters/props/surface_mean.h"
+#include "chapters/props/stiff_faults.h"
 #include "chapters/props/switched_ao.h"
 #include "chapters/stability/rounding.h"
 #include "chapters/stability/stability.h"
 #include "chapters/stability/stiff_scenes.h"
 #include "chapters/terminal/number_text.h"
 #include "rasterizer/draw/depth_precision.h"
-#include "rasterizer/lanes/half.h"
 #include "rasterizer/scene/framing_camera.h"
 #include "rasterizer/scene/outlier_vertex.h"
 #include "scenes/builtin_scenes.h"
-#include "scenes/composing.h"
-#include "scenes/shapes.h"
-
 #include "ssao/methods/luna_ssao.h"
 #include "ssao/methods/xjun_ssao.h"
 
@@ -81,46 +76,6 @@ double covered_share(const Frame& frame) {
     return count / (static_cast<double>(seen.size.width) * seen.size.height);
 }
 
-Camera with_planes(Camera camera, double near_plane, double far_plane) {
-    camera.near_plane = near_plane;
-    camera.far_plane = far_plane;
-    return camera;
-}
-
-// ---- how a depth format shows a plane
-
-constexpr double kCoarseNear = 1e-3;
-
-// A tilted plane and, stair by stair, what 16 bits of ndc depth leave of it.
-std::string stairs(double epsilon) {
-    StiffView view = tilted_plane_view(60);
-    view.camera = with_planes(view.camera, kCoarseNear, 1000);
-    const Size size = {320, 180};
-    NormalDepthSettings buffers;
-    buffers.depth_format = DepthFormat::d16;
-    const GBuffer gbuffer = normal_depth(view.scene, view.camera, size, buffers);
-    const AoInputs inputs = ao_inputs(gbuffer, view.camera, luna_fetch(kLunaSettings));
-    const int x = size.width / 2;
-    std::vector<SectionPoint> stored, drawn;
-    for (int y = 0; y < size.height; ++y) {
-        const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(size.width),
-                    v = (static_cast<float>(y) + 0.5f) / static_cast<float>(size.height);
-        const Vec3<float> rebuilt = inputs.rays.p_view(
-                              u, v, inputs.view_from_ndc(inputs.depth_map.at(x + 1, y + 1))),
-                          seen = inputs.rays.p_view(u, v, gbuffer.view_depth.at(x, y));
-        stored.push_back({static_cast<double>(rebuilt.z), static_cast<double>(rebuilt.y)});
-        drawn.push_back({static_cast<double>(seen.z), static_cast<double>(seen.y)});
-    }
-    SectionDrawing drawing({2.6, -1.6}, {7.6, 1.4});
-    drawing.surface(stored);
-    for (std::size_t i = 8; i < drawn.size(); i += 8) drawing.segment(drawn[i - 8], drawn[i], kSvgPoint);
-    const SectionPoint p = drawn[drawn.size() / 2];
-    drawing.point(p, "p", kSvgPoint);
-    drawing.segment({p.z - epsilon, -1.4}, {p.z - epsilon, 1.2}, kSvgOccluded, true);
-    drawing.words({p.z - epsilon, 1.2}, -104, 12, "epsilon before p");
-    return drawing.svg("A plane, and what sixteen bits keep of it");
-}
-
 PlotCurve step_curve(const std::string& name, Camera camera, DepthFormat format, bool reversed) {
     camera.reversed_z = reversed;
     PlotCurve curve{name, {}, {}, {}, {}, PlotStyle::smooth};
@@ -131,160 +86,21 @@ PlotCurve step_curve(const std::string& name, Camera camera, DepthFormat format,
     return curve;
 }
 
-// ---- naive versions, each for one fault
-
-// The near cut of an edge, when z_clip = a w + b has been rounded to float: where on the edge z_clip is 0, and w there.
-double w_of_float_cut(const Camera& camera, double w_before, double w_behind) {
-    const double n = camera.near_plane, f = camera.far_plane;
-    const auto a = static_cast<float>(f / (f - n)), b = static_cast<float>(-n * f / (f - n));
-    const float w0 = static_cast<float>(w_before), w1 = static_cast<float>(w_behind);
-    const float z0 = a * w0 + b, z1 = a * w1 + b;
-    const float t = z0 / (z0 - z1);
-    return static_cast<double>(w0 + t * (w1 - w0));
-}
-
-// The tutorials' estimator without a floor for rounding: epsilon, however far away.
-Image<float> ao_without_floor(const AoInputs& inputs, const LunaSettings& settings) {
-    const LunaKernel kernel(inputs, settings);
-    const RandomMap random = random_map(settings.seed);
-    Image<float> ao(inputs.size(), 1.0f);
-    for (int y = 0; y < ao.size.height; ++y) {
-        for (int x = 0; x < ao.size.width; ++x) {
-            const LunaPoint<float> at = kernel.point_at<float>(random, x, y);
-            if (!at.surface) continue;
-            float sum = 0;
-            for (const glm::vec3& offset : kernel.offsets) {
-                const Vec3<float> q = kernel.sample_point(at.p, at.n, at.random, offset);
-                const float inverse_z = kernel.inverse_depth(q.z);
-                const float r_z = kernel.depth_at(inputs.rays.p_screen(q, inverse_z));
-                sum += kernel.facing(at.p, at.n, q, inverse_z, r_z) * kernel.occlusion(at.p.z - r_z);
-            }
-            ao.at(x, y) = kernel.stored(kernel.accessibility_of_sum(sum));
-        }
-    }
-    return ao;
-}
-
-// Every normal turned towards the eye, as if one that looks away had to be wrong.
-Image3 turned_to_eye(const GBuffer& gbuffer, const Camera& camera, int& turned) {
-    const AoInputs inputs = ao_inputs(gbuffer, camera, luna_fetch(kLunaSettings));
-    Image3 normals = gbuffer.normal;
-    for (int y = 0; y < normals.size().height; ++y) {
-        for (int x = 0; x < normals.size().width; ++x) {
-            const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(normals.size().width),
-                        v = (static_cast<float>(y) + 0.5f) / static_cast<float>(normals.size().height);
-            const Vec3<float> ray = inputs.rays.p_view(u, v, 1.0f);
-            const glm::vec3 n = normals.at(x, y);
-            if (n.x * ray.x + n.y * ray.y + n.z * ray.z <= 0) continue;
-            normals.set(x, y, -n);
-            ++turned;
-        }
-    }
-    return normals;
-}
-
-Mesh quad_on_ground(float half_side) {
-    Mesh mesh;
-    const float s = half_side;
-    mesh.positions = {{-s, 0, s}, {s, 0, s}, {s, 0, -s}, {-s, 0, -s}};
-    mesh.normals.assign(4, {0, 1, 0});
-    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-    mesh.parts = {{0, 2, 0}};
-    return mesh;
-}
-// The eye one unit over a ground that goes on behind it; near and far are 4e9 apart.
-StiffView ground_through_eye() {
-    StiffView view = corner_view();
-    view.scene.meshes = {quad_on_ground(1e4f)};
-    view.scene.instances = {view.scene.instances.front()};
-    view.camera.eye = {0, 1, 0};
-    view.camera.target = {0, 1, 5};
-    view.camera = with_planes(view.camera, 1e-4, 4e5);
-    return view;
-}
-StiffView without_surfaces(StiffView view) {
-    view.scene.instances.clear();
-    return view;
-}
-
-// The block, and a triangle one of whose corners somebody has lost far away.
-Scene with_lost_vertex() {
-    Scene scene = block_view().scene;
-    scene.instances = {scene.instances.back()};
-    Mesh spike = scene.meshes.front();
-    spike.positions = {{0, 1, 5}, {0, 1.02f, 5}, {400, 0, 0}};
-    spike.normals.assign(3, {0, 0, -1});
-    spike.triangles = {{0, 1, 2}};
-    spike.parts = {{0, 1, 0}};
-    scene.meshes.push_back(spike);
-    scene.instances.push_back({static_cast<int>(scene.meshes.size()) - 1});
-    return scene;
-}
-// A ball of few triangles, whose normals say that it is smooth.
-Scene coarse_ball() {
-    Scene scene = empty_scene();
-    scene.instances = {placed(add_mesh(scene, sphere_mesh(1, 20, 10)), {0, 0, 0})};
-    scene.camera.eye = {0, 0.8, -3.4};
-    scene.camera.target = {0, 0, 0};
-    return scene;
-}
 StiffView between_far_planes(StiffView view) {
     view.camera = with_planes(view.camera, 1e-4, 1e7);
     return view;
 }
+
 std::string ulps_text(const std::optional<AoRounding>& rounding) {
     return rounding ? short_text(rounding->off.p99 / kAoUlp) : "";
 }
+
 Scene without_last_instance(Scene scene) {
     scene.instances.pop_back();
     return scene;
 }
 
-// ---- the suite
-
 const std::vector<std::string> kShownMethods = {"xjun", "luna", "hbao", "gtao", "ray_cast"};
-
-std::string_view colour_of(StabilityVerdict verdict) {
-    switch (verdict) {
-        case StabilityVerdict::exact: return kSvgPoint;
-        case StabilityVerdict::within: return kSvgOpen;
-        case StabilityVerdict::warned: return kSvgSoft;
-        case StabilityVerdict::wrong: return kSvgOccluded;
-    }
-    return kSvgInk;
-}
-
-// A row a case, a column a method.
-std::string heat_map(const std::vector<StabilityCell>& cells) {
-    constexpr double kLeft = 250, kTop = 64, kWidth = 74, kRow = 22;
-    std::string svg;
-    const std::size_t columns = kShownMethods.size(), rows = cells.size() / columns;
-    for (std::size_t column = 0; column < columns; ++column)
-        svg += svg_text({kLeft + kWidth * (static_cast<double>(column) + 0.5), kTop - 10},
-                        kShownMethods[column], TextAnchor::middle);
-    for (std::size_t row = 0; row < rows; ++row) {
-        const double y = kTop + kRow * static_cast<double>(row);
-        svg += svg_text({kLeft - 8, y + 15}, cells[row * columns].stiff->name, TextAnchor::end);
-        for (std::size_t column = 0; column < columns; ++column) {
-            const StabilityCell& cell = cells[row * columns + column];
-            const double x = kLeft + kWidth * static_cast<double>(column);
-            svg += svg_box({x + 2, y + 2}, {x + kWidth - 2, y + kRow - 2}, colour_of(cell.verdict),
-                           std::string(word_of(cell.verdict)) + ", measured " + short_text(cell.measured));
-        }
-    }
-    const double bottom = kTop + kRow * static_cast<double>(rows) + 24;
-    double x = kLeft;
-    for (const StabilityVerdict verdict : {StabilityVerdict::exact, StabilityVerdict::within,
-                                           StabilityVerdict::warned, StabilityVerdict::wrong}) {
-        svg += svg_box({x, bottom - 11}, {x + 12, bottom + 1}, colour_of(verdict), word_of(verdict)) +
-               svg_text({x + 18, bottom}, word_of(verdict));
-        x += 92;
-    }
-    return svg_picture("Stiff cases and methods", kLeft + kWidth * static_cast<double>(columns) + 10,
-                       bottom + 14, svg);
-}
-
-// ---- tables of one kind of case
 
 struct FormatRow {
     const char* word;
@@ -547,7 +363,7 @@ book.check(
 // eye plane, $w = 0$, where there is no projection. The triangle is thrown away, and with it half of the picture.
 
 // %% eye_plane
-const StiffView ground = ground_through_eye();
+const StiffView ground = ground_view();
 const Frame half = drawn(ground, book.size()), nothing = drawn(without_surfaces(ground), book.size());
 const double cut_in_float = w_of_float_cut(ground.camera, 1e4, -1e4);
 book.number("cut", short_text(cut_in_float));
@@ -652,14 +468,13 @@ book.check(
 // %% winding
 const Scene ball = coarse_ball();
 const GBuffer ball_buffers = normal_depth(ball, ball.camera, book.size());
-int turned = 0;
-const Image3 dented = turned_to_eye(ball_buffers, ball.camera, turned);
-book.number("turned", std::to_string(turned));
-book.compare({"normals_turned", normal_picture(dented),
+const TurnedNormals dented = turned_to_eye(ball_buffers, ball.camera);
+book.number("turned", std::to_string(dented.turned));
+book.compare({"normals_turned", normal_picture(dented.normals),
               "Turned towards the eye: {turned} pixels at rims are reversed."},
              {"normals_kept", normal_picture(ball_buffers.normal), "Kept."});
 book.check("{turned} pixels show a surface from its front whose normal looks away from the eye.",
-           turned > 0);
+           dented.turned > 0);
 
 // %% scale_text [markdown]
 // **The unit of length must not matter.** The AO of a room is the same in metres and in miles, if the radius is.
@@ -703,7 +518,7 @@ for (const StiffCase& stiff : cases) {
         ++verdicts[static_cast<std::size_t>(cells.back().verdict)];
     }
 }
-book.draw("heat_map", heat_map(cells),
+book.draw("heat_map", heat_map(cells, kShownMethods),
           "One or two cases of each kind, and five methods. `crevice stability` draws all cases with all "
           "methods, each cell a link "
           "to its picture and its command.");

@@ -4,21 +4,15 @@
 // Run: crevice chapter 23
 #include <algorithm>
 
-#include "chapters/diagrams/depth_section.h"
 #include "chapters/frame/frame.h"
 #include "chapters/notebook/chapter.h"
+#include "chapters/props/tile_proofs.h"
 #include "rasterizer/base/image_summary.h"
 #include "scenes/builtin_scenes.h"
-#include "scenes/composing.h"
-#include "scenes/shapes.h"
-#include "ssao/methods/open_tiles.h"
 #include "ssao/methods/xjun_ssao.h"
 
 namespace crevice {
 namespace {
-
-constexpr glm::vec3 kBackground(0.13f, 0.19f, 0.42f), kOpen(0.16f, 0.62f, 0.3f), kLitOnce(0.95f, 0.75f, 0.2f);
-constexpr float kTint = 0.75f;
 
 FrameRequest request_of(const Notebook& book) {
     FrameRequest request;
@@ -26,27 +20,6 @@ FrameRequest request_of(const Notebook& book) {
     request.method = &find_method("xjun");
     request.settings = settings_of(*request.method, book.options().words);
     return request;
-}
-
-// The final image, with the tiles that a pass left out painted over; their edges show the tile size.
-Picture painted(const Image3& lit, const TileMap& map) {
-    Image3 image = lit;
-    for (int y = 0; y < lit.size().height && map.tile_px > 0; ++y) {
-        for (int x = 0; x < lit.size().width; ++x) {
-            const int tile_x = x * map.picture.width / lit.size().width / map.tile_px,
-                      tile_y = y * map.picture.height / lit.size().height / map.tile_px;
-            const TileWork work = map.tiles.at(tile_x, tile_y);
-            if (work == TileWork::done) continue;
-            const glm::vec3 paint = work == TileWork::background ? kBackground
-                                    : work == TileWork::open     ? kOpen
-                                                                 : kLitOnce;
-            const float shade = (tile_x + tile_y) % 2 == 0 ? 1.0f : 0.85f;
-            image.set(x, y, (1 - kTint) * lit.at(x, y) + kTint * shade * paint);
-        }
-    }
-    Picture picture = lit_picture(image);
-    picture.mapping = "the lit picture; painted blue: background, green: open, yellow: lit once";
-    return picture;
 }
 
 std::string hashes_of(const Frame& frame) {
@@ -61,23 +34,6 @@ Scene columns_from_above() {
     scene.name = "columns_from_above";
     scene.camera.eye = {0, 20, -6};
     scene.camera.target = {0, 0, -5.9};
-    return scene;
-}
-
-// Crates on a floor, seen from right above: the floor is level, and dark around each crate. A small picture is taken from
-// nearer, so that a tile of it fits between them.
-Scene crates_from_above(Size picture) {
-    Scene scene = empty_scene();
-    scene.instances.push_back(placed(add_mesh(scene, grid_mesh(40, 40, 2, 2)), {0, 0, 0}));
-    const int crate = add_mesh(scene, box_mesh({1, 0.5f, 1}));
-    for (int row = -1; row <= 1; ++row) {
-        for (int column = -2; column <= 2; ++column)
-            scene.instances.push_back(
-                placed(crate, {2.3f * static_cast<float>(column) + 0.3f * static_cast<float>(row), 0.25f,
-                               1.9f * static_cast<float>(row)}));
-    }
-    scene.camera.eye = {0, 7 * std::min(1.0, picture.height / 360.0), 0};
-    scene.camera.target = {0, 0, 0.1};
     return scene;
 }
 
@@ -119,69 +75,6 @@ double share_of_ones(const Image<float>& ao) {
     return ones / (static_cast<double>(ao.size.width) * ao.size.height);
 }
 
-// Texels of one tile.
-struct TileTexels {
-    int x0, y0, x1, y1;
-};
-TileTexels texels_of(const TileMap& map, int column, int row) {
-    return {column * map.tile_px, row * map.tile_px, std::min((column + 1) * map.tile_px, map.picture.width),
-            std::min((row + 1) * map.tile_px, map.picture.height)};
-}
-
-// Nearest and farthest view depth of a tile's texels.
-struct DepthRangeOfTile {
-    float nearest = 1e30f, farthest = -1e30f;
-};
-DepthRangeOfTile depths_of(const AoInputs& inputs, const TileTexels& tile) {
-    DepthRangeOfTile range;
-    for (int y = tile.y0; y < tile.y1; ++y) {
-        for (int x = tile.x0; x < tile.x1; ++x) {
-            range.nearest = std::min(range.nearest, inputs.view_depth.at(x, y));
-            range.farthest = std::max(range.farthest, inputs.view_depth.at(x, y));
-        }
-    }
-    return range;
-}
-
-// Naive: a tile is called open when its own texels lie within epsilon, whatever stands beside it.
-TileMap own_depths_only(const AoInputs& inputs, const LunaSettings& settings) {
-    TileMap map(inputs.size(), kAoTile);
-    for (int row = 0; row < map.tiles.size.height; ++row) {
-        for (int column = 0; column < map.tiles.size.width; ++column) {
-            const DepthRangeOfTile range = depths_of(inputs, texels_of(map, column, row));
-            if (range.farthest - range.nearest <= settings.epsilon)
-                map.tiles.at(column, row) = TileWork::open;
-        }
-    }
-    return map;
-}
-
-// Naive: a tile is called background when its four corners show none.
-TileMap corners_only(const AoInputs& inputs) {
-    TileMap map(inputs.size(), kAoTile);
-    for (int row = 0; row < map.tiles.size.height; ++row) {
-        for (int column = 0; column < map.tiles.size.width; ++column) {
-            const TileTexels t = texels_of(map, column, row);
-            const auto sky = [&](int x, int y) { return std::isinf(inputs.view_depth.at(x, y)); };
-            if (sky(t.x0, t.y0) && sky(t.x1 - 1, t.y0) && sky(t.x0, t.y1 - 1) && sky(t.x1 - 1, t.y1 - 1))
-                map.tiles.at(column, row) = TileWork::background;
-        }
-    }
-    return map;
-}
-
-// The map with the tiles that were left out at 1.
-Image<float> with_ones(Image<float> ao, const TileMap& map) {
-    for (int row = 0; row < map.tiles.size.height; ++row) {
-        for (int column = 0; column < map.tiles.size.width; ++column) {
-            if (map.tiles.at(column, row) == TileWork::done) continue;
-            const TileTexels t = texels_of(map, column, row);
-            for (int y = t.y0; y < t.y1; ++y) std::fill(ao.row(y) + t.x0, ao.row(y) + t.x1, 1.0f);
-        }
-    }
-    return ao;
-}
-
 int texels_that_differ(const Image<float>& a, const Image<float>& b) {
     int count = 0;
     for (int y = 0; y < a.size.height; ++y) {
@@ -190,71 +83,7 @@ int texels_that_differ(const Image<float>& a, const Image<float>& b) {
     return count;
 }
 
-// The darkest texel of all tiles that the naive rule takes and the right one does not.
-struct HarmedTexel {
-    int x = 0, y = 0;
-    TileTexels tile{};
-};
-HarmedTexel most_harmed(const TileMap& naive, const TileMap& right, const Image<float>& ao) {
-    HarmedTexel harmed;
-    float darkest = 2;
-    for (int y = 0; y < ao.size.height; ++y) {
-        for (int x = 0; x < ao.size.width; ++x) {
-            const int column = x / kAoTile, row = y / kAoTile;
-            const bool taken = naive.tiles.at(column, row) == TileWork::open;
-            if (!taken || right.tiles.at(column, row) == TileWork::open || ao.at(x, y) >= darkest) continue;
-            darkest = ao.at(x, y);
-            harmed = {x, y, texels_of(naive, column, row)};
-        }
-    }
-    return harmed;
-}
-
-// A cut through a tile along a row or a column of texels: the tile, how far its samples look, and the depth in front of
-// which something must lie to count.
-std::string tile_diagram(const AoInputs& inputs, const LunaSettings& settings, const HarmedTexel& texel,
-                         bool upright) {
-    const TileTexels& tile = texel.tile;
-    const DepthRangeOfTile range = depths_of(inputs, tile);
-    const Size size = inputs.size();
-    const auto z = static_cast<double>(range.farthest);
-    const auto across = [&](int x, int y) {
-        const Vec3<float> p =
-            inputs.rays.p_view(static_cast<float>(x) / static_cast<float>(size.width),
-                               static_cast<float>(y) / static_cast<float>(size.height), range.farthest);
-        return static_cast<double>(upright ? p.y : p.x);
-    };
-    const double a = across(tile.x0, tile.y0), b = across(tile.x1, tile.y1), low = std::min(a, b),
-                 high = std::max(a, b);
-    const double pixel = 2 * static_cast<double>(inputs.rays.ray_scale.y) * z / inputs.picture.height,
-                 reach = sample_reach_px(inputs, settings, static_cast<double>(range.nearest)) * pixel,
-                 margin = 0.25 * (high - low), width = high - low + 2 * reach + 2 * margin;
-    const double front = z - static_cast<double>(settings.epsilon), bar = z - 0.7 * width;
-    const SectionPlane plane{texel.x, texel.y, upright ? glm::vec2(0, 1) : glm::vec2(1, 0)};
-    SectionDrawing drawing({z - width, low - reach - margin}, {z + 0.2 * width, high + reach + margin});
-    drawing.surface(depth_section(inputs, plane, width));
-    drawing.segment({front, low - reach}, {front, high + reach}, kSvgOccluded, true);
-    drawing.segment({bar, low - reach}, {bar, high + reach}, kSvgOpen);
-    drawing.segment({bar - 0.04 * width, low}, {bar - 0.04 * width, high}, kSvgPoint);
-    drawing.words({bar - 0.04 * width, (low + high) / 2}, -56, 4, "the tile");
-    drawing.words({bar, (low + high) / 2}, 8, 4, "what its samples reach");
-    drawing.words({front, high + reach}, -90, 14, "epsilon in front");
-    return drawing.svg("What can a tile's samples meet?", upright ? "y" : "x");
-}
-
-// Whether something nearer lies above or below a texel than to its sides.
-bool nearer_upright(const AoInputs& inputs, const HarmedTexel& texel, double half_width) {
-    const auto nearest = [&](glm::vec2 towards) {
-        double z = 1e30;
-        for (const SectionPoint& p : depth_section(inputs, {texel.x, texel.y, towards}, half_width))
-            z = std::min(z, p.z);
-        return z;
-    };
-    return nearest({0, 1}) < nearest({1, 0});
-}
-
-// Cells stand at the margin, where notebooks look for them.
-// clang-format off
+// clang-format off: cells stand at the margin, where notebooks look for them.
 void left_out(Notebook& book) {
 
 // %% question [markdown]
@@ -281,11 +110,11 @@ book.show_row({{"ao_raw", ao_picture(frame.ao_raw), "The AO map. {ones} % of its
 //
 // **Prove from bounds, before the work begins, that its result is already known; and then do not begin.**
 //
-// A *bound* is a number that a value cannot pass. If the farthest surface of a tile is at depth 20.0, and the nearest thing
-// that any of its samples could possibly meet is at depth 19.98, then no sample finds anything more than 0.05 in front of
-// its texel. That settles 256 texels with two comparisons. The proof uses nothing but the numbers in the buffers. It never
-// trusts a promise of the caller ("this object is in front", "nothing here is transparent"), because one day the promise is
-// wrong, and then so is the picture.
+// Passes work on *tiles*, squares of 16 by 16 texels, one after another. A *bound* is a number that a value cannot pass. If
+// the farthest surface of a tile is at depth 20.00, and the nearest thing that any of its samples could possibly meet is at
+// depth 19.98, then no sample finds anything more than epsilon = 0.05 in front of its texel. That settles 256 texels with
+// two comparisons. The proof uses nothing but the numbers in the buffers. It never trusts a promise of the caller ("this
+// object is in front", "nothing here is transparent"), because one day the promise is wrong, and then so is the picture.
 
 // %% a_tile tags=["setup"]
 const Scene crates = crates_from_above(book.size());
@@ -295,9 +124,7 @@ const AoInputs inputs = ao_inputs(of_crates.gbuffer, crates.camera, xjun_fetch(s
 const TileMap right = ao_tiles(inputs, settings), naive = own_depths_only(inputs, settings);
 const HarmedTexel harmed = most_harmed(naive, right, of_crates.ao_raw);
 book.draw(
-    "tile",
-    tile_diagram(inputs, settings, harmed,
-                 nearer_upright(inputs, harmed, static_cast<double>(settings.radius))),
+    "tile", tile_diagram(inputs, settings, harmed),
     "A cut through the depth buffer: crates on a floor, which the eye sees from above, far to the left. "
     "Green is one tile of the "
     "AO map, blue how far its samples reach. The dashed line lies epsilon in front of the tile's "
@@ -309,7 +136,8 @@ book.draw(
 //
 // We need the nearest depth among everything that a tile's samples may read. So, how far from its own texel does a sample
 // read? The point $q$ lies at most one radius $R$ from $p$: $q = p + e$ with $|e| \le R$. Its place on the screen is
-// proportional to $q_x / q_z$. Write $t = p_x / p_z$ for the slope of the ray through $p$. Then
+// proportional to $q_x / q_z$. Write $t = p_x / p_z$ for the slope of the ray through $p$. With $p_x = t\,p_z$ and
+// $p_z = q_z - e_z$,
 //
 // $$ \frac{q_x}{q_z} - t = \frac{p_x + e_x}{q_z} - t = \frac{t (q_z - e_z) + e_x}{q_z} - t = \frac{e_x - t\, e_z}{q_z} $$
 //
@@ -488,8 +316,8 @@ book.compare(
 // %% exercises [markdown]
 // ## Exercises
 //
-// 1. Run `crevice chapter 23 --cell other_scenes --param epsilon=1`. Why is nearly everything green now, and what has
-//    become of the contact shadows?
+// 1. Run `crevice chapter 23 --cell other_scenes --param epsilon=1`. Why is the whole wall of bumps green now, of which
+//    nothing could be proved before, and what has become of its shade?
 // 2. Run `crevice render columns --repeat 9` and then the same with `--keep-all`. Both print what each pass took. Which
 //    kind of work was worth leaving out?
 // 3. Draw with `crevice render columns --param depth_format=d16 --near 0.001`. Many tiles are drawn a second time after
@@ -501,8 +329,8 @@ book.compare(
 //
 // <details><summary>Answers</summary>
 //
-// 1. Epsilon is larger than the contact shadows' depth, so no occluder is more than epsilon in front of its texel: the
-//    bound holds nearly everywhere, and the shadows it proves away were ruled out by epsilon itself.
+// 1. Its bumps are lower than 1, so nothing within reach of a texel is more than epsilon in front of it, and the bound
+//    proves it. The shade is gone, but not by the proof: epsilon itself has ruled it out.
 // 2. Times are your machine's. The open tiles of AO and blur count for most in pictures with much sky or a facing wall; the
 //    second drawing is the largest part of the lit pass.
 // 3. Sixteen bits and a near plane at a thousandth leave few different depths far away. Surfaces tie, and a tile in which

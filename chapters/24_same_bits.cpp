@@ -13,10 +13,9 @@
 #include "chapters/frame/frame.h"
 #include "chapters/notebook/chapter.h"
 #include "chapters/notebook/embedded_files.h"
-#include "chapters/notebook/svg.h"
+#include "chapters/props/lost_bits.h"
 #include "chapters/props/switched_ao.h"
 #include "chapters/terminal/number_text.h"
-#include "rasterizer/base/hash.h"
 #include "rasterizer/base/image_summary.h"
 #include "scenes/builtin_scenes.h"
 #include "ssao/methods/xjun_ssao.h"
@@ -31,115 +30,6 @@ std::string bits_of(float value) {
     return digits;
 }
 
-// ---- naive versions: each is how a compiler or a machine may compute the same formula
-
-using Dot = float (*)(Vec3<float>, Vec3<float>);
-using Divide = float (*)(float along, float squared);  // along / sqrt(squared)
-using Sum = float (*)(std::span<const float>);
-using Power = float (*)(float base, float exponent);
-
-float rounded_dot(Vec3<float> a, Vec3<float> b) { return dot(a, b); }
-// What GCC makes of the same line where the machine has fused multiply-adds and nobody forbids them, ...
-float fused_dot(Vec3<float> a, Vec3<float> b) { return std::fma(a.z, b.z, std::fma(a.y, b.y, a.x * b.x)); }
-// ... and what another compiler may just as well.
-float otherwise_fused_dot(Vec3<float> a, Vec3<float> b) {
-    return std::fma(a.z, b.z, std::fma(a.x, b.x, a.y * b.y));
-}
-
-float divided(float along, float squared) { return along / square_root(squared); }
-// An estimate of 1 / sqrt(a) is good to 1.5 * 2^-12; which of the numbers that are, differs between makers. One keeps twelve
-// bits rounded, another twelve bits cut off. One step of Newton's doubles the digits.
-float refined(float estimate, float a) { return estimate * (1.5f - 0.5f * a * estimate * estimate); }
-float inverse_root(float a) { return static_cast<float>(1 / std::sqrt(static_cast<double>(a))); }
-float by_rounded_estimate(float along, float squared) {
-    const float estimate = float_from_bits((float_bits(inverse_root(squared)) + 0x400) & ~0x7ff);
-    return along * refined(estimate, squared);
-}
-float by_cut_estimate(float along, float squared) {
-    return along * refined(float_from_bits(float_bits(inverse_root(squared)) & ~0x7ff), squared);
-}
-
-float sum_in_order(std::span<const float> terms) {
-    float sum = 0;
-    for (const float term : terms) sum += term;
-    return sum;
-}
-// As four lanes of a register do, which are added up at the end.
-float sum_of_four(std::span<const float> terms) {
-    std::array<float, 4> sums{};
-    for (std::size_t i = 0; i < terms.size(); ++i) sums[i % 4] += terms[i];
-    return (sums[0] + sums[2]) + (sums[1] + sums[3]);
-}
-
-float own_power(float base, float exponent) { return power(base, exponent); }
-// Of the exponent 4: the products, which is as right as the polynomials.
-float by_products(float base, float) { return (base * base) * (base * base); }
-
-struct Arithmetic {
-    Dot dot = rounded_dot;
-    Divide divide = divided;
-    Sum sum = sum_in_order;
-    Power power = own_power;
-};
-
-// What all samples of a texel take together, and the AO that becomes of it.
-struct Occlusion {
-    float sum = 0, ao = 1;
-};
-
-// The tutorials' estimator, written down once more with these operations.
-Occlusion occlusion_of_texel(const LunaKernel& kernel, const RandomMap& random, int x, int y,
-                             const Arithmetic& with) {
-    const LunaPoint<float> at = kernel.point_at<float>(random, x, y);
-    if (!at.surface) return {};
-    std::array<float, kCubeVectors> terms{};
-    for (std::size_t i = 0; i < kCubeVectors; ++i) {
-        const Vec3<float> q = kernel.sample_point(at.p, at.n, at.random, kernel.offsets[i]);
-        const float inverse_z = kernel.inverse_depth(q.z);
-        const float r_z = kernel.depth_at(kernel.inputs.rays.p_screen(q, inverse_z));
-        const Vec3<float> from_p = kernel.inputs.rays.at_depth(q, inverse_z, r_z) - at.p;
-        const float squared = with.dot(from_p, from_p), along = with.dot(at.n, from_p);
-        const float radius = kernel.settings.radius;
-        const bool counts = squared > radius * radius * 1e-12f && kernel.visible(q.z) && along > 0;
-        if (counts) terms[i] = with.divide(along, squared) * kernel.occlusion(at.p.z - r_z, at.p.z);
-    }
-    const float sum = with.sum(terms), access = kernel.accessibility_of_sum(sum);
-    return {sum, saturate(with.power(max_of(access, 0.0f), kernel.settings.exponent))};
-}
-struct OcclusionMaps {
-    Image<float> sum, ao;
-};
-OcclusionMaps maps_with(const LunaKernel& kernel, const RandomMap& random, const Arithmetic& arithmetic) {
-    OcclusionMaps maps{Image<float>(kernel.inputs.size(), 0.0f), Image<float>(kernel.inputs.size(), 1.0f)};
-    for (int y = 0; y < maps.ao.size.height; ++y) {
-        for (int x = 0; x < maps.ao.size.width; ++x) {
-            const Occlusion texel = occlusion_of_texel(kernel, random, x, y, arithmetic);
-            maps.sum.at(x, y) = texel.sum;
-            maps.ao.at(x, y) = texel.ao;
-        }
-    }
-    return maps;
-}
-
-// How far two images are apart, in steps of a float, and how often.
-struct BitsApart {
-    int texels = 0;
-    float most = 0;
-    Image<float> steps;
-};
-BitsApart bits_apart(const Image<float>& a, const Image<float>& b) {
-    BitsApart apart;
-    apart.steps = Image<float>(a.size, 0.0f);
-    for (int y = 0; y < a.size.height; ++y) {
-        for (int x = 0; x < a.size.width; ++x) {
-            const int steps = std::abs(float_bits(a.at(x, y)) - float_bits(b.at(x, y)));
-            apart.texels += steps != 0 ? 1 : 0;
-            apart.most = std::max(apart.most, std::fabs(a.at(x, y) - b.at(x, y)));
-            apart.steps.at(x, y) = static_cast<float>(steps);
-        }
-    }
-    return apart;
-}
 struct MapsApart {
     BitsApart sum, ao;
 };
@@ -153,111 +43,6 @@ std::vector<std::string> apart_row(const std::string& what, const MapsApart& apa
             significant_text(static_cast<double>(apart.ao.most), 2)};
 }
 Picture apart_picture(const MapsApart& apart) { return grey_picture(apart.sum.steps, 0, 4); }
-
-// One vector of the picture whose squared length comes out differently in all three ways.
-struct ThreeWays {
-    Vec3<float> v{0, 0, 0};
-    double exact = 0;
-    float rounded = 0, fused = 0, otherwise_fused = 0;
-};
-ThreeWays three_ways(const LunaKernel& kernel) {
-    const AoInputs& inputs = kernel.inputs;
-    ThreeWays found;
-    for (int y = inputs.size().height / 2; y < inputs.size().height; ++y) {
-        for (int x = 0; x < inputs.size().width; ++x) {
-            const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(inputs.size().width),
-                        v = (static_cast<float>(y) + 0.5f) / static_cast<float>(inputs.size().height);
-            if (!std::isfinite(inputs.view_depth.at(x, y))) continue;
-            const Vec3<float> p = inputs.rays.p_view(u, v, inputs.view_depth.at(x, y));
-            found = {p, 0, rounded_dot(p, p), fused_dot(p, p), otherwise_fused_dot(p, p)};
-            if (found.rounded != found.fused && found.fused != found.otherwise_fused &&
-                found.rounded != found.otherwise_fused)
-                return found;
-        }
-    }
-    return found;
-}
-double exact_square(Vec3<float> v) {
-    const double x = v.x, y = v.y, z = v.z;
-    return x * x + y * y + z * z;
-}
-
-// The floats around a value as ticks, and where the results lie among them.
-std::string number_line(const ThreeWays& ways) {
-    constexpr double kMiddle = 300, kStep = 90, kAxis = 100;
-    const double step =
-        static_cast<double>(std::nextafter(ways.rounded, 1e30f)) - static_cast<double>(ways.rounded);
-    const auto x = [&](double value) {
-        return kMiddle + kStep * (value - static_cast<double>(ways.rounded)) / step;
-    };
-    std::string svg = svg_line({10, kAxis}, {590, kAxis}, kSvgInk);
-    for (int i = -3; i <= 3; ++i)
-        svg += svg_line({kMiddle + kStep * i, kAxis - 8}, {kMiddle + kStep * i, kAxis + 8}, kSvgInk);
-    const auto mark = [&](double value, double height, const std::string& words, std::string_view colour) {
-        svg +=
-            svg_line({x(value), kAxis}, {x(value), kAxis + height}, colour) +
-            svg_dot({x(value), kAxis}, 4.5, colour) +
-            svg_text({x(value), kAxis + height + (height > 0 ? 16 : -6)}, words, TextAnchor::middle, colour);
-    };
-    mark(exact_square(ways.v), -40, "exact", kSvgPoint);
-    mark(static_cast<double>(ways.rounded), 24, "each rounded", kSvgInk);
-    mark(static_cast<double>(ways.fused), 44, "fused", kSvgOpen);
-    mark(static_cast<double>(ways.otherwise_fused), 64, "fused otherwise", kSvgOccluded);
-    return svg_picture("The square of one length, computed in three ways", 600, 200, svg);
-}
-
-// The sum of a map's rows, taken in the order in which threads happen to finish them.
-float sum_of_rows(const Image<float>& ao, std::span<const int> order) {
-    float sum = 0;
-    for (const int y : order) sum += sum_in_order({ao.row(y), static_cast<std::size_t>(ao.size.width)});
-    return sum;
-}
-// Order 0 is from top to bottom.
-std::vector<int> order_of_threads(int rows, std::uint32_t seed, std::uint32_t which) {
-    std::vector<int> order(static_cast<std::size_t>(rows));
-    for (int i = 0; i < rows; ++i) order[static_cast<std::size_t>(i)] = i;
-    for (std::uint32_t i = static_cast<std::uint32_t>(rows) - 1; which > 0 && i > 0; --i)
-        std::swap(order[i], order[hash_of(seed, which, i) % (i + 1)]);
-    return order;
-}
-
-// What a machine makes of a float that no int can hold.
-using ToInt = std::int32_t (*)(float);
-std::int32_t to_int_of_x86(float a) {
-    return a > -2147483904.0f && a < 2147483648.0f ? static_cast<std::int32_t>(a) : INT32_MIN;
-}
-std::int32_t to_int_of_arm(float a) {  // WebAssembly's saturating conversion is the same
-    if (std::isnan(a)) return 0;
-    return a >= 2147483648.0f ? INT32_MAX : to_int_of_x86(a);
-}
-// Naive: a depth as a grey of 0 to 255, converted first and clamped afterwards.
-Image<float> as_bytes(const Image<float>& view_depth, float farthest, ToInt to_int_of_machine) {
-    Image<float> bytes(view_depth.size, 0.0f);
-    for (int y = 0; y < bytes.size.height; ++y) {
-        for (int x = 0; x < bytes.size.width; ++x)
-            bytes.at(x, y) = static_cast<float>(
-                std::clamp(to_int_of_machine(view_depth.at(x, y) * (255 / farthest)), 0, 255));
-    }
-    return bytes;
-}
-float farthest_surface(const Image<float>& view_depth) { return buffer_statistics(view_depth).max; }
-
-// A map five texels narrower than rows are aligned to, with something in the memory behind each row.
-Image<float> narrow(const Image<float>& ao, float padding) {
-    const int width = round_up(ao.size.width, kRowAlignment) - kRowAlignment - 5;
-    Image<float> copy({width, ao.size.height}, padding);
-    for (int y = 0; y < ao.size.height; ++y) std::copy(ao.row(y), ao.row(y) + width, copy.row(y));
-    return copy;
-}
-// Naive: over all of the memory.
-std::uint32_t memory_hash(const Image<float>& image) {
-    std::uint32_t hash = 2166136261u;
-    for (const float value : image.pixels)
-        hash = (hash ^ static_cast<std::uint32_t>(float_bits(value))) * 16777619u;
-    return hash;
-}
-
-// ---- every way to run a frame on this machine
 
 std::string hash_named(const Frame& frame, const std::string& buffer) {
     if (buffer == "normal") return content_hash(frame.gbuffer.normal);
@@ -352,8 +137,7 @@ book.show_row({{"apart_fused", apart_picture(fused),
 // order.
 
 // %% three_ways_of_one
-ThreeWays ways = three_ways(kernel);
-ways.exact = exact_square(ways.v);
+const ThreeWays ways = three_ways(kernel);
 book.number("v", exact_text(ways.v.x) + ", " + exact_text(ways.v.y) + ", " + exact_text(ways.v.z));
 book.number("exact", significant_text(ways.exact, 12));
 book.number("rounded", bits_of(ways.rounded));
@@ -478,13 +262,16 @@ book.check("This machine computes what is on record, bit for bit.", as_recorded)
 // %% contraction_text [markdown]
 // ## Five ways to lose them
 //
-// Each of the following is a naive version of something that the lab does otherwise. They stand in this chapter only.
+// Each of the following is a naive version of something that the lab does otherwise. They stand in
+// `chapters/props/lost_bits.cpp`, and only this chapter uses them.
 //
 // **1. The compiler fuses.** On 64-bit ARM every processor has the instruction, and GCC uses it unless it is told not to.
 // The same source then has other bits there than on x86-64, and two compilers may fuse two different products. *The cure*
 // is one word in the build, `-ffp-contract=off`.
 
 // %% contraction
+book.listing("chapters/props/lost_bits.cpp", "fused_dot",
+             "The same sum of products, with one rounding each where the kernel has two.");
 book.table(kApartColumns, {apart_row("fused, from left to right", fused),
                            apart_row("fused, x and y exchanged", otherwise)});
 book.number("fused_texels", std::to_string(fused.ao.texels));
@@ -505,6 +292,7 @@ book.check(
 // sum. *The cure*: lanes hold pixels, never samples.
 
 // %% reassociation
+book.listing("chapters/props/lost_bits.cpp", "sum_of_four", "Four lanes, each with every fourth sample.");
 const OcclusionMaps again = maps_with(kernel, random, {.sum = sum_in_order});
 book.table(kApartColumns, {apart_row("one sample after the other", maps_apart(in_order, again)),
                            apart_row("four partial sums", in_fours)});
@@ -519,6 +307,8 @@ book.check("Four partial sums change {fours_texels} texels of the AO map.", in_f
 // square root, which the standard defines, and polynomials of our own.
 
 // %% estimates
+book.listing("chapters/props/lost_bits.cpp", "by_rounded_estimate",
+             "One maker's estimate: the right value, rounded to twelve bits; then the step of Newton's.");
 const OcclusionMaps by_a = maps_with(kernel, random, {.divide = by_rounded_estimate}),
                     by_b = maps_with(kernel, random, {.divide = by_cut_estimate}),
                     by_product = maps_with(kernel, random, {.power = by_products});
@@ -548,6 +338,7 @@ book.check(
 // *The cure*: each thread keeps its own, and one adds them up in the order of the rows.
 
 // %% threads
+book.listing("chapters/props/lost_bits.cpp", "sum_of_rows", "A common total.");
 constexpr std::uint32_t kOrders = 100;
 std::set<std::string> sums;
 std::vector<std::vector<std::string>> order_rows;
@@ -569,9 +360,10 @@ book.check("{orders} orders of the same rows have {sums} different sums.", sums.
 // is infinite. *The cure*: clamp first, then convert, and write comparisons so that a NaN takes the safe side.
 
 // %% conversions
+book.listing("chapters/props/lost_bits.cpp", "as_bytes", "Converted first, clamped afterwards.");
 const SwitchedView whole(book, "columns");
 const Image<float> depth = whole.ao().gbuffer.view_depth;
-const float farthest = farthest_surface(depth);
+const float farthest = buffer_statistics(depth).max;
 const Image<float> of_x86 = as_bytes(depth, farthest, to_int_of_x86),
                    of_arm = as_bytes(depth, farthest, to_int_of_arm);
 const BitsApart converted = bits_apart(of_x86, of_arm);
