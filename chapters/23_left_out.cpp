@@ -83,7 +83,8 @@ int texels_that_differ(const Image<float>& a, const Image<float>& b) {
     return count;
 }
 
-// clang-format off: cells stand at the margin, where notebooks look for them.
+// Cells stand at the margin, where notebooks look for them.
+// clang-format off
 void left_out(Notebook& book) {
 
 // %% question [markdown]
