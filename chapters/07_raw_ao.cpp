@@ -67,14 +67,18 @@ std::vector<std::vector<std::string>> pixels_of(const Texel& at, const SwitchedA
     return rows;
 }
 
+// Those whose four pixels all show the sky.
 struct SkyTexels {
     int count = 0, darkened = 0;
 };
 SkyTexels sky_texels(const SwitchedAo& shown) {
     SkyTexels sky;
-    for (int y = 0; y < shown.raw.size.height; ++y) {
-        for (int x = 0; x < shown.raw.size.width; ++x) {
-            if (std::isfinite(shown.inputs.view_depth.at(x, y))) continue;
+    const Image<float>& z = shown.gbuffer.view_depth;
+    for (int y = 0; y < z.size.height / 2; ++y) {
+        for (int x = 0; x < z.size.width / 2; ++x) {
+            const float nearest = std::min({z.at(2 * x, 2 * y), z.at(2 * x + 1, 2 * y), z.at(2 * x, 2 * y + 1),
+                                            z.at(2 * x + 1, 2 * y + 1)});
+            if (std::isfinite(nearest)) continue;
             ++sky.count;
             if (shown.raw.at(x, y) != 1) ++sky.darkened;
         }
