@@ -2,8 +2,6 @@
 // Source: MiniEngine (Microsoft) and Unity's Post-Processing v2, "MultiScaleVO"; Loos and Sloan 2010, "Volumetric
 //         obscurance".
 // Run: crevice chapter 16
-#include <cmath>
-
 #include "chapters/diagrams/ball_chords.h"
 #include "chapters/diagrams/point_cloud.h"
 #include "chapters/notebook/chapter.h"
@@ -91,7 +89,8 @@ book.number("sum", text(sum));
 book.draw(
     "ball", ball_diagram(inputs, settings, 2, at.x, at.y, "One ball and four of its chords"),
     "The texel ({x}, {y}) beside the jamb, $p = ({{p}})$, in a level cut. Blue is the part of a chord in front of the "
-    "surface, red the part behind it. On the jamb's side more than half is red.");
+    "surface, red the part behind it. In this niche, which has a wall on either side, more than half of every chord is "
+    "red.");
 
 // %% derivation [markdown]
 // ## Half a ball
@@ -119,7 +118,7 @@ book.draw(
 
 // %% pairs
 book.draw(
-    "pairs", tap_pairs_diagram(texel, "The eighteen pairs of the smallest ball, as the eye sees them"),
+    "pairs", tap_pairs_diagram(texel, "The eighteen pairs of the smallest ball"),
     "Red pairs take something from texel ({x}, {y}): with the jamb on one side, the other side does not go back as "
     "far as the jamb comes forward. Pairs up and down along the jamb see a plane.");
 
@@ -132,19 +131,19 @@ book.draw(
 // that prefer a cell of like depth.
 
 // %% scales
-std::vector<Notebook::Named> balls;
-for (const char* radius : {"0.25", "0.5", "1", "2"}) {
-    const MethodMap map = view.map("msvo", {std::string("radius=") + radius, "samples=36"});
-    balls.push_back({"ball_" + std::to_string(balls.size()), ao_picture(map.raw.ao),
-                     std::string("One ball of radius ") + radius + "."});
-}
-book.show_row(balls);
+const auto one_ball = [&](const std::string& name, const std::string& radius, const std::string& caption) {
+    return Notebook::Named{name, ao_picture(view.map("msvo", {"radius=" + radius, "samples=36"}).raw.ao), caption};
+};
+book.show_row(
+    {one_ball("ball_1", "0.25", "A ball of radius 0.25: hollows."), one_ball("ball_2", "0.5", "Radius 0.5: corners.")});
+book.show_row(
+    {one_ball("ball_3", "1", "Radius 1: niches."),
+     one_ball("ball_4", "2", "Radius 2: the ground around the house, in streaks, for its taps lie far apart.")});
 book.number("ao", text(shown.raw.ao.at(at.x, at.y)));
 book.show("product", ao_picture(shown.raw.ao), "The product of the four, at half the picture's size.");
 book.check(
-    "At texel ({x}, {y}) the smallest ball takes {finest}, the three larger ones {coarser} of what it leaves. One "
-    "minus "
-    "both is {ao}, the value in the map.",
+    "At texel ({x}, {y}) the smallest ball takes {finest}, the three larger ones {coarser} more. One minus both is "
+    "{ao}, the value in the map.",
     texel.value_of_sum(sum) == shown.raw.ao.at(at.x, at.y));
 
 // %% the_code [markdown]
@@ -161,7 +160,8 @@ book.check(
 book.listing("ssao/methods/msvo_scales.h", "open_pair", "A pair of chords.");
 book.listing_part("ssao/methods/msvo_scales.h", "pairs", "const F apart", "total = total + half",
                   "All pairs of one ball. Depths are compared in scene units, so an orthographic view works, too.");
-book.listing("ssao/methods/msvo_scales.cpp", "upsampled", "From a coarse grid to the next finer one.");
+book.listing("ssao/methods/msvo_scales.cpp", "upsampled_texel",
+             "From a coarse grid to the next finer one: four cells, the nearer ones and those of like depth first.");
 
 // %% strip_text [markdown]
 // ## Turning the knobs
@@ -191,12 +191,10 @@ for (const char* thickness : {"1", "4"}) {
 
 // %% errors
 std::vector<std::vector<std::string>> rows;
-double largest_reads = 0;
 for (const char* name : {"xjun", "hemisphere", "unity", "alchemy", "sao", "msvo"}) {
     const MethodMap map = judged.map(name);
     const AoQuestion question = judged.question_of(map);
     const MapError error = judged.error(map, judged.truth(question));
-    largest_reads = std::fmax(largest_reads, reads_per_pixel(map));
     rows.push_back({name, decimal_text(static_cast<double>(question.radius), 1), decimal_text(reads_per_pixel(map), 1),
                     map.method->reads_normals ? "yes" : "no", decimal_text(error.rmse, 4),
                     decimal_text(error.bias, 4)});
@@ -216,7 +214,7 @@ book.check("Without normals and without noise the error is {rmse}, the bias {bia
 // ## What can go wrong
 //
 // **Pairs that open more than a plane.** The published sources cut off only the whole ball at what a plane leaves, not each
-// pair. What lies behind an edge then makes up for what rises on the other side: beside a roof's edge a corner stays open.
+// pair. What lies behind an edge then makes up for what rises on the other side: beside such an edge a corner stays open.
 
 // %% edges
 const MethodMap all_pairs = view.map("msvo", {"pairs=all"});
@@ -225,7 +223,7 @@ book.number("all_mean", mean_over_surfaces(all_pairs.raw.ao, all_pairs.raw.input
 book.compare(
     {"pairs_all", ao_picture(all_pairs.raw.ao),
      "The ball as a whole is cut off (" + view.command("msvo", {"pairs=all"}) + ")."},
-    {"pairs_plane", ao_picture(shown.raw.ao), "Each pair is cut off: the ground before the house gets its shade."});
+    {"pairs_plane", ao_picture(shown.raw.ao), "Each pair is cut off: what lies behind an edge makes up for nothing."});
 book.check("The mean over the surfaces is {all_mean} with the first, {plane_mean} with the second.",
            mean_over_surfaces(shown.raw.ao, inputs) < mean_over_surfaces(all_pairs.raw.ao, all_pairs.raw.inputs));
 
@@ -251,7 +249,8 @@ beside_column.target = {-2.6f, -1.9f, -0.8f};
 behind.look(beside_column, "--eye -7.4,-1.2,-7.2 --target -2.6,-1.9,-0.8");
 const MethodMap thick = behind.map("msvo", {"thickness=10"}), thin = behind.map("msvo");
 book.compare({"thick", ao_picture(thick.raw.ao),
-              "T = 10 (" + behind.command("msvo", {"thickness=10"}) + "): dark borders around the columns."},
+              "T = 10 (" + behind.command("msvo", {"thickness=10"}) +
+                  "): dark borders, in blocks as large as the cells of the coarse grids."},
              {"thin", ao_picture(thin.raw.ao), "T = 1: less of them."});
 book.number("thick_mean", mean_over_surfaces(thick.raw.ao, thick.raw.inputs), 3);
 book.number("thin_mean", mean_over_surfaces(thin.raw.ao, thin.raw.inputs), 3);
