@@ -80,7 +80,7 @@ book.show_row(
 //
 // **Scatter points in the half ball over the surface, and count how many of them the eye cannot see.**
 //
-// A point in the air beside a column may be inside of the column, or behind it. In either case the depth map shows
+// A point in the air beside a wall may be inside of the wall, or behind it. In either case the depth map shows
 // something nearer at the point's place on the screen, and we call the point *hidden*. The share of the hidden points
 // measures how much of the space over the surface is filled. Only the half ball on the side of the normal counts: of a whole
 // ball, a half would lie below the floor, and an open floor would come out grey.
