@@ -297,8 +297,8 @@ book.check(
 // 10,000,000.
 
 // %% passes_against_judge
-const JudgedView at_ease = judged_view(block_view(), {}),
-                 strained = judged_view(between_far_planes(block_view()), {});
+const RoundingView at_ease = rounding_view(block_view(), {}),
+                 strained = rounding_view(between_far_planes(block_view()), {});
 const std::vector<PassRounding> passes = pass_rounding(at_ease),
                                 passes_strained = pass_rounding(strained);
 std::vector<std::vector<std::string>> pass_rows;
@@ -324,7 +324,7 @@ book.check(
 // %% methods_against_judge
 std::vector<std::vector<std::string>> method_rows;
 std::array<double, 2> luna_depth{};
-for (const JudgedView* const seen : {&at_ease, &strained}) {
+for (const RoundingView* const seen : {&at_ease, &strained}) {
     for (const char* name : {"xjun", "luna", "hbao", "gtao"}) {
         const MethodRounding rounding = method_rounding(*seen, find_method(name), {});
         std::vector<std::string> row = {std::string(name) + (seen == &strained ? ", strained" : "")};

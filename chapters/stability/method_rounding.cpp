@@ -54,13 +54,13 @@ Image<double> widened(const Image<float>& image) {
 
 // The maps of one method on one view.
 struct MapMaker {
-    const JudgedView& judged;
+    const RoundingView& judged;
     const Method& method;
     const FrameSettings settings;
     const Run& run;
     RayScene rays = {};
 
-    MapMaker(const JudgedView& view, const Method& of, const Run& with)
+    MapMaker(const RoundingView& view, const Method& of, const Run& with)
         : judged(view), method(of), settings(settings_of(at_full_size(view.view), of)), run(with) {
         if (method.casts_rays) rays = ray_scene(view.view.scene, view.camera.eye, run);
     }
@@ -99,7 +99,7 @@ std::string why_not_in_double(const Method& method) {
     return "whether a ray meets a triangle is decided in double wherever float is in doubt";
 }
 
-MethodRounding method_rounding(const JudgedView& view, const Method& method, const Run& run) {
+MethodRounding method_rounding(const RoundingView& view, const Method& method, const Run& run) {
     const MapMaker maps(view, method, run);
     const RawAo raw = maps.in_float(view.gbuffer);
     const Image<float>& depth = view.gbuffer.view_depth;
@@ -128,7 +128,7 @@ MethodRounding method_rounding(const JudgedView& view, const Method& method, con
 }
 
 CaseRounding case_rounding(const RoundingCase& of, const Method* only, const Run& run) {
-    const JudgedView view = judged_view(of.view(), run);
+    const RoundingView view = rounding_view(of.view(), run);
     CaseRounding result{of, pass_rounding(view), {}};
     for (const Method& method : ao_methods()) {
         if (method.computes_ao() && (only == nullptr || only == &method))

@@ -23,7 +23,7 @@ double ulp_of(double value) {
 double apart(double a, double b) { return std::fabs(a - b); }
 
 // Of the vertices on the screen: positions before they are snapped, and w, which is their view depth.
-void add_vertices(const JudgedView& view, std::vector<PassRounding>& rows) {
+void add_vertices(const RoundingView& view, std::vector<PassRounding>& rows) {
     const Scene& scene = view.view.scene;
     const DoubleJudge judge(scene, view.camera, view.geometry);
     const TransformedVertices& drawn = view.geometry.vertices;
@@ -58,7 +58,7 @@ double depth_step(DepthFormat format, double ndc) {
     return ulp_of(ndc);
 }
 
-void add_pixels(const JudgedView& view, std::vector<PassRounding>& rows) {
+void add_pixels(const RoundingView& view, std::vector<PassRounding>& rows) {
     const GBuffer& g = view.gbuffer;
     const Image<float> ndc = ndc_depth(g.depth);
     std::vector<double> off_depth, off_view_depth, off_normal;
@@ -91,9 +91,9 @@ RoundingFigures rounding_figures(std::vector<double> off) {
     return figures;
 }
 
-JudgedView judged_view(StiffView view, const Run& run) {
+RoundingView rounding_view(StiffView view, const Run& run) {
     const FrameSettings settings = settings_of(view, find_method("none"));
-    JudgedView result{std::move(view), {}, {}, {}, {}};
+    RoundingView result{std::move(view), {}, {}, {}, {}};
     const Scene& scene = result.view.scene;
     result.camera = result.view.camera;
     result.camera.reversed_z = settings.reversed_z;
@@ -104,7 +104,7 @@ JudgedView judged_view(StiffView view, const Run& run) {
     return result;
 }
 
-std::vector<PassRounding> pass_rounding(const JudgedView& view) {
+std::vector<PassRounding> pass_rounding(const RoundingView& view) {
     std::vector<PassRounding> rows;
     add_vertices(view, rows);
     add_pixels(view, rows);

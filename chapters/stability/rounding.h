@@ -59,18 +59,18 @@ struct MethodRounding {
 std::string why_not_in_double(const Method& method);
 
 // What is drawn, in float and as the judge has it. AO maps are of the picture's size, so that a texel is a pixel.
-struct JudgedView {
+struct RoundingView {
     StiffView view;
     Camera camera;  // with the depth direction that the view's parameters ask for
     ScreenGeometry geometry;
     GBuffer gbuffer;
     DoubleGBuffer judged;
 };
-JudgedView judged_view(StiffView view, const Run& run);
+RoundingView rounding_view(StiffView view, const Run& run);
 
 // Of the vertex transform, the depth buffer, view depth and normals.
-std::vector<PassRounding> pass_rounding(const JudgedView& view);
-MethodRounding method_rounding(const JudgedView& view, const Method& method, const Run& run);
+std::vector<PassRounding> pass_rounding(const RoundingView& view);
+MethodRounding method_rounding(const RoundingView& view, const Method& method, const Run& run);
 
 struct RoundingCase {
     std::string name;      // unique; a word

@@ -37,7 +37,7 @@ TEST_CASE("rounding: cases have unique names, and a quick run some of them") {
 TEST_CASE("rounding: every pass is a few ulps off, and no distance from the origin changes that") {
     for (const double away : {0.0, 1e4, 4e6}) {
         CAPTURE(away);
-        const JudgedView view = judged_view(moved(block_view(), away), {});
+        const RoundingView view = rounding_view(moved(block_view(), away), {});
         for (const PassRounding& pass : pass_rounding(view)) {
             CAPTURE(pass.pass);
             const bool in_pixels = pass.unit == "px";
@@ -50,7 +50,7 @@ TEST_CASE("rounding: every pass is a few ulps off, and no distance from the orig
 }
 
 TEST_CASE("rounding: every method's kernel and its buffers change next to nothing of an ordinary scene") {
-    const JudgedView view = judged_view(block_view(), {});
+    const RoundingView view = rounding_view(block_view(), {});
     for (const Method& method : ao_methods()) {
         if (!method.computes_ao()) continue;
         CAPTURE(std::string(method.name));
@@ -77,7 +77,8 @@ TEST_CASE(
     even.size = {128, 64};
     odd.size = {125, 63};
     const auto kernel_error = [](const StiffView& view) {
-        return p99_of(method_rounding(judged_view(view, {}), find_method("xjun"), {}), RoundingCause::kernel);
+        return p99_of(method_rounding(rounding_view(view, {}), find_method("xjun"), {}),
+                      RoundingCause::kernel);
     };
     CHECK(kernel_error(odd) > 2 * kernel_error(even));
 }
@@ -85,7 +86,7 @@ TEST_CASE(
 TEST_CASE("rounding: a coarse depth format is luna's error alone, and it shows") {
     StiffView coarse = block_view();
     coarse.params = {"depth_format=d16"};
-    const JudgedView view = judged_view(coarse, {});
+    const RoundingView view = rounding_view(coarse, {});
     const auto depth_error = [&](const char* name) {
         return p99_of(method_rounding(view, find_method(name), {}), RoundingCause::depth);
     };
