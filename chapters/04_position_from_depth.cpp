@@ -85,15 +85,11 @@ SkyInHalf sky_in_half(const SwitchedView& view, Size size, BufferFormat format) 
     result.nan_blurred = static_cast<double>(buffer_statistics(blurred).nan) / texels;
     return result;
 }
-// A NaN without the sign that printing would give it.
-std::string value_text(float value) {
-    return std::isnan(value) ? "NaN" : std::isinf(value) ? "infinity" : exact_text(value);
-}
 std::vector<std::string> row_of(const char* rounding, const SkyInHalf& half) {
     return {rounding,
-            value_text(half.sky),
-            value_text(half.sky - half.sky),
-            value_text(10 + 0 * (half.sky - 10)),
+            exact_text(half.sky),
+            exact_text(half.sky - half.sky),
+            exact_text(10 + 0 * (half.sky - 10)),
             significant_text(half.nan, 3),
             significant_text(half.nan_blurred, 3)};
 }

@@ -63,6 +63,7 @@ PositionError position_error(const AoInputs& inputs, Position position) {
     each_surface(inputs.view_depth, [&](int, int, float u, float v, float z) {
         const Vec3<float> off = position(inputs.rays, u, v, z) - inputs.rays.p_view(u, v, z);
         const double length = std::sqrt(double(dot(off, off)));
+        if (std::isnan(length)) return;
         sum += length, count += 1;
         error.most = std::max(error.most, length);
     });

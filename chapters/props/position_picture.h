@@ -16,7 +16,8 @@ Picture unit_cubes(const GBuffer& gbuffer, const Camera& camera, Position positi
 // X_Jun's AO with the positions p given; samples are projected as ever.
 Image<float> ao_at(const AoInputs& inputs, Position position);
 
-// How far positions are from those of ViewRays::p_view over all texels with a surface, scene units.
+// How far positions are from those of ViewRays::p_view over all texels with a surface, scene units. A position that is not
+// a number is left out: the misprint makes one of a ray along an axis.
 struct PositionError {
     double mean = 0, most = 0;
 };
