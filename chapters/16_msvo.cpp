@@ -41,7 +41,8 @@ double reads_per_pixel(const MethodMap& map) {
     return samples * scale * scale;
 }
 
-// clang-format off: cells stand at the margin, where notebooks look for them.
+// Cells stand at the margin, where notebooks look for them.
+// clang-format off
 void msvo_chapter(Notebook& book) {
 // %% question [markdown]
 // # Balls in the depth map: multi-scale volumetric obscurance
