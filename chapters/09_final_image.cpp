@@ -201,7 +201,7 @@ book.number("colour_off", text(near_off.at(x, y)));
 book.number("colour_on", text(near_on.at(x, y)));
 book.draw("lookup", lookup_diagram(near.blurred, book.size(), x, y, "One pixel and the four texels around it"),
           "Texels are drawn black, pixels grey. The centre of pixel ({x}, {y}), green, lies a quarter of a texel from the nearest "
-          "texel's centre in each direction; the blue lines carry the weights.");
+          "texel's centre in each direction; the blue lines carry the weights w.");
 
 // %% from_half_size [markdown]
 // ## From half size to full size

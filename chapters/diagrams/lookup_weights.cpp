@@ -42,7 +42,7 @@ std::string lookup_diagram(const Image<float>& ao, Size picture, int x, int y, c
         svg += svg_line(pixel, centre, kSvgOpen) + svg_dot(centre, 4, kSvgInk) +
                svg_text({centre.x, centre.y + (i >= 2 ? 40 : -44)},
                         "AO " + text(ao.at(texels[i].x, texels[i].y), 3), TextAnchor::middle) +
-               svg_text({centre.x, centre.y + (i >= 2 ? 58 : -26)}, "weight " + text(texels[i].weight, 4),
+               svg_text({centre.x, centre.y + (i >= 2 ? 58 : -26)}, "w = " + text(texels[i].weight, 4),
                         TextAnchor::middle, kSvgOpen);
     }
     svg += svg_dot(pixel, 6, kSvgPoint);
