@@ -32,7 +32,7 @@ TEST_CASE("percent format: names, kinds, lines and texts") {
         "\n"
         "// %% draw\n"
         "\n"
-        "int x;  // %% no cell\n"
+        "int x;  // %% no cell\n",
         "a.cpp");
     REQUIRE(cells.size() == 3);
     CHECK(cells[0].kind == SourceCell::Kind::setup);
