@@ -282,6 +282,7 @@ book.check(
 // | AO | $r - p$, then squared | radius below $10^{-12}$ | lengths scaled before squaring, or a warning |
 // | half size | the mean of two surfaces' depths | at every edge | the nearest surface, on its own plane |
 // | framing | largest - smallest coordinate | everything, by one stray vertex | say which one |
+//
 // The section after the next shows each of them, the fault on one side of a slider and the cure on the other.
 
 // %% judge_text [markdown]

@@ -64,7 +64,7 @@ KeptAndLeftOut kept_and_left_out(const Scene& scene, FrameRequest request) {
 std::vector<std::string> table_row(const std::string& name, const Frame& frame) {
     std::vector<std::string> row = {name};
     for (const SkippedWork& work : frame.skipped)
-        row.push_back(std::to_string(work.count) + " of " + std::to_string(work.of));
+        row.push_back(std::to_string(work.count) + " / " + std::to_string(work.of));
     return row;
 }
 
