@@ -31,20 +31,25 @@ bool is_file_name(const std::string& name) {
     return !name.empty() && std::all_of(name.begin(), name.end(), allowed);
 }
 
-// Whether there is something to translate: two small letters beside one another, outside of `code` and {numbers}.
-// Abbreviations and units (AO, NDC, MB) are the same in Chinese.
+// Whether there is something to translate: a word of two small letters or more, outside of `code` and {numbers}.
+// Abbreviations and units (AO, NDC, MB) are the same in Chinese, and what holds digits is a number or a name.
 bool has_words(const std::string& text) {
     char closing = 0, before = ' ';
-    for (const char c : text) {
+    bool pair = false, digits = false;  // in the word so far
+    for (const char c : text + " ") {
+        const auto byte = static_cast<unsigned char>(closing != 0 ? ' ' : c);
         if (closing != 0) {
             if (c == closing) closing = 0;
         } else if (c == '`' || c == '{') {
             closing = c == '{' ? '}' : '`';
-        } else if (std::islower(static_cast<unsigned char>(c)) != 0 &&
-                   std::islower(static_cast<unsigned char>(before)) != 0) {
-            return true;
         }
-        before = closing != 0 ? ' ' : c;
+        if (std::isalnum(byte) == 0) {
+            if (pair && !digits) return true;
+            pair = digits = false;
+        }
+        digits = digits || std::isdigit(byte) != 0;
+        pair = pair || (std::islower(byte) != 0 && std::islower(static_cast<unsigned char>(before)) != 0);
+        before = static_cast<char>(byte);
     }
     return false;
 }
