@@ -63,6 +63,7 @@ void SectionDrawing::surface(const std::vector<SectionPoint>& points) {
 }
 
 void SectionDrawing::segment(SectionPoint from, SectionPoint to, std::string_view colour, bool dashed) {
+    if (!std::isfinite(from.z) || !std::isfinite(to.z)) return;  // one of the ends is the sky
     drawn_ += svg_polyline({at(from), at(to)}, colour, dashed ? " stroke-dasharray=\"5 4\"" : "");
 }
 

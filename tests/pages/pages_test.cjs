@@ -55,6 +55,7 @@ async function checkViewer(name, page) {
   await page.keyboard.press("0");
   expect(name, "the key 0 shows it whole again", await transform() === before);
   await page.keyboard.press("Escape");
+  await dialog.waitFor({ state: "detached", timeout: 5000 }).catch(() => {});
   expect(name, "Escape closes it", await dialog.count() === 0);
 }
 
