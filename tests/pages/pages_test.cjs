@@ -3,8 +3,8 @@
 // enlarged pictures and the values under the pointer work. By hand, since it needs playwright-core from npm:
 //
 //     crevice chapter all --out OUT
-//     npm install --prefix /tmp/playwright playwright-core
-//     NODE_PATH=/tmp/playwright/node_modules node tests/pages/pages_test.cjs OUT [DIRECTORY_FOR_SCREENSHOTS]
+//     npm install --prefix build/playwright playwright-core
+//     NODE_PATH=build/playwright/node_modules node tests/pages/pages_test.cjs OUT [DIRECTORY_FOR_SCREENSHOTS]
 "use strict";
 const fs = require("node:fs");
 const path = require("node:path");
