@@ -275,13 +275,14 @@ book.compare({"ao_without_dp", ao_picture(view.ao(no_dp).raw), "The columns with
              {"ao_with_dp", ao_picture(shown.raw), "With it: the shade at the column's foot stands out again."});
 
 // %% epsilon_text [markdown]
-// **Epsilon too small, and stone is dirty; too large, and contact shade is gone.** A floor seen at a slant fills a texel
-// with more than one depth; below the size of that error, $dz$ means nothing.
+// **Epsilon too small, and smooth stone is hazy; too large, and contact shade is gone.** The column is made of flat facets
+// whose normals are interpolated, so that it looks round. Measured against such a normal, parts of the same facet seem to
+// stand a little in front of each other; what is less than epsilon in front does not count.
 
 // %% epsilon
 std::vector<Notebook::Named> by_epsilon;
 std::vector<double> epsilon_means;
-for (const auto& [value, caption] : {std::pair{"0", "Epsilon 0: the floor is specked, and so is the column's edge."},
+for (const auto& [value, caption] : {std::pair{"0", "Epsilon 0: a faint haze on the column, and a rim of shade that is a trace wider."},
                                      std::pair{"0.05", "Epsilon 0.05, the tutorials': clean stone, and shade at the foot."},
                                      std::pair{"0.5", "Epsilon 0.5, as large as the radius: next to no shade is left."}}) {
     const SwitchedAo ao = view.ao({std::string("epsilon=") + value});

@@ -365,15 +365,17 @@ book.check(
 
 // %% eye_plane
 const StiffView ground = ground_view();
-const Frame half = drawn(ground, book.size()), nothing = drawn(without_surfaces(ground), book.size());
+const Frame half = drawn(ground, book.size());
+std::vector<std::vector<std::string>> cuts;
+for (const double w : {1.0, 10.0, 100.0, 1000.0, 10000.0})
+    cuts.push_back({short_text(w), short_text(w_of_float_cut(ground.camera, w, -w))});
 const double cut_in_float = w_of_float_cut(ground.camera, 1e4, -1e4);
 book.number("cut", short_text(cut_in_float));
 book.number("near", short_text(ground.camera.near_plane));
 book.number("covered", 100 * covered_share(half), 1);
-book.compare(
-    {"ground_lost", view_depth_picture(nothing.gbuffer.view_depth),
-     "Clipped by z in float: the ground is gone."},
-    {"ground", view_depth_picture(half.gbuffer.view_depth), "Clipped by w: it covers the lower half."});
+book.table({"an edge from w to -w", "is cut at w ="}, cuts,
+           "Where the near plane cuts an edge if $A w + B$ is summed in float. It should be {near} every time.");
+book.show("ground", view_depth_picture(half.gbuffer.view_depth), "Clipped by w: it covers the lower half.");
 book.check(
     "In float the cut has w = {cut} instead of {near}. Compared by w, the ground covers {covered} % of "
     "the picture.",

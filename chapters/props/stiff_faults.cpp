@@ -111,11 +111,6 @@ TurnedNormals turned_to_eye(const GBuffer& gbuffer, const Camera& camera) {
     return result;
 }
 
-StiffView without_surfaces(StiffView view) {
-    view.scene.instances.clear();
-    return view;
-}
-
 Scene with_lost_vertex() {
     Scene scene = block_view().scene;
     scene.instances = {scene.instances.back()};

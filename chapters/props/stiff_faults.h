@@ -29,7 +29,6 @@ struct TurnedNormals {
 };
 TurnedNormals turned_to_eye(const GBuffer& gbuffer, const Camera& camera);
 
-StiffView without_surfaces(StiffView view);
 // The block, and a triangle one of whose corners somebody has lost far away.
 Scene with_lost_vertex();
 // A ball of few triangles, whose normals say that it is smooth.
