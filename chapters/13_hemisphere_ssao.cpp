@@ -282,7 +282,7 @@ book.number("no_bias", buffer_statistics(no_bias).mean, 3);
 book.number("biased", buffer_statistics(biased).mean, 3);
 book.compare(
     {"acne", ao_picture(no_bias), "A bare floor, seen from low above, without a bias: it shades itself."},
-    {"biased", ao_picture(biased), "With the published bias of 0.025: clean near the eye, and no better far away."});
+    {"biased", ao_picture(biased), "With the published bias of 0.025: clean near the eye; far away the shade is paler, and still there."});
 book.check(
     "The bare floor's mean is {no_bias} without a bias and {biased} with it. With the plane test every pixel is 1.",
     buffer_statistics(no_bias).mean < buffer_statistics(biased).mean && buffer_statistics(biased).min < 1 &&

@@ -242,8 +242,8 @@ book.check(
     texel.value_of_sum(sum) == shown.raw.ao.at(at.x, at.y));
 
 // %% strip_text [markdown]
-// With every doubling of the radius the same taps have four times the area to cover. More taps help; the cost of one stays
-// the same.
+// With every doubling of the radius the same taps have four times the area to cover. More taps take grain away; the cost of
+// one stays the same.
 
 // %% strips
 for (const char* samples : {"5", "11", "48"}) {
@@ -288,9 +288,9 @@ book.number("rmse", own.rmse, 3);
 book.number("rmse_more", more.rmse, 3);
 book.number("rmse_weaker", weaker.rmse, 3);
 book.check(
-    "With 48 taps instead of 11 the error is {rmse_more} after {rmse}: more taps do not help. Half the intensity "
+    "With 48 taps instead of 11 the error is {rmse_more} after {rmse}: more taps take away grain, not error. Half the intensity "
     "brings it to {rmse_weaker}.",
-    more.rmse > 0.5 * own.rmse && weaker.rmse < own.rmse);
+    more.rmse > 0.9 * own.rmse && weaker.rmse < own.rmse);
 
 // %% place_text [markdown]
 // ## What can go wrong

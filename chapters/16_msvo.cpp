@@ -150,7 +150,7 @@ book.check(
 // %% the_code [markdown]
 // ## The code
 //
-// In HLSL the pair is three lines; `o1` and `o2` are not cut off, as the rejection needs to know how far in front they are:
+// In HLSL the pair is two lines; `o1` and `o2` are not cut off, as the rejection needs to know how far in front they are:
 //
 // ```hlsl
 // float s1 = saturate(rejection * o1), s2 = saturate(rejection * o2);   // rejection is negative

@@ -6,21 +6,12 @@
 
 #include "chapters/props/crops.h"
 #include "chapters/terminal/number_text.h"
-#include "rasterizer/base/error.h"
-#include "scenes/builtin_scenes.h"
 #include "ssao/light/widened_ao.h"
 #include "ssao/rays/ray_cast.h"
 
 namespace crevice {
 
 namespace {
-
-Scene scene_named(const std::string& name) {
-    const BuiltinScene* const found = find_builtin_scene(name);
-    if (found == nullptr)
-        throw UsageError("scene: there is no such scene (" + name + "); see `crevice scenes`");
-    return found->make();
-}
 
 bool knows(const Method& method, const std::string& word) {
     return std::ranges::any_of(frame_parameters(method), [&](const Parameter<FrameSettings>& parameter) {

@@ -7,16 +7,12 @@
 
 namespace crevice {
 
-namespace {
-
 Scene scene_named(const std::string& name) {
     const BuiltinScene* const found = find_builtin_scene(name);
     if (found == nullptr)
         throw UsageError("scene: there is no such scene (" + name + "); see `crevice scenes`");
     return found->make();
 }
-
-}  // namespace
 
 SwitchedView::SwitchedView(const std::string& scene, Size size, const std::string& method)
     : scene_(scene_named(scene)), camera_(scene_.camera), size_(size), method_(find_method(method)) {

@@ -15,6 +15,9 @@ namespace crevice {
 // The words of `--param`, name=value.
 using Words = std::vector<std::string>;
 
+// A built-in scene. Throws UsageError where there is none of this name.
+Scene scene_named(const std::string& name);
+
 struct SwitchedAo {
     LunaSettings settings;  // of the estimator
     BlurSettings blur;
