@@ -97,9 +97,10 @@ std::string stretched_slope(double stretch) {
     drawing.arrow({0, 0}, unit(-1, 1), kSvgSoft);
     drawing.words(unit(-1, 1), -54, -4, "before");
     drawing.arrow({0, 0}, unit(by_world.x, by_world.y), kSvgOccluded);
-    drawing.words(unit(by_world.x, by_world.y), -76, 4, "turned by W");
+    drawing.words(unit(by_world.x, by_world.y), -84, 4, "turned by W");
     drawing.arrow({0, 0}, unit(cofactors.z, cofactors.y), kSvgPoint);
     drawing.words(unit(cofactors.z, cofactors.y), -30, -10, "by the inverse transpose");
+    drawing.words({1.15, 1.15}, -108, 4, "the slope before");
     drawing.words({1.0, 0.5}, -30, 34, "the slope, stretched");
     return drawing.svg("A slope that is stretched, and its normal");
 }
@@ -294,10 +295,11 @@ book.check(
 //
 // Positions come to the world by the object's matrix $W$ and to view space by the camera's $V$: $p$ becomes $V W p$.
 // (Vectors are columns here, as in the sources of this book; the tutorials write them as rows, $p\, W V$, so each of
-// their matrices is the transpose of ours.) Normals do not follow the same way. A direction $t$ *in* the surface becomes $W t$, because it joins two points of it. The normal is
-// whatever stays perpendicular to all of these. We look for a matrix $N$ with
+// their matrices is the transpose of ours.) Normals do not follow the same way. A direction $s$ *in* the surface becomes
+// $W s$, because it joins two points of it. The normal is whatever stays perpendicular to all of these. We look for a
+// matrix $N$ with
 //
-// $$ 0 = (N n) \cdot (W t) = n^\top N^\top W\, t \qquad\text{whenever}\quad n \cdot t = 0 $$
+// $$ 0 = (N n) \cdot (W s) = n^\top N^\top W\, s \qquad\text{whenever}\quad n \cdot s = 0 $$
 //
 // $N^\top W = 1$ does it, so $N = (W^{-1})^\top$, the *inverse transpose* of the upper left 3 x 3 part of $W$. For a
 // rotation it is the rotation itself. For a stretch it is the opposite stretch: a roof that is pulled wide gets

@@ -357,8 +357,8 @@ book.table(table.header, table.rows,
 book.number("of_bound", percent_text(table.most_of_bound));
 book.number("reversed", significant_text(table.worst_reversed, 2));
 book.check(
-    "No error exceeds the bound that follows from the formula above, and the bound is not too wide: the largest error "
-    "is {of_bound} of it.",
+    "No error exceeds the bound that follows from the formula above, and the largest comes to {of_bound} "
+    "of it.",
     table.most_of_bound <= 1);
 book.check("Reversed floats are off by no more than {reversed} of z, whatever the planes.",
            table.worst_reversed < 2e-7);

@@ -282,12 +282,13 @@ for (const char* thickness : {"0.03", "0.06", "0.25", "1e30"}) {
     by_thickness.push_back({"thickness_" + std::to_string(by_thickness.size()), ao_picture(around_foot(m.raw.ao)),
                             std::string("thickness ") + thickness});
 }
-book.show_row(by_thickness, "From foil to things without end.");
+book.show_row(by_thickness, "Everything is taken to be so thick, in scene units: at first like foil, at last without end. The shade at the foot grows with it.");
 for (const char* samples : {"4", "8", "18", "54"}) {
     by_samples.push_back({std::string("samples_") + samples, ao_picture(around_foot(view.map("vbao", {std::string("samples=") + samples}).raw.ao)),
                           std::string("samples = ") + samples});
 }
-book.show_row(by_samples, "The same slices and steps as GTAO: what lies between two steps is missed, and here nothing below a sample makes up for it.");
+book.show_row(by_samples, "With the slices and steps of GTAO. What lies between two steps is missed by both; but GTAO takes all below its highest sample for closed, "
+              "and here the gap stays open.");
 const MethodMap nothing = view.map("vbao", {"thickness=0"});
 book.number("thickness_thin", thickness_means.front(), 4);
 book.number("thickness_all", thickness_means.back(), 4);
@@ -312,8 +313,9 @@ book.check("The mean over the surfaces is {mean_touched} against {mean_middle}."
            mean_over_surfaces(touched.raw.ao, touched.raw.inputs) < mean_over_surfaces(shown.raw.ao, shown.raw.inputs));
 
 // %% angles_text [markdown]
-// **Equal angles forget the cosine.** With 32 sectors of the same angle, and slices averaged as they are, a sector near the
-// plane takes as much as one near the normal. It is faster by the arc of the integral, and it is a different question.
+// **Equal angles forget the cosine.** Divide each slice into 32 sectors of the same angle, and count. Then a sector near the plane
+// is worth as much as one near the normal, although it brings next to no light. That saves the integral and its arc functions, so
+// it is faster; but it answers another question.
 
 // %% angles
 const MethodLimit angles = judged.limit("vbao", {"radius=2", "thickness=0.5", "sectors=angle"});
