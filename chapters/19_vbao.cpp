@@ -399,7 +399,7 @@ book.check("As an answer to the question of ambient light, rays apart, {nearest}
 // hand, and rays affordable?* Then cast two of them: nothing on the screen comes near. Everything else reads normals and depth, and is chosen by what you
 // must not get wrong.
 //
-// - **The look of a given engine or tutorial.** Take its method with its numbers, faults included, and do not call it accurate. X_Jun and Luna make strong, dark contacts by an exponent of 4 or 6.
+// - **The look of a given engine or tutorial.** Take its method with its numbers, faults included, and do not call it accurate. X_Jun's and Luna's (chapters 03 to 09) make strong, dark contacts by an exponent of 4 or 6.
 // - **Ambient light that adds up with the rest.** GTAO: it asks the right question, and gives bent normals and a fit for bounces. Cut it at the radius
 //   if you measure, keep its fade if you look.
 // - **Fences, leaves, hair, cables.** The visibility bitmask, with a thickness set to the thinnest thing that matters. On solid things it will be too light; measure how much.

@@ -347,7 +347,7 @@ book.compare(
 // %% errata [markdown]
 // <details><summary>Errata of the tutorials</summary>
 //
-// - *X_Jun and Luna* run AO over the sky as over any surface and rely on the result being 1 there, but do not say why it
+// - *X_Jun and Luna* (tutorials for Direct3D 11 and 12) run AO over the sky as over any surface and rely on the result being 1 there, but do not say why it
 //   is. Luna clears normals to $(0, 0, 1)$, away from the eye, so that dp is 0 for everything in front of the far plane.
 //   X_Jun clears them to $(0, 0, -1)$, towards the eye; there the fade alone keeps the sky white, since everything is too
 //   far in front of it to count.
