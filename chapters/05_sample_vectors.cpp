@@ -303,8 +303,8 @@ book.check(
 // A shader has no random numbers, so they are made once and stored in a texture, the *random map*: 256 by 256 colours
 // of 8 bits a channel, drawn evenly from 0 to 1. A colour $c$ stands for the vector $r = 2c - 1$, so that each
 // component lies between -1 and 1. The map is laid over the picture four times across and four times down, whatever the
-// picture's shape, and it wraps round at its ends, so there is no seam. A texel looks it up at $(4u, 4v)$, and the four
-// nearest vectors are mixed *linearly*, which shortens them.
+// picture's shape, and it wraps round at its ends, so there is no seam. A texel looks it up at $(4u, 4v)$. Its vectors
+// stand at the centres of its own texels, as in any texture; the four nearest are mixed *linearly*, which shortens them.
 
 // %% the_map
 book.show("random_map", normal_picture(as_image(map)),

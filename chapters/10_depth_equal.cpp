@@ -257,7 +257,7 @@ book.check("Cut in the second alone, {gaps} of the surface is missing.", only_se
 // 3. Set `depth_format=d32f` and `--param lit_depth_test=less_equal`, and try `lit_depth_bias` of -1, -16 and -256. Which is the smallest that
 //    closes all?
 // 4. Where would a *slope* bias, a multiple of how fast depth changes from pixel to pixel, be better than a constant one?
-// 5. Reversed Z stores $near / z$. Would it change the number of holes?
+// 5. Reversed Z stores $z_n / z$. Would it change the number of holes?
 //
 // <details><summary>Answers</summary>
 //

@@ -330,7 +330,8 @@ book.check("WRAP is no cure, either: it mixes the lowest row into the top one, b
 // <details><summary>Answers</summary>
 //
 // 1. Its shade gets lighter still, until the stone has left the picture at the top like the sphere before it, and no pixel is left that could be wrong.
-// 2. Both methods have the value of the rays: the plate is more than either fade end in front of the wall, so it does not count, and the halo is gone.
+// 2. The rays have 1, both methods are within a few hundredths of it: the plate is further in front of the wall than either fade end, so it does not
+//    count any more, and the halo is gone.
 // 3. Fewer, because a flatter view has the shelf in front of the point more often.
 // 4. From a second layer: *depth peeling* keeps the second surface of each pixel, or the depths of back faces, which also tell how thick
 //    things are. Both cost a further drawing.
