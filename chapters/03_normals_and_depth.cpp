@@ -168,7 +168,8 @@ book.table(
 //
 // Both values are in *view space*, the space of the camera: x to the right, y up, z into the picture, the eye at the
 // origin. *View depth* is the z of a point there. It is not its distance from the eye: all points of a plane that faces
-// the camera have the same view depth.
+// the camera have the same view depth. The pass draws as any rasterizer does: back faces are left out, the nearest surface
+// wins (LESS, so the first of equals), and vertex normals are interpolated with regard to perspective.
 
 // %% buffers
 book.show("normal", normal_picture(shown.gbuffer.normal),

@@ -209,7 +209,8 @@ book.check(
 // %% code_text [markdown]
 // ## The code
 //
-// The lab does not interpolate corners. It computes the same ray from $u$ and $v$, with z = 1: `ray_scale` is
+// The lab does not interpolate corners. Its *kernel*, the code that runs for every texel, computes the same ray from $u$
+// and $v$, with z = 1: `ray_scale` is
 // $(a \tan(fov_y/2), \tan(fov_y/2))$, the half size of the plane one unit away. In HLSL the pixel shader has one line,
 // `p = (pz / ray.z) * ray`, and the vertex shader hands out the corners. `F` is a `float`, or several side by side.
 

@@ -268,7 +268,10 @@ book.compare({"edge_mixed", ao_picture(cropped(mixed.blurred, part)), "Blurred, 
 // ## The code
 //
 // The whole pass is a loop over texels with the following body. The HLSL of the tutorials ends in the same three steps:
-// divide by the sample count, subtract from one, `saturate(pow(access, k))`.
+// divide by the sample count, subtract from one, `saturate(pow(access, k))`. The pictures of this book use X_Jun's numbers, and
+// depart from the shader in five places: the random vector is made unit (chapter 05); edge texels take the nearest surface; and of
+// the cases of chapter 06, the sign of 0 is 1, samples before the near plane are rejected, and $r = p$ takes nothing. `--param
+// as_published=true` goes back to the tutorials' random vectors, edge texels and sign.
 
 // %% kernel_texel tags=["setup"]
 book.listing("ssao/methods/luna_occlusion.h", "texels_at",

@@ -284,8 +284,8 @@ book.check("With as many points the error is {rmse} where chapter 13 had {rmse_l
 
 // %% wrong_depth
 book.compare({"by_centre", ao_picture(by_centre.raw.ao),
-              "Compared with the depth of p: all that is seen at a slant is grey (" + view.command("unity", centre) + ")."},
-             {"by_point", ao_picture(by_point.raw.ao), "Compared with the depth of each point: the roof and the ground are white."});
+              "Compared with the depth of p: columns, gutter and ground are grey (" + view.command("unity", centre) + ")."},
+             {"by_point", ao_picture(by_point.raw.ao), "Compared with the depth of each point: all of them are white."});
 book.number("centre_mean", mean_over_surfaces(by_centre.raw.ao, by_centre.raw.inputs), 3);
 book.number("point_mean", mean_over_surfaces(by_point.raw.ao, by_point.raw.inputs), 3);
 book.check("The mean over the surfaces is {centre_mean} with the wrong depth and {point_mean} with the right one.",
