@@ -119,7 +119,7 @@ void vbao_chapter(Notebook& book) {
 // # Things have backs: the visibility bitmask
 //
 // A row of thin bars stands a unit in front of a wall. Light reaches the wall between the bars and past them, so rays through the
-// scene, on the right, find it hardly shaded. GTAO, on the left, draws a dark band beside each bar. Its horizon is the bar, and a horizon
+// scene, the second picture, find it hardly shaded. GTAO, the first, draws a dark band beside each bar. Its horizon is the bar, and a horizon
 // closes everything below it, as if the bar were the edge of a plate that reaches back to the wall.
 
 // %% start
@@ -313,7 +313,7 @@ book.check("The mean over the surfaces is {mean_touched} against {mean_middle}."
            mean_over_surfaces(touched.raw.ao, touched.raw.inputs) < mean_over_surfaces(shown.raw.ao, shown.raw.inputs));
 
 // %% angles_text [markdown]
-// **Equal angles forget the cosine.** Divide each slice into 32 sectors of the same angle, and count. Then a sector near the plane
+// **Equal angles forget the cosine.** Divide each slice into 32 sectors of the same angle, as the paper does, and count. Then a sector near the plane
 // is worth as much as one near the normal, although it brings next to no light. That saves the integral and its arc functions, so
 // it is faster; but it answers another question.
 
@@ -329,14 +329,14 @@ book.check("Judged by the light, equal angles err by {angle_rmse}, equal light b
 // %% own [markdown]
 // ## Leaving the screen: the lab's own method
 //
-// All methods so far read a depth map, and all have its faults. What is hidden, what is beyond the rim of the picture, what a thing is
-// like behind its first surface: no estimator knows, however clever. Chapter 11 shows it, and the tables above hold it as the error that no number of samples takes away.
+// All methods so far read a depth map. What is hidden, what is beyond the rim of the picture, what a thing is like behind its first
+// surface (chapter 11), no estimator knows, and no number of samples takes that error away.
 //
 // **Then ask the scene, but only twice.** On a CPU a ray through a tree of triangles (chapter 02) costs about as much as a walk
-// over the screen. Two rays a pixel are next to nothing for one pixel; for a square of eight by eight they are 128. So these 64 pixels share one
-// set of 128 well-spread directions, and each pixel casts two of them: *interleaved sampling* (Keller and Heidrich 2001). On a plane, where all 64
-// pixels see nearly the same, a mean over such a square is the mean of 128 rays, and the filter that follows does that: along planes, with
-// weights that even out a pattern of exactly eight by eight. The method is called `crevice`, like the lab.
+// over the screen. Two rays a pixel are next to nothing; for a square of eight by eight pixels they are 128. So these 64 pixels share one set of 128
+// well-spread directions, and each pixel casts two of them: *interleaved sampling* (Keller and Heidrich 2001). On a plane all 64 pixels see nearly the
+// same, and the mean over such a square is the mean of 128 rays. The filter that follows takes it: along planes, with weights that even out a pattern of
+// exactly eight by eight. The method is called `crevice`, like the lab.
 
 // %% own_code tags=["setup"]
 book.listing("ssao/rows/ray_rows.cpp", "crevice_row",
@@ -364,10 +364,10 @@ book.check("With two rays a pixel the map is {own_rmse} from the truth, GTAO wit
 // %% table_text [markdown]
 // ## All methods in one table
 //
-// Here is each method with the settings of its source. *Its question* says how it weighs directions and what distance counts. The error after it is
-// that of what the method tends to, at the foot of the column, against rays that ask this very question; then comes the noise of one map, which a
-// filter has to remove. The next column puts all to one and the same question, that of ambient light: cosine-weighted rays of length 0.5.
-// A method may answer a strange question well or the right one badly, so look at both. The last number is the error of light at the bars, with a radius of 2 for all.
+// Here is each method with the settings of its source. *Its question* says how it weighs directions and what distance counts; then come, at the foot of
+// the column, the error of what it tends to against rays that ask this very question, the noise of one map, which a filter has to remove, and the error
+// against one question for all, that of ambient light: cosine-weighted rays of length 0.5. A method may answer a strange question well or the right one
+// badly, so look at both. The last number is the error of light at the bars, with a radius of 2 for all.
 
 // %% all_methods
 std::vector<std::pair<AoQuestion, Truth>> truths = {{{0.5f, 0.5f, 0.5f, true}, light}};
@@ -408,8 +408,7 @@ book.check("As an answer to the question of ambient light, rays apart, {nearest}
 //
 // Then defend it with four numbers, none of which replaces another: the error of what it tends to *against its own question*; the same *against
 // ambient light*; its noise at your number of samples; and its time on your machine, from `crevice bench` or, with the error beside it, chapter 21. And
-// show the picture of its worst case: a thin thing before a wall, the rim of the screen, a slope seen at a slant. Whoever shows only a good
-// picture has not chosen.
+// show the picture of its worst case: a thin thing before a wall, the rim of the screen, a slope seen at a slant.
 //
 // What it costs: GTAO and the bitmask read the depth map once a sample, with about 60 and 70 to 130 operations, and 120 and 60 for each
 // slice. The bitmask needs a second direction for each sample that stands above the plane. A ray costs 20 to 100 nanoseconds of one core, and the tree must be built, again when
