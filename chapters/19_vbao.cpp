@@ -111,6 +111,20 @@ bool same_question(const AoQuestion& a, const AoQuestion& b) {
            a.cosine_weighted == b.cosine_weighted;
 }
 
+// The texel that the chapters follow; where a seed closes nothing there, the darkest one near it.
+Texel shaded_texel(const Image<float>& ao) {
+    constexpr int kNear = 4;
+    const Texel followed = followed_texel(ao.size);
+    Texel darkest = followed;
+    if (ao.at(followed.x, followed.y) < 1) return followed;
+    for (int y = followed.y - kNear; y <= followed.y + kNear; ++y) {
+        for (int x = followed.x - kNear; x <= followed.x + kNear; ++x) {
+            if (ao.at(x, y) < ao.at(darkest.x, darkest.y)) darkest = {x, y};
+        }
+    }
+    return darkest;
+}
+
 // Cells stand at the margin, where notebooks look for them.
 // clang-format off
 void vbao_chapter(Notebook& book) {
@@ -150,7 +164,7 @@ const JudgedView judged = judged_column_foot(book, "vbao", kJudgedSize);
 const MethodMap shown = view.map("vbao");
 const VbaoSettings settings = shown.settings.ao.as<VbaoSettings>();
 const AoInputs& inputs = shown.raw.inputs;
-const Texel at = followed_texel(inputs.size());
+const Texel at = shaded_texel(shown.raw.ao);
 const Explanation texel = view.explanation(shown, at.x, at.y);
 const int slices = slice_plan(settings.samples).slices;
 std::vector<SliceSectors> found;
