@@ -155,12 +155,6 @@ PreparedRender prepared_render(const RenderOptions& options) {
     return {std::move(argument), camera, std::move(request)};
 }
 
-void require_one_frame(const FrameRequest& request) {
-    if (request.settings.history.longest > 1)
-        throw UsageError("--param history: there is no frame before this one (" +
-                         std::to_string(request.settings.history.longest) + "); give --frames A-B");
-}
-
 void write_frame(const RenderOptions& options, const FrameRequest& request, const std::filesystem::path& out,
                  const Frame& frame, const std::vector<LoadStep>& load_steps) {
     std::ostream quiet(nullptr);
@@ -172,7 +166,9 @@ void write_frame(const RenderOptions& options, const FrameRequest& request, cons
 
 void render(const RenderOptions& options) {
     const auto [argument, camera, request] = prepared_render(options);
-    require_one_frame(request);
+    if (request.settings.history.longest > 1)
+        throw UsageError("--param history: there is no frame before this one (" +
+                         std::to_string(request.settings.history.longest) + "); give --frames A-B");
     try_output_directory(options.out);
     const Frame frame = render_frame(argument.scene, camera, request);
     for (const PrecisionLoss& loss : frame.precision) {

@@ -29,9 +29,6 @@ struct PreparedRender {
 };
 PreparedRender prepared_render(const RenderOptions& options);
 
-// Throws UsageError for settings that take frames before this one.
-void require_one_frame(const FrameRequest& request);
-
 // Writes a frame's wanted buffers and its passes.json into a directory, as render() does, and prints nothing.
 void write_frame(const RenderOptions& options, const FrameRequest& request, const std::filesystem::path& out,
                  const Frame& frame, const std::vector<LoadStep>& load_steps);

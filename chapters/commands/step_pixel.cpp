@@ -2,34 +2,71 @@
 
 #include <cstdio>
 #include <iostream>
-#include <memory>
-#include <optional>
 
+#include "chapters/probe/left_out_reason.h"
+#include "chapters/probe/pixel_probe.h"
 #include "chapters/terminal/debugger.h"
+#include "chapters/terminal/number_text.h"
 #include "chapters/terminal/parse.h"
 #include "rasterizer/base/error.h"
-#include "rasterizer/base/float_text.h"
-#include "ssao/rays/ray_cast.h"
 
 namespace crevice {
 
 namespace {
 
-// Of an AO map: the texel whose area the centre of a pixel lies in.
-glm::ivec2 texel_of(glm::ivec2 pixel, Size picture, Size map) {
-    const auto along = [](int at, int pixels, int texels) {
-        return static_cast<int>((2LL * at + 1) * texels / (2LL * pixels));
-    };
-    return {along(pixel.x, picture.width, map.width), along(pixel.y, picture.height, map.height)};
+// One function a pass. The debugger stops on the line that calls the kernel, whose variables are all that goes into it;
+// `told` is what comes out. The result is one line.
+
+std::string stepped_normal_depth(const Scene& scene, const FrameRequest& request, const WorkedFrame& worked,
+                                 int x, int y) {
+    const Camera& camera = worked.frame.camera;
+    const NormalDepthSettings& settings = request.settings.buffers;
+    CREVICE_STOP_IN_DEBUGGER();
+    PixelFragments told = pixel_fragments(scene, camera, worked.geometry, settings, x, y, request.run);
+    return "depth code " + std::to_string(told.code) + ", of " + std::to_string(told.fragments.size()) +
+           " triangles";
 }
 
-void require_pass(const std::string& pass) {
+std::string stepped_ao(const Scene& scene, const FrameRequest& request, const WorkedFrame& worked, int x,
+                       int y) {
+    CREVICE_STOP_IN_DEBUGGER();
+    AoProbe told = probe_ao(scene, request, worked, x, y);
+    return exact_text(told.value) + ", of " + std::to_string(told.explanation.samples.size()) + " samples";
+}
+
+std::string stepped_blur(const Scene& scene, const FrameRequest& request, const WorkedFrame& worked, int x,
+                         int y) {
+    const AoProbe ao = probe_ao(scene, request, worked, x, y);
+    CREVICE_STOP_IN_DEBUGGER();
+    BlurProbe told = probe_blur(request, worked, ao);
+    return exact_text(told.value) + ", of " + std::to_string(told.passes.size()) + " passes";
+}
+
+std::string stepped_lit(const Scene& scene, const FrameRequest& request, const WorkedFrame& worked, int x,
+                        int y) {
+    CREVICE_STOP_IN_DEBUGGER();
+    LitExplanation told = explain_lit(scene, request, worked, x, y);
+    return exact_text(told.colour.x) + " " + exact_text(told.colour.y) + " " + exact_text(told.colour.z) +
+           ", of " + std::to_string(told.terms.size()) + " terms";
+}
+
+struct SteppedPass {
+    const char* name;
+    const char* buffer;  // that it takes to get there
+    std::string (*stepped)(const Scene&, const FrameRequest&, const WorkedFrame&, int x, int y);
+};
+constexpr SteppedPass kSteppedPasses[] = {{"normal_depth", "normal", stepped_normal_depth},
+                                          {"ao", "ao_raw", stepped_ao},
+                                          {"blur", "ao_blurred", stepped_blur},
+                                          {"lit", "lit", stepped_lit}};
+
+const SteppedPass& pass_named(const std::string& name) {
     std::string known;
-    for (const char* name : kStopPasses) {
-        if (pass == name) return;
-        known += std::string(known.empty() ? "" : " or ") + name;
+    for (const SteppedPass& pass : kSteppedPasses) {
+        if (name == pass.name) return pass;
+        known += std::string(known.empty() ? "" : ", ") + pass.name;
     }
-    throw UsageError("--pass: no pass of this name has a kernel of one pixel (" + pass + "); give " + known);
+    throw UsageError("--pass: there is no such pass (" + name + "); give one of " + known);
 }
 
 void require_debugger() {
@@ -43,52 +80,24 @@ void require_debugger() {
                "source; build the preset debug\n";
 }
 
-// The debugger's frame: all that the kernel reads is among the parameters.
-Explanation stepped_ao(const Method& method, const AoView& view, const RawAo& raw,
-                       const AnySettings& settings, glm::ivec2 texel) {
-    CREVICE_STOP_IN_DEBUGGER();
-    Explanation told = method.explain(view, raw, settings, texel.x, texel.y);
-    return told;
-}
-
-float value_of(const Explanation& told) {
-    float sum = 0;
-    for (const ExplainedSample& sample : told.samples) sum += sample.contribution;
-    return told.value_of_sum(sum);
-}
-
 }  // namespace
 
 void step_pixel(const RenderOptions& options, const PixelStop& stop) {
-    require_pass(stop.pass);
-    const Method& method = *options.request.method;
-    if (!method.computes_ao())
-        throw UsageError(std::string("--ao: the method computes nothing to step through (") + method.name +
-                         "); give another");
-    const glm::ivec2 pixel = parse_pixel("--pixel", stop.pixel, options.request.size);
+    const SteppedPass& pass = pass_named(stop.pass);
+    const glm::ivec2 pixel = parse_pixel("--pixel", stop.pixel);
+    named_as({{"pixel", "--pixel"}}, [&] { require_pixel(options.request.size, pixel.x, pixel.y); });
     require_debugger();
     RenderOptions alone = options;
     alone.request.run.threads = 1;  // so that the debugger meets no other
-    alone.request.wanted = {"ao_raw"};
-    auto [argument, camera, request] = prepared_render(alone);
-    require_one_frame(request);
-    camera.reversed_z = request.settings.reversed_z;
-    const Scene& scene = argument.scene;
-    const AnySettings& settings = request.settings.method.ao;
-
-    const GBuffer gbuffer = normal_depth(scene, camera, request.size, request.settings.buffers, request.run);
-    std::optional<RayScene> rays;
-    if (method.casts_rays) rays = ray_scene(scene, camera.eye, request.run);
-    const std::shared_ptr<const VertexAo> baked =
-        method.bake ? method.bake(scene, *rays, settings, request.run) : nullptr;
-    const AoView view{scene, camera, gbuffer, rays ? &*rays : nullptr, baked.get()};
-    const RawAo raw = method.ao(view, settings, request.run);
-
-    const glm::ivec2 texel = texel_of(pixel, request.size, raw.ao.size);
-    const Explanation told = stepped_ao(method, view, raw, settings, texel);
-    std::printf("ao at pixel %d,%d: texel %d,%d of %dx%d is %s, of %zu samples\n", pixel.x, pixel.y, texel.x,
-                texel.y, raw.ao.size.width, raw.ao.size.height, shortest_text(value_of(told)).c_str(),
-                told.samples.size());
+    alone.request.wanted = {pass.buffer};
+    const auto [argument, camera, request] = prepared_render(alone);
+    named_as({{"history", "--param history"}}, [&, &drawn = request] { require_no_history(drawn); });
+    const WorkedFrame worked = worked_frame(argument.scene, camera, request);
+    const std::string reason = left_out_reason(worked.frame, pass.name);
+    if (!reason.empty())
+        throw UsageError("--pass: " + stop.pass + " is left out, because " + reason + "; give another");
+    const std::string told = pass.stepped(argument.scene, request, worked, pixel.x, pixel.y);
+    std::printf("%s at pixel %d,%d: %s\n", pass.name, pixel.x, pixel.y, told.c_str());
 }
 
 }  // namespace crevice

@@ -8,14 +8,11 @@ namespace crevice {
 
 struct PixelStop {
     std::string pixel;        // X,Y in the picture, as typed
-    std::string pass = "ao";  // one of kStopPasses
+    std::string pass = "ao";  // one of kProbedPasses
 };
 
-// The passes that have a kernel of one pixel with plain floats.
-inline constexpr const char* kStopPasses[] = {"ao"};
-
-// Computes the frame up to the pass on one thread, stops in the debugger right before the kernel, runs it and prints
-// what it comes to. No file is written. Throws UsageError, without a debugger too, and InputError.
+// Draws the frame up to the pass on one thread, stops in the debugger right before the pixel's kernel, runs that and
+// prints what it comes to. No file is written. Throws UsageError, without a debugger too, and InputError.
 void step_pixel(const RenderOptions& options, const PixelStop& stop);
 
 }  // namespace crevice

@@ -35,7 +35,12 @@ def choice(value):
 
 
 def number(value):
+    """Of a value that is one word: a number, an enumerator, characters."""
     code = value.type.strip_typedefs().code
+    if code == gdb.TYPE_CODE_ENUM:
+        return choice(value)
+    if code == gdb.TYPE_CODE_PTR:
+        return value.string()
     if code == gdb.TYPE_CODE_FLT:
         return images.exact(float(value)) if value.type.sizeof == 4 else repr(float(value))
     return str(value)
@@ -241,13 +246,28 @@ def explanation_text(value):
     return images.told_text([sample_parts((first + i).dereference()) for i in range(int(end - first))])
 
 
+def list_text(value):
+    """As images.LISTS says."""
+    first, vector, columns = images.LISTS[type_name(value)]
+    begin, end = elements(value[vector])
+    rows = [[(name, text_of((begin + i).dereference()[name])) for name in columns] for i in range(int(end - begin))]
+    return images.list_text([(name, text_of(value[name])) for name in first], rows)
+
+
+def ao_text(value):
+    return f"texel {value['x']},{value['y']} is {number(value['value'])}: {explanation_text(value['explanation'])}"
+
+
+TEXTS.append((r"std::(?:__cxx11::)?basic_string<char.*>", lambda v: v["_M_dataplus"]["_M_p"].string()))
+TEXTS.append((r"crevice::AoProbe", ao_text))
+TEXTS += [(name, list_text) for name in images.LISTS]
 TEXTS.append((r"crevice::ExplainedSample", lambda v: "  ".join(images.sample_texts(*sample_parts(v)))))
 TEXTS.append((r"crevice::Explanation", explanation_text))
 
 
 def register_printers():
     printers = gdb.printing.RegexpCollectionPrettyPrinter("crevice")
-    for pattern, _ in TEXTS:
+    for pattern in (pattern for pattern, _ in TEXTS if not pattern.startswith("std::")):
         printers.add_printer(pattern, f"^(?:{pattern})$", Text)
     for printer in (GBuffer, AnySettings):
         printers.add_printer(printer.__name__, f"^crevice::{printer.__name__}$", printer)
@@ -317,7 +337,7 @@ class Kernel(Command):
 
     def run(self):
         listed = gdb.execute("info functions -q -n ^crevice::explain_", to_string=True)
-        names = set(re.findall(r"\bcrevice::explain_\w+", listed))
+        names = {"crevice::pixel_fragments", *re.findall(r"\bcrevice::explain_\w+", listed)}
         stops = [gdb.Breakpoint(name, internal=True, temporary=True) for name in sorted(names)]
         gdb.execute("continue")
         for stop in stops:

@@ -46,13 +46,14 @@ def choice(value):
 
 
 def number(value):
+    """Of a value that is one word: a number, an enumerator, characters."""
     kind = value.GetType().GetCanonicalType().GetBasicType()
     error = lldb.SBError()
     if kind == lldb.eBasicTypeFloat:
         return images.exact(value.GetData().GetFloat(error, 0))
     if kind == lldb.eBasicTypeDouble:
         return repr(value.GetData().GetDouble(error, 0))
-    return value.GetValue()
+    return (value.GetSummary() or "").strip('"') or choice(value)
 
 
 def elements(vector):
@@ -229,6 +230,24 @@ def explanation_text(value, _):
         for at in range(first, end, kind.GetByteSize())])
 
 
+def list_text(value, _):
+    """As images.LISTS says."""
+    value = plain(value)
+    first, vector, columns = images.LISTS[type_name(value)]
+    begin, end, kind = elements(member(value, vector))
+    target = value.GetTarget()
+    rows = [target.CreateValueFromAddress("row", lldb.SBAddress(at, target), kind)
+            for at in range(begin, end, kind.GetByteSize())]
+    return images.list_text([(name, text_of(value.GetChildMemberWithName(name))) for name in first],
+                            [[(name, text_of(row.GetChildMemberWithName(name))) for name in columns] for row in rows])
+
+
+def ao_text(value, _):
+    value = plain(value)
+    x, y, access = (number(value.GetChildMemberWithName(name)) for name in ("x", "y", "value"))
+    return f"texel {x},{y} is {access}: {explanation_text(value.GetChildMemberWithName('explanation'), {})}"
+
+
 SUMMARIES = [
     (r"^crevice::WideOf<.*>$", lanes_text),
     (r"^crevice::WideMask<.*>$", mask_text),
@@ -239,6 +258,8 @@ SUMMARIES = [
     (r"^crevice::GBuffer$", gbuffer_text),
     (r"^crevice::ExplainedSample$", sample_text),
     (r"^crevice::Explanation$", explanation_text),
+    (r"^crevice::AoProbe$", ao_text),
+    *((f"^{name}$", list_text) for name in images.LISTS),
     (r"^glm::vec<.*>$", glm_vector_text),
     (r"^glm::mat<.*>$", glm_matrix_text),
 ]
@@ -326,7 +347,7 @@ def save_image(frame, name, path):
 
 def kernel(debugger, argument, context, result, _):
     """Runs to the first line of the pixel's kernel, from where `crevice render --break` stopped."""
-    context.GetTarget().BreakpointCreateByRegex("^crevice::explain_").SetOneShot(True)
+    context.GetTarget().BreakpointCreateByRegex("^crevice::(explain_|pixel_fragments)").SetOneShot(True)
     debugger.HandleCommand("process continue")
 
 

@@ -190,6 +190,20 @@ def table_of_pixel(images, x, y):
     return aligned(rows)
 
 
+# What the kernels of the other passes tell of a pixel: members for the first line, and those of each element of a vector.
+LISTS = {
+    "crevice::ExplainedPass": (("name", "value"), "taps", ("x", "y", "value", "weight", "verdict")),
+    "crevice::LitExplanation": (("colour", "accessibility"), "terms", ("kind", "light", "colour")),
+    "crevice::PixelFragments": (("shown", "code"), "fragments", ("number", "z_ndc", "code", "stored", "verdict")),
+}
+
+
+def list_text(first, rows):
+    """From (member, text) pairs."""
+    lines = aligned([[f"[{index}]", *(f"{name} {text}" for name, text in row)] for index, row in enumerate(rows)])
+    return "  ".join(f"{name} {text}" for name, text in first) + ("\n" + lines if rows else "")
+
+
 # What is told of an ExplainedSample: a word for it, its member, and how many numbers that has.
 SAMPLE_COLUMNS = (("takes", "contribution", 1), ("q", "q_view", 3), ("r", "r_view", 3), ("dz", "dz", 1), ("dp", "dp", 1),
                   ("weight", "weight", 1))

@@ -63,15 +63,12 @@ glm::dvec3 parse_point(const std::string& flag, const std::string& word) {
             parse_number(flag, word.substr(second + 1))};
 }
 
-glm::ivec2 parse_pixel(const std::string& flag, const std::string& word, Size size) {
+glm::ivec2 parse_pixel(const std::string& flag, const std::string& word) {
     const std::size_t comma = word.find(',');
     glm::ivec2 pixel(0);
     if (comma == std::string::npos || !reads_as(word.substr(0, comma), pixel.x) ||
         !reads_as(word.substr(comma + 1), pixel.y))
         throw UsageError(flag + ": not a pixel (" + word + "); write x,y");
-    if (pixel.x < 0 || pixel.x >= size.width || pixel.y < 0 || pixel.y >= size.height)
-        throw UsageError(flag + ": outside the picture (" + word + "); x lies in 0.." +
-                         std::to_string(size.width - 1) + ", y in 0.." + std::to_string(size.height - 1));
     return pixel;
 }
 

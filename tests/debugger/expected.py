@@ -23,6 +23,9 @@ VALUES = {
     "place": "(12.5, 3)",
     "pair": "(0.1, 2)",
     "eye": "(0.1, 0.0, -10.0)",
+    "pass": "name iteration 1, across  value 0.25\n[0]  x 3  y 1  value 0.25  weight 1  verdict counts",
+    "lit": "colour (1.5, 0.5, 0.5)  accessibility 1\n"
+           "[0]  kind ambient  light -1  colour (0.5, 0.5, 0.5)\n[1]  kind diffuse  light 0   colour (1, 0, 0)",
     "moved": "[1, 0, 0, 5; 0, 1, 0, 6; 0, 0, 1, 7; 0, 0, 0, 1]",
 }
 

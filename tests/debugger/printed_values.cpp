@@ -5,6 +5,7 @@
 
 #include "rasterizer/draw/normal_depth.h"
 #include "rasterizer/lanes/wide.h"
+#include "ssao/light/lit_explanation.h"
 #include "ssao/methods/luna_settings.h"
 #include "ssao/methods/method.h"
 
@@ -33,6 +34,21 @@ Explanation two_samples() {
     return told;
 }
 
+ExplainedPass one_pass() {
+    ExplainedPass pass;
+    pass.name = "iteration 1, across";
+    pass.taps = {ExplainedTap{.x = 3, .y = 1, .value = 0.25f, .weight = 1, .verdict = "counts"}};
+    pass.value = 0.25f;
+    return pass;
+}
+
+LitExplanation two_terms() {
+    LitExplanation lit;
+    lit.terms = {{LitTerm::ambient, -1, glm::vec3(0.5f)}, {LitTerm::diffuse, 0, {1, 0, 0}}};
+    lit.colour = {1.5f, 0.5f, 0.5f};
+    return lit;
+}
+
 template <class... Values>
 void stop_here(const Values&...) {}
 
@@ -52,8 +68,10 @@ void hold_values(const Maps& maps) {
     const glm::mat4 moved = glm::translate(glm::mat4(1), glm::vec3(5, 6, 7));
     const AnySettings settings = AnySettings::of(LunaSettings{}), few = AnySettings::of(Size{4, 2}), none;
     const Explanation told = two_samples();
+    const ExplainedPass pass = one_pass();
+    const LitExplanation lit = two_terms();
     stop_here(gbuffer, kinds, nothing, point, lanes, whole_lanes, mask, points, place, pair, eye, moved,
-              settings, few, none, told);
+              settings, few, none, told, pass, lit);
     const Image<float> not_yet({4, 2}, 1);
     stop_here(not_yet);
 }
