@@ -47,8 +47,10 @@ std::vector<std::string> numbers_under(const std::vector<std::string>& names,
 
 std::string raster_text(const PixelProbe& probe) {
     const PixelFragments& raster = probe.raster;
-    std::string text = std::to_string(raster.fragments.size()) +
-                       " triangles reach into the pixel's square, in the order in which they were drawn; " +
+    if (raster.fragments.empty()) return "No triangle reaches into the pixel's square.\n";
+    const std::size_t count = raster.fragments.size();
+    std::string text = std::to_string(count) + (count == 1 ? " triangle reaches" : " triangles reach") +
+                       " into the pixel's square, in the order in which they were drawn; " +
                        word_of(probe.depth_format) + " depth, cleared to code " +
                        std::to_string(raster.cleared) + ":\n";
     TextColumns table({"number", "instance", "triangle", "material", "E0", "E1", "E2", "ndc depth", "code",
@@ -65,7 +67,9 @@ std::string raster_text(const PixelProbe& probe) {
                    covered ? shortest_text(f.z_ndc) : "-", covered ? std::to_string(f.code) : "-",
                    covered ? std::to_string(f.stored) : "-", why(f)});
     }
-    return text + table.text();
+    return text + table.text() +
+           "E0, E1 and E2 are the edge functions at the pixel's centre, in 1/256 x 1/256 pixel: inside where "
+           "positive, and at 0 where the edge is a top or a left one.\n";
 }
 
 std::string normal_depth_text(const NormalDepthProbe& probe) {
