@@ -46,6 +46,19 @@ Texel most_mistaken(const Image<float>& by_point, const Image<float>& by_centre)
     return worst;
 }
 
+// The frames of a film. Along the lower edge stands its slider: dark as far as it has gone.
+std::vector<Picture> with_slider(const std::vector<Image<float>>& maps) {
+    std::vector<Picture> frames;
+    for (const Image<float>& map : maps) {
+        Picture frame = ao_picture(map);
+        const auto rows = static_cast<std::size_t>(map.size.height), row = frame.pixels.size() / rows;
+        for (std::size_t i = frame.pixels.size() - std::min<std::size_t>(4, rows) * row; i < frame.pixels.size(); ++i)
+            frame.pixels[i] = (i % row) * maps.size() < (frames.size() + 1) * row ? 60 : 200;
+        frames.push_back(std::move(frame));
+    }
+    return frames;
+}
+
 int hidden_points(const Explanation& texel) {
     int count = 0;
     for (const ExplainedSample& sample : texel.samples) count += sample.contribution > 0 ? 1 : 0;
@@ -241,6 +254,25 @@ for (const char* samples : {"8", "64"}) {
     }
     book.show_row(strip);
 }
+
+// %% films
+std::vector<Image<float>> radii, counts, seeds;
+for (int i = 1; i <= 12; ++i) radii.push_back(view.map("unity", {"radius=" + decimal_text(0.1 * i, 1)}).raw.ao);
+for (int count = 4; count <= 64; count *= 2)
+    counts.push_back(view.map("unity", {"samples=" + std::to_string(count)}).raw.ao);
+for (std::uint32_t seed = 1; seed <= 8; ++seed) {
+    UnitySettings drawn = settings;
+    drawn.samples = 16;
+    drawn.seed = seed;
+    seeds.push_back(unity_ao(shown.raw.inputs, drawn, {}).ao);
+}
+constexpr int kFrame_ms = 300;
+book.film("film_radius", with_slider(radii), kFrame_ms,
+          "The radius grows from 0.1 to 1.2; the bar at the lower edge is the slider.");
+book.film("film_samples", with_slider(counts), kFrame_ms,
+          "4 points, then 8, 16, 32 and 64: the grain goes, the shade stays.");
+book.film("film_seed", with_slider(seeds), kFrame_ms,
+          "Another film of the notes: new random vectors. The grain changes, and stays as coarse as 16 points make it.");
 
 // %% error_text [markdown]
 // ## How wrong

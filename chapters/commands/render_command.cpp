@@ -6,6 +6,7 @@
 #include "chapters/commands/film.h"
 #include "chapters/commands/frame_flags.h"
 #include "chapters/commands/render.h"
+#include "chapters/commands/step_pixel.h"
 #include "chapters/terminal/parse.h"
 #include "rasterizer/base/error.h"
 
@@ -16,8 +17,8 @@ namespace {
 // As they were typed.
 struct RenderWords : FrameWords {
     std::string only, repeat = "1", out = "out";
-    std::optional<std::string> frames, path;
-    bool inset = false, frame_buffers = false;
+    std::optional<std::string> frames, path, pixel, pass;
+    bool inset = false, frame_buffers = false, stops = false;
 };
 
 // Throws UsageError for a name that is no buffer, or none of the method's.
@@ -63,9 +64,23 @@ RenderOptions options_of(const RenderWords& words) {
     return options;
 }
 
+// Throws UsageError where the words do not go together.
+PixelStop pixel_stop(const RenderWords& words) {
+    if (!words.pixel) throw UsageError("--break: no pixel is named; give --pixel X,Y, too");
+    if (words.frames) throw UsageError("--break: stops in one frame only; leave --frames away");
+    PixelStop stop{*words.pixel};
+    if (words.pass) stop.pass = *words.pass;
+    return stop;
+}
+
 int run(const RenderWords& words) {
     const RenderOptions options = options_of(words);
-    if (words.frames) {
+    if (words.stops) {
+        step_pixel(options, pixel_stop(words));
+    } else if (words.pixel || words.pass) {
+        throw UsageError(std::string(words.pixel ? "--pixel" : "--pass") +
+                         ": says where --break is to stop; give that, too");
+    } else if (words.frames) {
         render_film(options, {frames_of("--frames", *words.frames), words.path, words.frame_buffers},
                     std::cout);
     } else {
@@ -99,6 +114,12 @@ Command add_render_command(CommandLine& program) {
                   "one: then the default) or still");
     render.flag("--frame-buffers", words->frame_buffers,
                 "every frame's buffers and passes.json, too, in frame_NNNN");
+    render.flag("--break", words->stops,
+                "stop in the debugger right before one pixel's kernel, with plain floats on one thread; give "
+                "--pixel, too");
+    render.option("--pixel", words->pixel, "X,Y: where --break stops, pixels of the picture");
+    render.option("--pass", words->pass,
+                  "in which pass --break stops: normal_depth, ao (the default), blur or lit");
     render.option("--out", words->out, "the directory for the files");
     return {render, [words] { return run(*words); }};
 }

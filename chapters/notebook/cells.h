@@ -31,6 +31,7 @@ struct NotebookPicture {
     Picture picture;
     std::string png;   // the file's bytes
     BookText caption;  // Markdown, one sentence or two; may be empty
+    BookText about;    // plain text: its mapping and statistics
 };
 struct PictureOutput {
     enum class Layout {
@@ -40,6 +41,15 @@ struct PictureOutput {
     Layout layout = Layout::row;
     std::vector<NotebookPicture> pictures;
     BookText caption;  // of all together; Markdown, may be empty
+};
+
+// Frames one after the other, for who asks to see them move.
+struct FilmOutput {
+    std::string name;  // the file is NAME.webp
+    Size size;
+    int frames = 0;
+    std::string webp;  // the file's bytes
+    BookText caption;  // Markdown
 };
 
 // A diagram or a plot.
@@ -69,7 +79,8 @@ struct ListingOutput {
 // Whether every cell of a table's column reads as a number, so that it is set flush right.
 bool is_numeric_column(const TableOutput& table, std::size_t column);
 
-using Output = std::variant<PictureOutput, DrawingOutput, TableOutput, CheckOutput, ListingOutput>;
+using Output =
+    std::variant<PictureOutput, FilmOutput, DrawingOutput, TableOutput, CheckOutput, ListingOutput>;
 
 struct NotebookCell {
     SourceCell source;

@@ -59,13 +59,14 @@ std::string base64(std::string_view bytes) {
     return digits;
 }
 
-std::string image_element(std::string_view png, Size size, std::string_view alt, std::string_view classes) {
+std::string image_element(std::string_view file, Size size, std::string_view alt, std::string_view classes,
+                          std::string_view type) {
     const int scale = size.width < kMinShownWidth ? (kMinShownWidth + size.width - 1) / size.width : 1;
     std::string element = "<img";
     if (!classes.empty()) element += " class=\"" + escape_html(classes) + "\"";
     element +=
         " alt=\"" + escape_html(alt) + "\" style=\"width:" + std::to_string(size.width * scale) + "px\"";
-    return element + " src=\"data:image/png;base64," + base64(png) + "\">";
+    return element + " src=\"data:" + std::string(type) + ";base64," + base64(file) + "\">";
 }
 
 std::string html_page(std::string_view title, std::string_view body, const PageParts& parts) {

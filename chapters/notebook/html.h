@@ -18,11 +18,11 @@ std::string unescape_html(std::string_view html);
 // RFC 4648, with padding, without line breaks.
 std::string base64(std::string_view bytes);
 
-// An <img> with the PNG inside, at a whole multiple of its size that is at least kMinShownWidth wide; `alt`
+// An <img> with the file inside, a PNG or another `type`, at a whole multiple of its size that is at least kMinShownWidth wide; `alt`
 // and `classes` are plain text.
 inline constexpr int kMinShownWidth = 640;
-std::string image_element(std::string_view png, Size size, std::string_view alt,
-                          std::string_view classes = "");
+std::string image_element(std::string_view file, Size size, std::string_view alt,
+                          std::string_view classes = "", std::string_view type = "image/png");
 
 // What a page has beyond its body.
 struct PageParts {

@@ -20,7 +20,7 @@ using nlohmann::ordered_json;
 constexpr const char* kSetup =
     "import os\n"
     "import numpy as np\n"
-    "from IPython.display import Image, SVG, display\n"
+    "from IPython.display import HTML, Image, SVG, display\n"
     "crevice = os.environ.get(\"CREVICE\", \"crevice\")  # the program, where it is not on the PATH";
 
 ordered_json markdown_cell(const std::string& id, const std::string& text) {
@@ -42,9 +42,9 @@ ordered_json display_of(const std::string& type, const std::string& content, con
 }
 
 // The Python that runs the cell and shows what it made; the notebook lies beside the pictures.
-std::string python_of(const NotebookCell& cell, const std::string& name) {
+std::string python_of(const NotebookCell& cell, const std::string& name, const std::string& flags) {
     std::string source = "!{crevice} chapter " + name.substr(0, name.find('_')) + " --cell " +
-                         cell.source.name + " --out ..\nassert _exit_code == 0";
+                         cell.source.name + flags + " --out ..\nassert _exit_code == 0";
     for (const Output& output : cell.outputs) {
         if (const auto* pictures = std::get_if<PictureOutput>(&output)) {
             for (const NotebookPicture& shown : pictures->pictures) {
@@ -55,6 +55,8 @@ std::string python_of(const NotebookCell& cell, const std::string& name) {
                     source += "\n" + variable + " = np.load(\"" + shown.name + ".npy\")";
                 }
             }
+        } else if (const auto* film = std::get_if<FilmOutput>(&output)) {
+            source += "\ndisplay(HTML('<img src=\"" + film->name + ".webp\">'))";
         } else if (const auto* drawing = std::get_if<DrawingOutput>(&output)) {
             source += "\ndisplay(SVG(\"" + drawing->name + ".svg\"))";
         }
@@ -74,6 +76,8 @@ ordered_json outputs_of(const NotebookCell& cell, BookLanguage language) {
                     display_of("image/png", base64(shown.png), shown.name + " " + size_text(size),
                                {{"image/png", {{"width", size.width}, {"height", size.height}}}}));
             }
+        } else if (const auto* film = std::get_if<FilmOutput>(&output)) {
+            displays.push_back(display_of("text/html", "<img src=\"" + film->name + ".webp\">", film->name));
         } else if (const auto* drawing = std::get_if<DrawingOutput>(&output)) {
             displays.push_back(
                 display_of("image/svg+xml", standalone_svg(drawing->svg.in(language)), drawing->name));
@@ -88,7 +92,7 @@ ordered_json outputs_of(const NotebookCell& cell, BookLanguage language) {
 }  // namespace
 
 std::string jupyter_from_cells(const std::vector<NotebookCell>& cells, const std::string& name,
-                               BookLanguage language) {
+                               BookLanguage language, const std::string& flags) {
     int count = 1;
     ordered_json written = ordered_json::array();
     for (const NotebookCell& cell : cells) {
@@ -98,8 +102,8 @@ std::string jupyter_from_cells(const std::vector<NotebookCell>& cells, const std
         }
         written.push_back(markdown_cell(cell.source.name + "-source", code_markdown(cell.source)));
         if (!cell.outputs.empty())
-            written.push_back(
-                code_cell(cell.source.name, ++count, python_of(cell, name), outputs_of(cell, language)));
+            written.push_back(code_cell(cell.source.name, ++count, python_of(cell, name, flags),
+                                        outputs_of(cell, language)));
     }
     written.insert(written.begin(), code_cell("python-setup", 1, kSetup, ordered_json::array()));
     const ordered_json notebook = {

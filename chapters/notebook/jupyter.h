@@ -10,8 +10,8 @@
 namespace crevice {
 
 // nbformat 4.5 for the kernel python3, with all outputs inside. `name` is NN_topic. The cells' ids are the names in the
-// source, so that they are stable.
+// source, so that they are stable. `flags`, such as " --size 160x90", are those that the chapter was run with.
 std::string jupyter_from_cells(const std::vector<NotebookCell>& cells, const std::string& name,
-                               BookLanguage language);
+                               BookLanguage language, const std::string& flags = "");
 
 }  // namespace crevice

@@ -30,10 +30,13 @@ std::string markdown_of(const PictureOutput& output, BookLanguage language) {
     for (const NotebookPicture& shown : output.pictures) {
         result += "![" + shown.name + "](" + shown.name + ".png)\n\n" + paragraph(shown.caption, language) +
                   "*" + shown.name + ", " + size_text(shown.picture.size) + ": " +
-                  escape_html(shown.picture.mapping + ". " + statistics_text(shown.picture.statistics)) +
-                  "*\n\n";
+                  escape_html(shown.about.in(language)) + "*\n\n";
     }
     return result;
+}
+
+std::string markdown_of(const FilmOutput& output, BookLanguage language) {
+    return "![" + output.name + "](" + output.name + ".webp)\n\n" + paragraph(output.caption, language);
 }
 
 std::string markdown_of(const DrawingOutput& output, BookLanguage language) {

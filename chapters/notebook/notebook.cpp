@@ -7,6 +7,7 @@
 
 #include <unistd.h>
 
+#include "chapters/notebook/animated_webp.h"
 #include "chapters/notebook/embedded_files.h"
 #include "chapters/notebook/jupyter.h"
 #include "chapters/notebook/markdown_text.h"
@@ -52,6 +53,26 @@ bool has_words(const std::string& text) {
         before = static_cast<char>(byte);
     }
     return false;
+}
+
+std::vector<std::string> parts_of(const std::string& text, const std::string& separator) {
+    std::vector<std::string> parts;
+    std::size_t start = 0;
+    for (std::size_t end; (end = text.find(separator, start)) != text.npos; start = end + separator.size())
+        parts.push_back(text.substr(start, end - start));
+    parts.push_back(text.substr(start));
+    return parts;
+}
+
+// How the command line asks for these pictures again; nothing for what is so anyway.
+std::string flags_of(const NotebookOptions& options) {
+    const NotebookOptions usual;
+    std::string flags;
+    if (options.size != usual.size) flags += " --size " + size_text(options.size);
+    if (options.seed != usual.seed) flags += " --seed " + std::to_string(options.seed);
+    if (!options.scene.empty()) flags += " --scene '" + options.scene + "'";
+    for (const std::string& word : options.words) flags += " --param '" + word + "'";
+    return flags;
 }
 
 // Two languages of a drawing stand on one page, one of them hidden: what is hidden must not be referred to.
@@ -120,6 +141,30 @@ BookText Notebook::text_of(const std::string& english) {
         return {with_numbers(english, numbers_), with_numbers(chinese->second, numbers_)};
     if (has_words(english)) lacks("text " + english);
     return {with_numbers(english, numbers_), ""};
+}
+
+// In Chinese, where it is known; else in English.
+std::string Notebook::chinese_phrase(const std::string& english) {
+    ProseNumbers numbers;
+    const std::string pattern = numbers_taken_out(english, numbers);
+    const auto chinese = source_.chinese.texts.find(pattern);
+    if (chinese != source_.chinese.texts.end()) return with_numbers(chinese->second, numbers);
+    lacks("text " + pattern);
+    return english;
+}
+
+// Phrase by phrase, so that pictures share their translations.
+BookText Notebook::about(const Picture& picture) {
+    const std::string statistics = statistics_text(picture.statistics);
+    std::string chinese;
+    for (const std::string& phrase : parts_of(picture.mapping, "; "))
+        chinese += (chinese.empty() ? "" : "；") + chinese_phrase(phrase);
+    const char* before = "。";
+    for (const std::string& phrase : parts_of(statistics, ", ")) {
+        chinese += before + chinese_phrase(phrase);
+        before = "，";
+    }
+    return {picture.mapping + ". " + statistics, chinese};
 }
 
 // ---- from cell to cell ----------------------------------------------------------------------------------------------
@@ -218,7 +263,7 @@ NotebookPicture Notebook::store(const Named& named) {
     claim_name(named.name);
     NotebookPicture stored{named.name, named.picture,
                            png_bytes(named.picture.size, named.picture.channels, named.picture.pixels),
-                           text_of(named.caption)};
+                           text_of(named.caption), about(named.picture)};
     write_file_atomically(directory() / (named.name + ".png"), stored.png);
     // For the notebooks, whose cells go on computing with what a cell of the chapter has shown.
     if (!options_.cell.empty() && !named.picture.values.empty())
@@ -246,6 +291,17 @@ void Notebook::compare(const Named& before, const Named& after, const std::strin
         throw UsageError(source_.name + ": two sizes behind one slider (" + size_text(before.picture.size) +
                          ", " + size_text(after.picture.size) + "); make them equal");
     put(PictureOutput{PictureOutput::Layout::pair, {store(before), store(after)}, text_of(caption)});
+}
+
+void Notebook::film(const std::string& name, const std::vector<Picture>& frames, int frame_ms,
+                    const std::string& caption, int line) {
+    if (!begins(line)) return;
+    const std::optional<std::string> webp = animated_webp(frames, frame_ms);
+    const BookText text = text_of(caption);
+    if (!webp) return;
+    claim_name(name);
+    write_file_atomically(directory() / (name + ".webp"), *webp);
+    put(FilmOutput{name, frames.front().size, static_cast<int>(frames.size()), *webp, text});
 }
 
 void Notebook::draw(const std::string& name, const std::string& svg, const std::string& caption, int line) {
@@ -304,7 +360,8 @@ void Notebook::listing_part(const std::string& file, const std::string& symbol, 
 void Notebook::write_files() const {
     const auto write = [this](const std::string& stem, BookLanguage language) {
         write_file_atomically(directory() / (stem + ".md"), markdown_from_cells(cells_, language));
-        write_file_atomically(directory() / (stem + ".ipynb"), jupyter_from_cells(cells_, name(), language));
+        write_file_atomically(directory() / (stem + ".ipynb"),
+                              jupyter_from_cells(cells_, name(), language, flags_of(options_)));
     };
     const bool translated = !source_.chinese.cells.empty();
     if (options_.language != BookLanguage::zh || !translated) write(name(), BookLanguage::en);

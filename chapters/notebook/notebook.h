@@ -88,6 +88,10 @@ class Notebook {
     // Two pictures of one size, on one another behind a slider. Throws UsageError for two sizes.
     void compare(const Named& before, const Named& after, const std::string& caption = "",
                  int line = __builtin_LINE());
+    // Pictures of one size as a film that plays when the reader opens it, each for `frame_ms`; writes NAME.webp. Nothing
+    // where the program was built without libwebp: the chapter's stills must say as much.
+    void film(const std::string& name, const std::vector<Picture>& frames, int frame_ms,
+              const std::string& caption, int line = __builtin_LINE());
     // An <svg> that takes the page's colours (svg.h); writes NAME.svg.
     void draw(const std::string& name, const std::string& svg, const std::string& caption,
               int line = __builtin_LINE());
@@ -130,6 +134,8 @@ class Notebook {
     bool begins(int line);
     void put(Output output, const std::string& terminal_note = "");
     BookText text_of(const std::string& english);
+    BookText about(const Picture& picture);
+    std::string chinese_phrase(const std::string& english);
     void lacks(const std::string& heading);
     NotebookPicture store(const Named& named);
     void claim_name(const std::string& name);

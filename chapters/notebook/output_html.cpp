@@ -36,8 +36,7 @@ std::string picture_html(const NotebookPicture& shown) {
 
 std::string about_html(const NotebookPicture& shown) {
     return captioned("div", "caption", shown.caption) + "<p class=\"about\"><b>" + escape_html(shown.name) +
-           "</b> " + size_text(shown.picture.size) + " · " + escape_html(shown.picture.mapping) + ". " +
-           escape_html(statistics_text(shown.picture.statistics)) + "</p>";
+           "</b> " + size_text(shown.picture.size) + " · " + plain_html(shown.about) + "</p>";
 }
 
 std::string pair_html(const PictureOutput& output) {
@@ -59,6 +58,17 @@ std::string html_of(const PictureOutput& output) {
     for (const NotebookPicture& shown : output.pictures)
         html += picture_html(shown) + about_html(shown) + "</div>\n";
     return html + "</div>\n" + captioned("figcaption", "", output.caption) + "</figure>\n";
+}
+
+// Closed at first: nothing moves before the reader wants it to.
+std::string html_of(const FilmOutput& film) {
+    const std::string count = std::to_string(film.frames),
+                      kilobytes = std::to_string((film.webp.size() + 999) / 1000) + " kB";
+    const BookText play = {"Play the film: " + count + " frames, " + kilobytes,
+                           "播放影片：" + count + " 帧，" + kilobytes};
+    return "<figure>\n<details class=\"film\"><summary>" + plain_html(play) + "</summary>\n" +
+           image_element(film.webp, film.size, film.name, "", "image/webp") + "</details>\n" +
+           captioned("figcaption", "", film.caption) + "</figure>\n";
 }
 
 std::string html_of(const DrawingOutput& output) {

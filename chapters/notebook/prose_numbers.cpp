@@ -1,6 +1,7 @@
 #include "chapters/notebook/prose_numbers.h"
 
 #include <algorithm>
+#include <cctype>
 #include <functional>
 
 #include "rasterizer/base/error.h"
@@ -72,6 +73,31 @@ std::string with_numbers(std::string_view markdown, const ProseNumbers& numbers)
         throw UsageError("the prose names numbers that no cell before it makes (" + missing +
                          "); make them with number()");
     return text;
+}
+
+std::string numbers_taken_out(std::string_view text, ProseNumbers& numbers) {
+    std::string result;
+    const auto is_digit = [text](std::size_t at) {
+        return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at])) != 0;
+    };
+    for (std::size_t at = 0; at < text.size();) {
+        const bool minus = text[at] == '-' && is_digit(at + 1) && (at == 0 || text[at - 1] == ' ');
+        std::size_t end = at + (minus ? 1 : 0);
+        if (!is_digit(end)) {
+            result += text[at++];
+            continue;
+        }
+        // A point ends a sentence, and an e begins a word, where no digit follows.
+        while (is_digit(end) || (text.substr(end).starts_with('.') && is_digit(end + 1))) ++end;
+        const bool exponent = text.substr(end).starts_with("e+") || text.substr(end).starts_with("e-");
+        if (exponent && is_digit(end + 2)) end += 2;
+        while (is_digit(end)) ++end;
+        const std::string name = std::to_string(numbers.size() + 1);
+        numbers[name] = text.substr(at, end - at);
+        result += "{" + name + "}";
+        at = end;
+    }
+    return result;
 }
 
 std::vector<std::string> numbers_named(std::string_view markdown) {

@@ -14,6 +14,9 @@ using ProseNumbers = std::map<std::string, std::string>;  // by name, as they ar
 // {{name}}, since mathematics has braces of its own. Throws UsageError naming each name that has no number.
 std::string with_numbers(std::string_view markdown, const ProseNumbers& numbers);
 
+// The other way: "from 2 to 1e+06" becomes "from {1} to {2}", and `numbers`, empty before, holds what {1} and {2} were.
+std::string numbers_taken_out(std::string_view text, ProseNumbers& numbers);
+
 // The names that a text asks for, in their order.
 std::vector<std::string> numbers_named(std::string_view markdown);
 

@@ -40,12 +40,14 @@ std::string text_of(const PictureOutput& output, const TerminalStyle& style) {
         result += "  " + (style.directory / (shown.name + ".png")).string() + "  " +
                   size_text(shown.picture.size) + "\n";
         if (!shown.caption.empty()) result += "    " + lines_of(shown.caption, style);
-        result += "    " +
-                  styled(shown.picture.mapping + ". " + statistics_text(shown.picture.statistics), kDim,
-                         style.colour) +
-                  "\n";
+        result += "    " + styled(shown.about.in(style.language), kDim, style.colour) + "\n";
     }
     return result + "\n";
+}
+
+std::string text_of(const FilmOutput& output, const TerminalStyle& style) {
+    return "  " + (style.directory / (output.name + ".webp")).string() + "  " + size_text(output.size) +
+           "\n    " + lines_of(output.caption, style) + "\n";
 }
 
 std::string text_of(const DrawingOutput& output, const TerminalStyle& style) {

@@ -20,7 +20,11 @@ SwitchedView::SwitchedView(const std::string& scene, Size size, const std::strin
 }
 
 SwitchedView::SwitchedView(const Notebook& book, const std::string& scene, const std::string& method)
-    : SwitchedView(book.scene(scene), book.size(), method) {
+    : SwitchedView(book, scene, book.size(), method) {}
+
+SwitchedView::SwitchedView(const Notebook& book, const std::string& scene, Size size,
+                           const std::string& method)
+    : SwitchedView(book.scene(scene), size, method) {
     reader_words_ = book.options().words;
 }
 

@@ -33,6 +33,9 @@ class SwitchedView {
     // The same as the reader of a chapter wants it: of the notebook's size, with its scene instead of this one, and its
     // parameters after the chapter's own.
     SwitchedView(const Notebook& book, const std::string& scene, const std::string& method = "xjun");
+    // The same of another size.
+    SwitchedView(const Notebook& book, const std::string& scene, Size size,
+                 const std::string& method = "xjun");
     // From another camera; `flags` is how the command line says so.
     void look(const Camera& camera, const std::string& flags);
 

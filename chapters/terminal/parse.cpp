@@ -63,6 +63,15 @@ glm::dvec3 parse_point(const std::string& flag, const std::string& word) {
             parse_number(flag, word.substr(second + 1))};
 }
 
+glm::ivec2 parse_pixel(const std::string& flag, const std::string& word) {
+    const std::size_t comma = word.find(',');
+    glm::ivec2 pixel(0);
+    if (comma == std::string::npos || !reads_as(word.substr(0, comma), pixel.x) ||
+        !reads_as(word.substr(comma + 1), pixel.y))
+        throw UsageError(flag + ": not a pixel (" + word + "); write x,y");
+    return pixel;
+}
+
 Size parse_size(const std::string& flag, const std::string& word) {
     const std::size_t cross = word.find('x');
     int width = 0, height = 0;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "rasterizer/base/error.h"
@@ -54,6 +55,8 @@ T parse_choice(const std::string& flag, const std::string& word,
 }
 // "x,y,z"
 glm::dvec3 parse_point(const std::string& flag, const std::string& word);
+// "X,Y"
+glm::ivec2 parse_pixel(const std::string& flag, const std::string& word);
 // "WxH", each in 1..kLargestSide, together small enough to be addressed and for the buffers of a frame to find
 // room in this machine's memory.
 inline constexpr int kLargestSide = 32767;  // what a PNG can hold

@@ -82,6 +82,17 @@ async function checkValue(name, page) {
            `${told[0]}, not ${expected}`);
 }
 
+// Films wait, closed, for the reader who wants to see something move.
+async function checkFilms(name, page) {
+  for (const film of await page.locator("details.film").all()) {
+    const image = film.locator("img");
+    expect(name, "a film is closed at first", !await image.isVisible());
+    await film.locator("summary").click();
+    const width = await image.evaluate((shown) => shown.decode().then(() => shown.naturalWidth, () => 0));
+    expect(name, "a film can be played", await image.isVisible() && width > 0);
+  }
+}
+
 async function checkLanguages(name, page) {
   for (const language of ["zh", "en"]) {
     const button = page.locator(`[data-set-lang=${language}]`);
@@ -115,6 +126,7 @@ async function checkPage(browser, file, width, scheme) {
     await checkValue(name, page);
     await checkViewer(name, page);
     await checkPair(name, page);
+    await checkFilms(name, page);
     await checkLanguages(name, page);
   }
   await context.close();

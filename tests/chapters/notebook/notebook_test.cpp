@@ -219,7 +219,7 @@ TEST_CASE("jupyter: nbformat 4.5, and code cells that run the chapter's cells") 
         CHECK(cells[i].contains("execution_count") == is_code);
     }
     const std::string run = cells[3].at("source");
-    CHECK(contains(run, "!{crevice} chapter 07 --cell pictures --out ..\n"));
+    CHECK(contains(run, "!{crevice} chapter 07 --cell pictures --size 4x2 --out ..\n"));
     CHECK(contains(run, "display(Image(\"ao_raw.png\"))\nao_raw = np.load(\"ao_raw.npy\")"));
     CHECK(cells[3].at("outputs").size() == 6);
     CHECK(cells[3].at("outputs")[0].at("output_type") == "stream");
@@ -227,6 +227,16 @@ TEST_CASE("jupyter: nbformat 4.5, and code cells that run the chapter's cells") 
     CHECK(output.at("data").at("image/png") == base64(sample.png));
     CHECK(output.at("metadata").at("image/png").at("width") == 4);
     CHECK(cells[6].at("outputs")[1].at("data").contains("image/svg+xml"));
+}
+
+TEST_CASE("jupyter: the cells ask for the pictures that the chapter was run for") {
+    const ScratchDirectory scratch;
+    NotebookOptions options = options_in(scratch);
+    options.size = {160, 90};
+    options.seed = 3;
+    options.words = {"radius=2"};
+    CHECK(contains(written_sample(options, scratch).jupyter,
+                   "--cell pictures --size 160x90 --seed 3 --param 'radius=2' --out .."));
 }
 
 TEST_CASE("one cell: only its outputs are kept, with its buffers as .npy, and the chapter ends with it") {

@@ -19,3 +19,19 @@ TEST_CASE("prose numbers: in text, in mathematics, never in code") {
         "the prose names numbers that no cell before it makes (a, b); make them with number()", UsageError);
     CHECK(numbers_named("{a} `{b}` ${{c}}$") == std::vector<std::string>{"a", "c"});
 }
+
+TEST_CASE("prose numbers: taken out of a phrase they leave a pattern, which makes the phrase again") {
+    struct Phrase {
+        std::string text, pattern;
+    };
+    for (const Phrase& phrase :
+         {Phrase{"min -0.25", "min {1}"}, Phrase{"from 2 (white) to 1e+06.", "from {1} (white) to {2}."},
+          Phrase{"-1e-07 blue, +0.5 red", "{1} blue, +{2} red"}, Phrase{"[0,1]", "[{1},{2}]"},
+          Phrase{"non-linear, 3even", "non-linear, {1}even"}, Phrase{"no number", "no number"},
+          Phrase{"", ""}}) {
+        CAPTURE(phrase.text);
+        ProseNumbers numbers;
+        CHECK(numbers_taken_out(phrase.text, numbers) == phrase.pattern);
+        CHECK(with_numbers(phrase.pattern, numbers) == phrase.text);
+    }
+}
