@@ -63,7 +63,7 @@ struct MaterialTextures::Request {
         if (first->scale != texture.scale || first->offset != texture.offset ||
             first->clamp != texture.clamp) {
             warn(texture, "-s, -o or -clamp differ between the textures of material `" + from.name + "` (" +
-                              texture.file + "); drawn with those of " + first->file);
+                              texture.file + "); drawn with those of the first (" + first->file + ")");
         }
     }
 };

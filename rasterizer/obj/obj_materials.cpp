@@ -172,18 +172,24 @@ struct Conversion {
     }
 };
 
-// One line for all that share a note.
+// One line for all that share a note; of a file that is something else, a few say enough.
 void add_notes(std::vector<std::string>& warnings, const std::string& path,
                const std::vector<MtlNote>& notes) {
+    constexpr std::size_t kMost = 32;
     std::map<std::pair<std::string_view, std::string_view>, Tally> tallies;
-    for (const MtlNote& note : notes) tallies[{note.what, note.done}].add(note.line);
-    for (const auto& [note, tally] : tallies) {
+    Tally others;
+    for (const MtlNote& note : notes) {
+        const std::pair<std::string_view, std::string_view> key(note.what, note.done);
+        (tallies.contains(key) || tallies.size() < kMost ? tallies[key] : others).add(note.line);
+    }
+    const auto say = [&](std::string_view what, std::string_view done, const Tally& tally) {
         const std::string count =
             std::to_string(tally.count) + (tally.count == 1 ? " line" : " lines, the first here");
-        warnings.push_back(
-            located(path, tally.first_line,
-                    std::string(note.first).append(" (").append(count).append("); ").append(note.second)));
-    }
+        warnings.push_back(located(path, tally.first_line,
+                                   std::string(what).append(" (").append(count).append("); ").append(done)));
+    };
+    for (const auto& [note, tally] : tallies) say(note.first, note.second, tally);
+    if (others.count > 0) say("more statements are not drawn here", "passed over", others);
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ std::string utf8_from_utf16(std::string_view bytes, ByteOrder order, const std::
 // Whether of the first letters one byte of each pair is mostly zero, and the other one almost never. Letters
 // outside Latin-1, as in a comment, have no zero byte; a foreign letter whose other byte is zero is rare.
 bool looks_like_utf16(std::string_view bytes, ByteOrder order) {
-    constexpr std::size_t kLeast = 4, kMost = 1024;  // letters
+    constexpr std::size_t kLeast = 4, kMost = 65536;  // letters
     const std::size_t letters = std::min(bytes.size() / 2, kMost);
     const std::size_t high = order == ByteOrder::little ? 1 : 0;
     std::size_t high_zeros = 0, low_zeros = 0;

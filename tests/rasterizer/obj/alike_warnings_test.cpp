@@ -79,6 +79,20 @@ TEST_CASE("load_obj: a flood of one fault is a few lines") {
         CHECK(loaded.report.warnings.size() <= kMostAlike + 3);
         CHECK(has_warning(loaded.report, row.fragment));
     }
+    // Statements that nobody knows, each of its own name.
+    std::string junk;
+    for (int i = 0; i < kCount; ++i) {
+        const std::string n = std::to_string(i);
+        junk += "newmtl m" + n + "\nKd 1 1 1\nword" + n + " 1\n";
+    }
+    const ScratchDirectory scratch;
+    write_text(scratch / "a.mtl", junk);
+    write_text(scratch / "a.obj", faces_of_materials(kCount));
+    const LoadedObj of_another_kind = load_obj(scratch / "a.obj");
+    CHECK(of_another_kind.report.warnings.size() == 33);
+    CHECK(
+        has_warning(of_another_kind.report,
+                    "a.mtl:99: more statements are not drawn here (468 lines, the first here); passed over"));
     std::string libraries;
     for (int i = 0; i < kCount; ++i) libraries += "mtllib m" + std::to_string(i) + ".mtl\n";
     const LoadedObj loaded = load_text(libraries + kCorners + "usemtl m\nf 1 2 3\n");
