@@ -27,7 +27,7 @@ inline std::string png_chunk(const std::string& kind, const std::string& content
            big_endian_bytes(~crc, 4);
 }
 
-inline std::string bytes_of(std::initializer_list<int> values) {
+inline std::string byte_string(std::initializer_list<int> values) {
     std::string bytes;
     for (const int value : values) bytes.push_back(static_cast<char>(value));
     return bytes;
@@ -79,20 +79,20 @@ inline std::string png_file(Size size, const PngKind& kind, const std::string& s
 // A baseline JPEG of 8 x 8 grey pixels of value 128: all coefficients are 0, both codes have one bit.
 // `segments` stand behind its start marker.
 inline std::string grey_jpeg(const std::string& segments = {}) {
-    const std::string one_code = bytes_of({1}) + std::string(15, '\0') + bytes_of({0});
-    return bytes_of({0xff, 0xd8}) + segments + bytes_of({0xff, 0xdb, 0, 67, 0}) + std::string(64, '\1') +
-           bytes_of({0xff, 0xc0, 0, 11, 8, 0, 8, 0, 8, 1, 1, 0x11, 0}) + bytes_of({0xff, 0xc4, 0, 20, 0x00}) +
-           one_code + bytes_of({0xff, 0xc4, 0, 20, 0x10}) + one_code +
-           bytes_of({0xff, 0xda, 0, 8, 1, 1, 0, 0, 63, 0}) + bytes_of({0x3f, 0xff, 0xd9});
+    const std::string one_code = byte_string({1}) + std::string(15, '\0') + byte_string({0});
+    return byte_string({0xff, 0xd8}) + segments + byte_string({0xff, 0xdb, 0, 67, 0}) +
+           std::string(64, '\1') + byte_string({0xff, 0xc0, 0, 11, 8, 0, 8, 0, 8, 1, 1, 0x11, 0}) +
+           byte_string({0xff, 0xc4, 0, 20, 0x00}) + one_code + byte_string({0xff, 0xc4, 0, 20, 0x10}) +
+           one_code + byte_string({0xff, 0xda, 0, 8, 1, 1, 0, 0, 63, 0}) + byte_string({0x3f, 0xff, 0xd9});
 }
 
 // The segment of a JPEG in which EXIF tells how the camera was held; numbers are big-endian.
 inline std::string exif_segment(int orientation) {
-    const std::string directory = bytes_of({0, 2, 0x01, 0x00, 0, 4, 0, 0, 0, 1, 0, 0, 0, 8}) +
-                                  bytes_of({0x01, 0x12, 0, 3, 0, 0, 0, 1, 0, orientation, 0, 0}) +
+    const std::string directory = byte_string({0, 2, 0x01, 0x00, 0, 4, 0, 0, 0, 1, 0, 0, 0, 8}) +
+                                  byte_string({0x01, 0x12, 0, 3, 0, 0, 0, 1, 0, orientation, 0, 0}) +
                                   std::string(4, '\0');
     const std::string content = std::string("Exif\0\0MM\0*\0\0\0\x08", 14) + directory;
-    return bytes_of({0xff, 0xe1}) + big_endian_bytes(static_cast<std::uint32_t>(content.size() + 2), 2) +
+    return byte_string({0xff, 0xe1}) + big_endian_bytes(static_cast<std::uint32_t>(content.size() + 2), 2) +
            content;
 }
 

@@ -63,8 +63,8 @@ TEST_CASE("decode_image: a file of another kind is named for what it is") {
         {"<HTML><HEAD></HEAD></HTML>", "HTML"},
         {"version https://git-lfs.github.com/spec/v1\noid sha256:1234\nsize 12\n", "Git LFS pointer"},
         {"%PDF-1.7\n", "PDF"},
-        {bytes_of({0, 0, 1, 0, 1, 0, 16, 16, 0, 0, 1, 0, 32, 0, 0, 4, 0, 0, 22, 0, 0, 0}), "icon (ICO)"},
-        {bytes_of({0, 0, 2, 0, 1, 0, 16, 16, 0, 0, 1, 0, 1, 0, 0, 4, 0, 0, 22, 0, 0, 0}), "cursor (CUR)"},
+        {byte_string({0, 0, 1, 0, 1, 0, 16, 16, 0, 0, 1, 0, 32, 0, 0, 4, 0, 0, 22, 0, 0, 0}), "icon (ICO)"},
+        {byte_string({0, 0, 2, 0, 1, 0, 16, 16, 0, 0, 1, 0, 1, 0, 0, 4, 0, 0, 22, 0, 0, 0}), "cursor (CUR)"},
         {"\x0a\5\1\x08\0\0\0\0\x0f\0\x0f\0"s, "PCX"},
         {"\1\xda\1\1\0\3"s, "SGI"},
         {"PF\n2 2\n-1.0\n", "PFM"},
@@ -80,7 +80,7 @@ TEST_CASE("decode_image: a file of another kind is named for what it is") {
         {"XPDS\0\x20\0\0"s, "DPX"},
         {"\x80\x2a\x5f\xd7\0\0\4\0"s, "Cineon"},
         {"FORM\0\0\0\x20ILBMBMHD"s, "IFF"},
-        {bytes_of({1, 0, 0, 0}) + std::string(36, '\1') + " EMF", "EMF"},
+        {byte_string({1, 0, 0, 0}) + std::string(36, '\1') + " EMF", "EMF"},
         {"\xd7\xcd\xc6\x9a\0\0"s, "WMF"},
         {"icns\0\0\x20\0"s, "ICNS"},
         {"\x59\xa6\x6a\x95\0\0\0\2"s, "Sun raster"},
@@ -119,7 +119,8 @@ TEST_CASE("decode_image: Apple's PNG variant has its colours in order and freed 
 
 TEST_CASE("decode_image: Apple's deflate streams end without a check sum") {
     // Four rows of four such pixels, deflated: the last code ends with the last byte.
-    const std::string deflated = bytes_of({0x63, 0x30, 0x4a, 0x39, 0xf1, 0x1f, 0x19, 0x33, 0x90, 0x2e, 0, 0});
+    const std::string deflated =
+        byte_string({0x63, 0x30, 0x4a, 0x39, 0xf1, 0x1f, 0x19, 0x33, 0x90, 0x2e, 0, 0});
     const std::string file = "\x89PNG\r\n\x1a\n" + png_chunk("CgBI", "\x50\0\x20\2"s) +
                              png_chunk("IHDR", "\0\0\0\4\0\0\0\4\x08\6\0\0\0"s);
     const std::string end = png_chunk("IEND", "");
