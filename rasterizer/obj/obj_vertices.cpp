@@ -52,7 +52,8 @@ void ObjVertices::add_polypaint(const ObjPlace& place, std::string_view rest) {
         const auto [stop, error] = std::from_chars(begin, end, mrgb, 16);
         read = error == std::errc() && stop == end;
         const auto channel = [&](int shift) {
-            return linear_from_srgb(static_cast<float>(mrgb >> shift & 255u) / kByteColours);
+            const float encoded = static_cast<float>(mrgb >> shift & 255u) / kByteColours;
+            return std::min(1.0f, linear_from_srgb(encoded));
         };
         polypaint_.emplace_back(channel(16), channel(8), channel(0));
     }
