@@ -114,12 +114,17 @@ std::string damage_in_image(std::string_view bytes) {
     return {};
 }
 
+std::size_t png_end_chunk(std::string_view bytes) {
+    std::size_t at = kPngSignature.size();
+    while (bytes.substr(at + 4, 4) != "IEND") at += big_endian(bytes, at) + kAroundChunk;
+    return at;
+}
+
 std::size_t png_pixel_bytes(std::string_view bytes) {
-    std::size_t sum = 0, at = kPngSignature.size();
-    while (bytes.substr(at + 4, 4) != "IEND") {
-        const std::size_t length = big_endian(bytes, at);
-        if (bytes.substr(at + 4, 4) == "IDAT") sum += length;
-        at += length + kAroundChunk;
+    const std::size_t end = png_end_chunk(bytes);
+    std::size_t sum = 0;
+    for (std::size_t at = kPngSignature.size(); at < end; at += big_endian(bytes, at) + kAroundChunk) {
+        if (bytes.substr(at + 4, 4) == "IDAT") sum += big_endian(bytes, at);
     }
     return sum;
 }

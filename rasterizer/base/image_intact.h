@@ -12,6 +12,9 @@ namespace crevice {
 // file, or nothing ("") when it is whole, or of another kind.
 std::string damage_in_image(std::string_view bytes);
 
+// Where the IEND chunk of a PNG that is whole begins.
+std::size_t png_end_chunk(std::string_view bytes);
+
 // How many bytes of coded pixels a PNG that is whole has in its IDAT chunks.
 std::size_t png_pixel_bytes(std::string_view bytes);
 

@@ -9,6 +9,7 @@
 #include "rasterizer/base/memory.h"
 #include "rasterizer/obj/texel_images.h"
 #include "rasterizer/textures/cutout_mips.h"
+#include "rasterizer/textures/exif_orientation.h"
 
 namespace crevice {
 
@@ -62,7 +63,7 @@ struct MaterialTextures::Request {
         if (first->scale != texture.scale || first->offset != texture.offset ||
             first->clamp != texture.clamp) {
             warn(texture, "-s, -o or -clamp differ between the textures of material `" + from.name + "` (" +
-                              texture.file + "); drawn with those of " + first->file);
+                              texture.file + "); drawn with those of the first (" + first->file + ")");
         }
     }
 };
@@ -98,8 +99,15 @@ fs::path MaterialTextures::find(Request& request, const MtlTexture& texture) con
     return found.path;
 }
 
-DecodedImage MaterialTextures::load(const fs::path& path, TextureEncoding encoding) {
-    DecodedImage image = load_image(path, encoding, std::min(pixels_left_, kMaxTexturePixels));
+DecodedImage MaterialTextures::load(Request& request, const MtlTexture& texture, const fs::path& path,
+                                    TextureEncoding encoding) {
+    const std::string bytes = read_image_bytes(path);
+    DecodedImage image =
+        decode_image(bytes, path.string(), encoding, std::min(pixels_left_, kMaxTexturePixels));
+    if (exif_orientation(bytes) != 1) {
+        request.from.notes.push_back({"a texture's EXIF orientation would have it turned or mirrored",
+                                      "drawn as its pixels are stored", texture.line});
+    }
     pixels_left_ -= std::int64_t{image.colour.size().width} * image.colour.size().height;
     return image;
 }
@@ -169,10 +177,11 @@ void MaterialTextures::add_colours(Material& material, Request& request) {
                             std::to_string(static_cast<int>(cutouts.channel));
     material.texture = once(key, request, main, [&]() -> TexturePointer {
         DecodedImage image;
-        if (!colour_path.empty()) image = load(colour_path, TextureEncoding::srgb);
+        if (!colour_path.empty()) image = load(request, colours, colour_path, TextureEncoding::srgb);
         if (!cutout_path.empty() && (cutout_path != colour_path || cutouts.channel != TexelChannel::unsaid)) {
             image.alpha = unless_unreadable(request, cutouts, [&] {
-                return channel_of(load(cutout_path, TextureEncoding::linear), cutouts.channel);
+                return channel_of(load(request, cutouts, cutout_path, TextureEncoding::linear),
+                                  cutouts.channel);
             });
             if (colour_path.empty()) image.colour = Image3(image.alpha.size, glm::vec3(1));
         }
@@ -203,7 +212,7 @@ MaterialTextures::TexturePointer MaterialTextures::normals_of(Request& request, 
                             std::to_string(static_cast<int>(map.channel)) + ":" +
                             std::to_string(static_cast<int>(accepted));
     return once(key, request, map, [&]() -> TexturePointer {
-        DecodedImage image = load(path, TextureEncoding::linear);
+        DecodedImage image = load(request, map, path, TextureEncoding::linear);
         const bool normals = accepted == Accepted::as_normals || holds_normals(image.colour);
         if (!normals && accepted == Accepted::normals) return nullptr;
         image.colour =
@@ -240,7 +249,8 @@ void MaterialTextures::add_mean_specular(Material& material, Request& request) {
     const fs::path path = find(request, map);
     if (path.empty()) return;
     const TexturePointer picture = once("specular:" + path.string(), request, map, [&]() -> TexturePointer {
-        return std::make_shared<const Texture>(build_texture(load(path, TextureEncoding::srgb).colour));
+        return std::make_shared<const Texture>(
+            build_texture(load(request, map, path, TextureEncoding::srgb).colour));
     });
     if (picture == nullptr) return;
     material.specular *= glm::vec3(picture->texel(picture->levels().size() - 1, 0, 0));

@@ -38,6 +38,8 @@ inline constexpr float kBumpHeight = 0.01f;
 //   bump          the same where the picture holds normals, else heights, of which normals are made
 //   disp          normals where it holds them; heights are not drawn
 //   map_Ks        its mean colour, which multiplies Ks
+// Pixels are taken as they are stored; a JPEG whose EXIF orientation would have it turned is a note. Blender
+// does not turn it either, and there texture coordinates are made.
 // Without want_surfaces only what cuts out is read: it is part of a shape. What cannot be read, lies outside
 // the OBJ's directory or would be wholly cut out is a warning, and drawn without.
 class MaterialTextures {
@@ -56,7 +58,8 @@ class MaterialTextures {
     FoundFile look_for(const MtlTexture& texture, const std::filesystem::path& mtl) const;
     std::filesystem::path find(Request& request, const MtlTexture& texture) const;
     bool may_cut_out(const MtlTexture& colours, const std::filesystem::path& mtl) const;
-    DecodedImage load(const std::filesystem::path& path, TextureEncoding encoding);
+    DecodedImage load(Request& request, const MtlTexture& texture, const std::filesystem::path& path,
+                      TextureEncoding encoding);
     template <class Make>
     static auto unless_unreadable(Request& request, const MtlTexture& texture, const Make& make)
         -> decltype(make());

@@ -1,9 +1,11 @@
 #include "rasterizer/obj/mtl_texture.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/obj/obj_lines.h"
 #include "rasterizer/obj/obj_numbers.h"
 
@@ -14,6 +16,16 @@ namespace {
 bool has_decimal_comma(std::string_view word) {
     return word.find(',') != std::string_view::npos &&
            word.find_first_not_of("+-.,0123456789") == std::string_view::npos;
+}
+
+// Of a texture across a face: from here on a float's steps are larger than a 128th of a copy.
+constexpr float kMostCopies = 65536;
+
+// The other statements show more than one channel.
+bool takes_one_channel(std::string_view keyword) {
+    static constexpr std::array<std::string_view, 5> kTaking = {"map_d", "bump", "map_bump", "disp",
+                                                                "map_disp"};
+    return std::find(kTaking.begin(), kTaking.end(), lower_case(keyword)) != kTaking.end();
 }
 
 struct OptionReader {
@@ -59,6 +71,11 @@ struct OptionReader {
     // One value or two, of u and v; a third one, of w, has no meaning in a picture.
     void pair(std::string_view option, glm::vec2& into) {
         const std::vector<float> values = numbers(option, 3);
+        for (const float value : values) {
+            if (std::abs(value) <= kMostCopies) continue;
+            return wrong(option, "is beyond " + shortest_text(kMostCopies) + " (" + shortest_text(value) +
+                                     "), where texture coordinates lose their precision");
+        }
         if (!values.empty()) into.x = values[0];
         if (values.size() > 1) into.y = values[1];
     }
@@ -84,6 +101,7 @@ struct OptionReader {
         for (const auto& [letter, meant] : kChannels) {
             if (word != letter) continue;
             take_word(rest);
+            if (!takes_one_channel(keyword)) not_drawn(option);
             texture.channel = meant;
             return;
         }

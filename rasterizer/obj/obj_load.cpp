@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <iterator>
 #include <new>
 #include <system_error>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/file_bytes.h"
 #include "rasterizer/base/memory.h"
+#include "rasterizer/obj/alike_warnings.h"
 #include "rasterizer/obj/ear_clip.h"
 #include "rasterizer/obj/obj_materials.h"
 #include "rasterizer/obj/obj_mesh.h"
@@ -86,15 +86,6 @@ void show_vertex_colours_alone(Material& material) {
     material.specular = glm::vec3(0);
 }
 
-std::vector<bool> used_positions(const ObjFaces& faces, std::size_t positions) {
-    std::vector<bool> used(positions, false);
-    for (const ObjCorner& corner : faces.corners) {
-        const auto position = static_cast<std::size_t>(corner.position);
-        if (corner.position >= 0 && position < positions) used[position] = true;
-    }
-    return used;
-}
-
 // Notes the time since the last step ended.
 class StepTimer {
  public:
@@ -136,8 +127,7 @@ LoadedObj loaded_from(const std::filesystem::path& path, const ObjOptions& optio
     ObjPrescan prescan = prescan_obj(text, name);
     timer.finish("numbers and structure");
     const ObjFaces faces = parse_faces(prescan);
-    prescan.vertices.recentre(text, name, used_positions(faces, prescan.vertices.positions.size()),
-                              prescan.report.warnings);
+    prescan.vertices.recentre(text, name, faces, prescan.report.warnings);
     timer.finish("faces");
     ObjTriangles triangles = triangulate_obj(prescan, faces, std::move(prescan.report));
     timer.finish("triangles");
@@ -163,7 +153,8 @@ LoadedObj loaded_from(const std::filesystem::path& path, const ObjOptions& optio
         skipped + report.missing_vertices.count + report.not_finite.count + report.zero_area.count;
     const std::vector<std::string> found = warnings_of(report, name, skipped + faces.faces.size());
     report.warnings.insert(report.warnings.end(), found.begin(), found.end());
-    std::move(materials.warnings.begin(), materials.warnings.end(), std::back_inserter(report.warnings));
+    report.warnings.insert(report.warnings.end(), materials.warnings.begin(), materials.warnings.end());
+    report.warnings = few_of_each_kind(report.warnings);
 
     Scene& scene = loaded.scene;
     scene.name = path.stem().string();

@@ -1,7 +1,9 @@
 #include "rasterizer/obj/obj_materials.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -95,10 +97,15 @@ struct MaterialIndex {
     }
 };
 
-bool is_reflectance(glm::vec3 k) {
-    bool inside = true;
-    for (int c = 0; c < 3; ++c) inside = inside && k[c] >= 0 && k[c] <= 1;
-    return inside;
+std::string text_of(glm::vec3 k) {
+    return shortest_text(k.x) + " " + shortest_text(k.y) + " " + shortest_text(k.z);
+}
+
+// A reflectance above 1 darkened until it is none, which keeps its hue; nothing for what is no colour at all.
+std::optional<glm::vec3> reflectance_of(glm::vec3 k) {
+    const float highest = std::max({k.x, k.y, k.z});
+    if (!(k.x >= 0 && k.y >= 0 && k.z >= 0) || !std::isfinite(highest)) return std::nullopt;
+    return highest > 1 ? k / highest : k;
 }
 
 // Brings the numbers of `from` into the range of a Material; what is out of it is a warning of `from`.
@@ -112,10 +119,12 @@ struct Conversion {
     }
 
     void check_reflectance(const char* keyword, std::optional<glm::vec3>& value) {
-        if (!value || is_reflectance(*value)) return;
-        warn("has a " + std::string(keyword) + " outside [0, 1] (" + shortest_text(value->x) + " " +
-             shortest_text(value->y) + " " + shortest_text(value->z) + "); drawn with the default");
-        value = std::nullopt;
+        if (!value) return;
+        const std::optional<glm::vec3> drawn = reflectance_of(*value);
+        if (drawn == value) return;
+        warn("has a " + std::string(keyword) + " outside [0, 1] (" + text_of(*value) + "); drawn with " +
+             (drawn ? text_of(*drawn) : "the default"));
+        value = drawn;
     }
 
     Material numbers() {
@@ -163,18 +172,24 @@ struct Conversion {
     }
 };
 
-// One line for all that share a note.
+// One line for all that share a note; of a file that is something else, a few say enough.
 void add_notes(std::vector<std::string>& warnings, const std::string& path,
                const std::vector<MtlNote>& notes) {
+    constexpr std::size_t kMost = 32;
     std::map<std::pair<std::string_view, std::string_view>, Tally> tallies;
-    for (const MtlNote& note : notes) tallies[{note.what, note.done}].add(note.line);
-    for (const auto& [note, tally] : tallies) {
+    Tally others;
+    for (const MtlNote& note : notes) {
+        const std::pair<std::string_view, std::string_view> key(note.what, note.done);
+        (tallies.contains(key) || tallies.size() < kMost ? tallies[key] : others).add(note.line);
+    }
+    const auto say = [&](std::string_view what, std::string_view done, const Tally& tally) {
         const std::string count =
             std::to_string(tally.count) + (tally.count == 1 ? " line" : " lines, the first here");
-        warnings.push_back(
-            located(path, tally.first_line,
-                    std::string(note.first).append(" (").append(count).append("); ").append(note.second)));
-    }
+        warnings.push_back(located(path, tally.first_line,
+                                   std::string(what).append(" (").append(count).append("); ").append(done)));
+    };
+    for (const auto& [note, tally] : tallies) say(note.first, note.second, tally);
+    if (others.count > 0) say("more statements are not drawn here", "passed over", others);
 }
 
 }  // namespace

@@ -125,6 +125,10 @@ struct Scanner {
     }
 
     void statement(std::string_view rest) {
+        constexpr std::string_view kPolypaint = "#MRGB ";
+        if (const std::string_view line = trimmed(rest); line.starts_with(kPolypaint)) {
+            return found.vertices.add_polypaint(place, line.substr(kPolypaint.size()));
+        }
         const std::string_view written = take_word(rest);
         const std::string keyword = lower_case(written);
         if (keyword.empty()) return;

@@ -1,10 +1,14 @@
 #include "rasterizer/obj/obj_vertices.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <utility>
 
 #include <glm/common.hpp>
 
 #include "rasterizer/base/float_text.h"
+#include "rasterizer/lanes/approx_math.h"
 #include "rasterizer/obj/obj_origin.h"
 
 namespace crevice {
@@ -37,19 +41,63 @@ void ObjVertices::add(const ObjPlace& place, std::string_view rest) {
     colours.push_back(count >= 6 ? glm::vec3(p[3], p[4], p[5]) : kUncoloured);
 }
 
-void ObjVertices::recentre(std::string_view text, const std::string& name, const std::vector<bool>& used,
+void ObjVertices::add_polypaint(const ObjPlace& place, std::string_view rest) {
+    constexpr std::size_t kDigits = 8;
+    if (first_polypaint_line_ == 0) first_polypaint_line_ = place.line;
+    const std::string_view digits = take_word(rest);
+    bool read = digits.size() % kDigits == 0;
+    for (std::size_t at = 0; read && at < digits.size(); at += kDigits) {
+        const char *const begin = digits.data() + at, *const end = begin + kDigits;
+        std::uint32_t mrgb = 0;
+        const auto [stop, error] = std::from_chars(begin, end, mrgb, 16);
+        read = error == std::errc() && stop == end;
+        const auto channel = [&](int shift) {
+            const float encoded = static_cast<float>(mrgb >> shift & 255u) / kByteColours;
+            return std::min(1.0f, linear_from_srgb(encoded));
+        };
+        polypaint_.emplace_back(channel(16), channel(8), channel(0));
+    }
+    if (!read && unread_polypaint_line_ == 0) unread_polypaint_line_ = place.line;
+}
+
+// Colours of `v` lines go before.
+void ObjVertices::use_polypaint(const std::string& name, std::vector<std::string>& warnings) {
+    if (first_polypaint_line_ == 0 || !colours.empty()) return;
+    if (unread_polypaint_line_ != 0) {
+        warnings.push_back(ObjPlace{name, unread_polypaint_line_}.text() +
+                           "`#MRGB` (polypaint) is not eight hexadecimal digits a vertex; drawn without");
+    } else if (polypaint_.size() != positions.size()) {
+        warnings.push_back(ObjPlace{name, first_polypaint_line_}.text() +
+                           "the colours of `#MRGB` (polypaint) are not as many as the vertices (" +
+                           std::to_string(polypaint_.size()) + " for " + std::to_string(positions.size()) +
+                           "); drawn without");
+    } else {
+        colours = std::move(polypaint_);
+    }
+}
+
+void ObjVertices::recentre(std::string_view text, const std::string& name, const ObjFaces& faces,
                            std::vector<std::string>& warnings) {
-    if (!lie_far(positions, used)) return;
+    if (!may_need_origin(positions, faces)) return;
     std::vector<glm::dvec3> exact;
+    std::vector<std::size_t> line_of;
     exact.reserve(positions.size());
+    line_of.reserve(positions.size());
     for (LogicalLines lines(text); lines.advance();) {
         std::string_view rest = lines.text;
-        if (lower_case(take_word(rest)) == "v") exact.push_back(exact_position({name, lines.line}, rest));
+        if (lower_case(take_word(rest)) != "v") continue;
+        exact.push_back(exact_position({name, lines.line}, rest));
+        line_of.push_back(lines.line);
     }
-    origin = near_origin(exact, used);
-    if (origin == glm::dvec3(0)) return;
-    for (std::size_t i = 0; i < exact.size(); ++i) positions[i] = glm::vec3(exact[i] - origin);
-    warnings.push_back(name + ": " + origin_warning(origin));
+    origin = best_origin(exact, faces);
+    if (origin != glm::dvec3(0)) {
+        for (std::size_t i = 0; i < exact.size(); ++i) positions[i] = glm::vec3(exact[i] - origin);
+        warnings.push_back(name + ": " + origin_warning(origin));
+    }
+    const LostVertices lost = lost_vertices(exact, origin, faces);
+    if (lost.count == 0) return;
+    const ObjPlace place{name, line_of[lost.first]};
+    warnings.push_back(place.text() + lost_warning(lost, exact[lost.first]));
 }
 
 void ObjVertices::finish_colours(const std::string& name, std::vector<std::string>& warnings) {
@@ -71,6 +119,7 @@ void ObjVertices::finish_colours(const std::string& name, std::vector<std::strin
     }
     const float full = highest > kSlightlyAboveOne ? kByteColours : 1;
     for (glm::vec3& c : colours) c = c == kUncoloured ? glm::vec3(1) : glm::min(c / full, glm::vec3(1));
+    use_polypaint(name, warnings);
 }
 
 }  // namespace crevice

@@ -11,6 +11,8 @@
 
 namespace crevice {
 
+struct ObjFaces;
+
 struct ObjVertices {
     std::vector<glm::vec3>
         positions;                   // file space (right-handed), less `origin`; may hold NaN and infinities
@@ -22,16 +24,24 @@ struct ObjVertices {
     // nothing here. Throws InputError at what is no number and at other counts.
     void add(const ObjPlace& place, std::string_view rest);
 
-    // Reads positions again, in double, where float loses the shape of what is far from the origin, and
-    // subtracts one near to those that faces use (`used`, one a position). `text` is that of the whole file.
-    // What was done is added to `warnings`.
-    void recentre(std::string_view text, const std::string& name, const std::vector<bool>& used,
+    // ZBrush's polypaint, a comment to other programs: `#MRGB` and eight hexadecimal digits a vertex, for
+    // mask, red, green and blue (sRGB). The first colour of the file belongs to its first vertex, and so on.
+    void add_polypaint(const ObjPlace& place, std::string_view rest);
+
+    // Where float loses the shape of faces far from the origin: reads positions again, in double, and
+    // subtracts the best origin (obj_origin.h). `text` is that of the whole file. What was done, and what is
+    // lost all the same, is added to `warnings`.
+    void recentre(std::string_view text, const std::string& name, const ObjFaces& faces,
                   std::vector<std::string>& warnings);
     // Brings colours to [0, 1], at the end of the file. What was done is added to `warnings`.
     void finish_colours(const std::string& name, std::vector<std::string>& warnings);
 
  private:
-    std::size_t first_coloured_line_ = 0;  // 0: no vertex has had a colour
+    void use_polypaint(const std::string& name, std::vector<std::string>& warnings);
+
+    std::size_t first_coloured_line_ = 0;                               // 0: no vertex has had a colour
+    std::vector<glm::vec3> polypaint_;                                  // linear, [0,1]
+    std::size_t first_polypaint_line_ = 0, unread_polypaint_line_ = 0;  // 0: there is none
 };
 
 }  // namespace crevice

@@ -58,15 +58,18 @@ std::string utf8_from_utf16(std::string_view bytes, ByteOrder order, const std::
     return text;
 }
 
-// Whether of the first letters one byte of each pair is always zero, and the other one never.
+// Whether of the first letters one byte of each pair is mostly zero, and the other one almost never. Letters
+// outside Latin-1, as in a comment, have no zero byte; a foreign letter whose other byte is zero is rare.
 bool looks_like_utf16(std::string_view bytes, ByteOrder order) {
-    constexpr std::size_t kLeast = 8, kMost = 64;
-    if (bytes.size() < kLeast || bytes.size() % 2 != 0) return false;
-    const std::size_t zero_at = order == ByteOrder::little ? 1 : 0;
-    for (std::size_t at = 0; at < std::min(bytes.size(), kMost); ++at) {
-        if ((bytes[at] == '\0') != (at % 2 == zero_at)) return false;
+    constexpr std::size_t kLeast = 4, kMost = 65536;  // letters
+    const std::size_t letters = std::min(bytes.size() / 2, kMost);
+    const std::size_t high = order == ByteOrder::little ? 1 : 0;
+    std::size_t high_zeros = 0, low_zeros = 0;
+    for (std::size_t letter = 0; letter < letters; ++letter) {
+        high_zeros += bytes[2 * letter + high] == '\0' ? 1 : 0;
+        low_zeros += bytes[2 * letter + 1 - high] == '\0' ? 1 : 0;
     }
-    return true;
+    return letters >= kLeast && high_zeros > letters / 2 && low_zeros <= letters / 16;
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 #include "rasterizer/scene/outlier_vertex.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <span>
 #include <vector>
@@ -13,16 +15,41 @@ namespace crevice {
 
 namespace {
 
-std::vector<glm::dvec3> world_positions(const Scene& scene) {
-    std::vector<glm::dvec3> positions;
+bool is_finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+// Calls `take` for every instance with its mesh and the mesh's vertices in world space.
+template <class Take>
+void for_each_instance(const Scene& scene, const Take& take) {
     for (const Instance& instance : scene.instances) {
         const glm::dmat4 world_from_object(instance.world_from_object);
-        for (const glm::vec3& p : scene.meshes[static_cast<std::size_t>(instance.mesh)].positions) {
-            const glm::dvec3 at(world_from_object * glm::dvec4(p, 1));
-            if (std::isfinite(at.x) && std::isfinite(at.y) && std::isfinite(at.z)) positions.push_back(at);
-        }
+        const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+        std::vector<glm::dvec3> positions;
+        positions.reserve(mesh.positions.size());
+        for (const glm::vec3& p : mesh.positions)
+            positions.emplace_back(world_from_object * glm::dvec4(p, 1));
+        take(mesh, positions);
     }
-    return positions;
+}
+
+std::vector<glm::dvec3> world_positions(const Scene& scene) {
+    std::vector<glm::dvec3> all;
+    for_each_instance(scene, [&](const Mesh&, const std::vector<glm::dvec3>& positions) {
+        std::copy_if(positions.begin(), positions.end(), std::back_inserter(all), is_finite);
+    });
+    return all;
+}
+
+using Triangle = std::array<glm::dvec3, 3>;
+
+std::vector<Triangle> world_triangles(const Scene& scene) {
+    std::vector<Triangle> all;
+    for_each_instance(scene, [&](const Mesh& mesh, const std::vector<glm::dvec3>& positions) {
+        for (const auto& [a, b, c] : mesh.triangles) {
+            const Triangle t = {positions[a], positions[b], positions[c]};
+            if (std::all_of(t.begin(), t.end(), is_finite)) all.push_back(t);
+        }
+    });
+    return all;
 }
 
 double median_of(std::vector<double> values) {
@@ -42,16 +69,21 @@ glm::dvec3 middle_of(const std::vector<glm::dvec3>& positions) {
     return middle;
 }
 
+struct Box {
+    glm::dvec3 low = glm::dvec3(std::numeric_limits<double>::infinity()), high = -low;
+
+    void add(const glm::dvec3& p) { low = glm::min(low, p), high = glm::max(high, p); }
+    double diagonal() const { return glm::length(high - low); }
+};
+
 double diagonal_of(std::span<const glm::dvec3> positions) {
-    glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
-    for (const glm::dvec3& p : positions) low = glm::min(low, p), high = glm::max(high, p);
-    return glm::length(high - low);
+    Box box;
+    for (const glm::dvec3& p : positions) box.add(p);
+    return box.diagonal();
 }
 
-}  // namespace
-
-std::optional<OutlierVertex> outlier_vertex(const Scene& scene) {
-    std::vector<glm::dvec3> positions = world_positions(scene);
+// A few vertices; their triangles may reach to where all others are.
+std::optional<OutlierVertex> few_far_vertices(std::vector<glm::dvec3> positions) {
     if (positions.size() < 4) return std::nullopt;
     const double all = diagonal_of(positions);
     const glm::dvec3 middle = middle_of(positions);
@@ -63,6 +95,83 @@ std::optional<OutlierVertex> outlier_vertex(const Scene& scene) {
     const double others = diagonal_of(std::span(positions).first(positions.size() - kMostOutliers));
     if (!(others > 0) || !(all > kOutlierStretch * others)) return std::nullopt;
     return OutlierVertex{*std::max_element(first_outlier, positions.end(), nearer), all / others};
+}
+
+// Triangles that lie side by side along an axis, without a wide gap between them.
+struct Part {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    std::size_t triangles = 0;
+
+    void add(const Part& other) {
+        low = std::min(low, other.low), high = std::max(high, other.high);
+        triangles += other.triangles;
+    }
+    bool holds(const Part& other) const { return low <= other.low && other.high <= high; }
+};
+
+Part along(const Triangle& t, int axis) {
+    const double a = t[0][axis], b = t[1][axis], c = t[2][axis];
+    return {std::min({a, b, c}), std::max({a, b, c}), 1};
+}
+
+// The part of the most triangles, when a wide gap is beside it. Triangles are first gathered by where they
+// begin, in steps that are small against such a gap.
+std::optional<Part> largest_part(const std::vector<Triangle>& triangles, int axis, const Box& all) {
+    constexpr int kSteps = 256;
+    const double low = all.low[axis], extent = all.high[axis] - low;
+    if (!(extent > 0)) return std::nullopt;
+    std::vector<Part> steps(kSteps);
+    for (const Triangle& t : triangles) {
+        const Part one = along(t, axis);
+        const int step = std::min(static_cast<int>((one.low - low) / extent * kSteps), kSteps - 1);
+        steps[static_cast<std::size_t>(step)].add(one);
+    }
+    std::vector<Part> parts;
+    for (const Part& step : steps) {
+        if (step.triangles == 0) continue;
+        if (parts.empty() || step.low - parts.back().high > kWideGap * extent) parts.emplace_back();
+        parts.back().add(step);
+    }
+    const auto largest = std::max_element(
+        parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.triangles < b.triangles; });
+    const bool most = 2 * largest->triangles > triangles.size();
+    return parts.size() > 1 && most ? std::optional(*largest) : std::nullopt;
+}
+
+// A part of any number of vertices, apart from most triangles of the scene.
+std::optional<OutlierVertex> far_part(const std::vector<Triangle>& triangles) {
+    Box all;
+    for (const Triangle& t : triangles) {
+        for (const glm::dvec3& p : t) all.add(p);
+    }
+    std::optional<OutlierVertex> found;
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::optional<Part> most = largest_part(triangles, axis, all);
+        if (!most) continue;
+        Box box;
+        for (const Triangle& t : triangles) {
+            if (!most->holds(along(t, axis))) continue;
+            for (const glm::dvec3& p : t) box.add(p);
+        }
+        const double stretch = all.diagonal() / box.diagonal();
+        if (!(box.diagonal() > 0) || !(stretch > std::max(kPartStretch, found ? found->stretch : 0)))
+            continue;
+        const glm::dvec3 middle = 0.5 * box.low + 0.5 * box.high;
+        found = OutlierVertex{middle, stretch};
+        for (const Triangle& t : triangles) {
+            for (const glm::dvec3& p : t) {
+                if (glm::distance(p, middle) > glm::distance(found->p_world, middle)) found->p_world = p;
+            }
+        }
+    }
+    return found;
+}
+
+}  // namespace
+
+std::optional<OutlierVertex> outlier_vertex(const Scene& scene) {
+    const std::optional<OutlierVertex> few = few_far_vertices(world_positions(scene));
+    return few ? few : far_part(world_triangles(scene));
 }
 
 }  // namespace crevice

@@ -151,6 +151,18 @@ bool is_linear_png(std::string_view bytes) {
     return bytes.substr(0, bytes.find("IDAT")).find(kGammaOfOne) != std::string_view::npos;
 }
 
+bool is_apple_png(const std::string& bytes) {
+    return starts_as(bytes, kPngSignature) && bytes.find("CgBI") < bytes.find("IDAT");
+}
+
+// Apple's deflate streams have no check sum at their end, and stb_image takes the last few bits before the
+// end of the data for a cut: zeros behind them, which no block of the stream reaches, keep it from that.
+std::string with_room_behind_deflate(const std::string& bytes) {
+    constexpr std::string_view kEightZeros("\0\0\0\x08IDAT\0\0\0\0\0\0\0\0\0\0\0\0", 20);
+    std::string padded = bytes;
+    return padded.insert(png_end_chunk(bytes), kEightZeros);
+}
+
 template <class Code, class Load>
 DecodedImage loaded_with(const Load& load, const std::string& bytes, const std::string& name, StbInfo info,
                          TextureEncoding encoding) {
@@ -160,12 +172,21 @@ DecodedImage loaded_with(const Load& load, const std::string& bytes, const std::
     return image_from(pixels.get(), info.size, encoding, info.channels == 2 || info.channels == 4);
 }
 
-DecodedImage decode_with_stb(const std::string& bytes, const std::string& name, TextureEncoding encoding,
+DecodedImage decode_with_stb(const std::string& file, const std::string& name, TextureEncoding encoding,
                              std::int64_t most_pixels) {
-    const StbInfo info = checked_info(bytes, name, most_pixels);
+    const StbInfo info = checked_info(file, name, most_pixels);
+    const std::string apple = is_apple_png(file) ? with_room_behind_deflate(file) : std::string();
+    const std::string& bytes = apple.empty() ? file : apple;
     return stbi_is_16_bit_from_memory(encoded(bytes), length(bytes)) != 0
                ? loaded_with<stbi_us>(stbi_load_16_from_memory, bytes, name, info, encoding)
                : loaded_with<stbi_uc>(stbi_load_from_memory, bytes, name, info, encoding);
+}
+
+std::string kind_of(const std::string& bytes) {
+    if (starts_as(bytes, kJpegSignature)) return "a JPEG picture";
+    if (tga_header(bytes).valid) return "a TGA picture";
+    const std::string kind = unread_kind(bytes);
+    return kind.empty() ? "nothing that is known here" : kind;
 }
 
 }  // namespace
@@ -177,9 +198,8 @@ DecodedImage decode_image(const std::string& bytes, const std::string& name, Tex
     }
     const TgaHeader tga = tga_header(bytes);
     if (!tga.valid) {
-        const std::string kind = unread_kind(bytes);
-        throw InputError(name + ": this is not a PNG, JPEG or TGA picture (" +
-                         (kind.empty() ? "nothing that is known here" : kind) + "); convert it to PNG");
+        throw InputError(name + ": this is not a PNG, JPEG or TGA picture (" + kind_of(bytes) +
+                         "); convert it to PNG");
     }
     check_size(tga.size, name, most_pixels);
     const RgbaPixels pixels = decode_tga(bytes);
@@ -208,15 +228,13 @@ bool may_have_alpha(const std::string& bytes) {
     constexpr char kGreyAndAlpha = 4, kRgba = 6;
     const bool has_channel =
         bytes.size() > kColourType && (bytes[kColourType] == kGreyAndAlpha || bytes[kColourType] == kRgba);
-    return has_channel || bytes.find("tRNS") < bytes.find("IDAT") || bytes.find("CgBI") < bytes.find("IDAT");
+    return has_channel || bytes.find("tRNS") < bytes.find("IDAT") || is_apple_png(bytes);
 }
 
 ImageCodes read_png(const std::filesystem::path& path) {
     const std::string bytes = read_image_bytes(path), name = path.string();
     if (!starts_as(bytes, kPngSignature)) {
-        const std::string kind = unread_kind(bytes);
-        throw InputError(name + ": this is not a PNG picture" + (kind.empty() ? "" : " (" + kind + ")") +
-                         "; convert it to PNG");
+        throw InputError(name + ": this is not a PNG picture (" + kind_of(bytes) + "); convert it to PNG");
     }
     DecodedImage image = decode_image(bytes, name, TextureEncoding::linear);
     return {std::move(image.colour), std::move(image.alpha), is_linear_png(bytes)};

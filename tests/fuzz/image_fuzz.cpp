@@ -1,4 +1,5 @@
 // PNG, JPEG and TGA pictures; small ones, so that many are tried.
+#include "rasterizer/textures/exif_orientation.h"
 #include "rasterizer/textures/image_file.h"
 #include "tests/fuzz/fuzzing.h"
 #include "tests/tools/picture_files.h"
@@ -27,6 +28,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::string bytes = bytes_of(data, size);
     if (bytes.starts_with("\x89PNG")) mend_check_sums(bytes);
     may_have_alpha(bytes);
+    exif_orientation(bytes);
     refused_or_read([&] { decode_image(bytes, "a.png", TextureEncoding::srgb, kMostPixels); });
     return 0;
 }

@@ -1,7 +1,8 @@
-// PNG and TGA files made byte by byte, of kinds that the project reads and does not write.
+// PNG, JPEG and TGA files made byte by byte, of kinds that the project reads and does not write.
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -24,6 +25,12 @@ inline std::string png_chunk(const std::string& kind, const std::string& content
     }
     return big_endian_bytes(static_cast<std::uint32_t>(content.size()), 4) + kind + content +
            big_endian_bytes(~crc, 4);
+}
+
+inline std::string byte_string(std::initializer_list<int> values) {
+    std::string bytes;
+    for (const int value : values) bytes.push_back(static_cast<char>(value));
+    return bytes;
 }
 
 // Deflate without compression: one stored block.
@@ -67,6 +74,26 @@ inline std::string png_file(Size size, const PngKind& kind, const std::string& s
            (kind.apple ? png_chunk("CgBI", std::string("\x50\0\x20\2", 4)) : std::string()) +
            png_chunk("IHDR", header) + kind.chunks +
            png_chunk("IDAT", kind.apple ? stored_block(rows) : zlib_stream(rows)) + png_chunk("IEND", "");
+}
+
+// A baseline JPEG of 8 x 8 grey pixels of value 128: all coefficients are 0, both codes have one bit.
+// `segments` stand behind its start marker.
+inline std::string grey_jpeg(const std::string& segments = {}) {
+    const std::string one_code = byte_string({1}) + std::string(15, '\0') + byte_string({0});
+    return byte_string({0xff, 0xd8}) + segments + byte_string({0xff, 0xdb, 0, 67, 0}) +
+           std::string(64, '\1') + byte_string({0xff, 0xc0, 0, 11, 8, 0, 8, 0, 8, 1, 1, 0x11, 0}) +
+           byte_string({0xff, 0xc4, 0, 20, 0x00}) + one_code + byte_string({0xff, 0xc4, 0, 20, 0x10}) +
+           one_code + byte_string({0xff, 0xda, 0, 8, 1, 1, 0, 0, 63, 0}) + byte_string({0x3f, 0xff, 0xd9});
+}
+
+// The segment of a JPEG in which EXIF tells how the camera was held; numbers are big-endian.
+inline std::string exif_segment(int orientation) {
+    const std::string directory = byte_string({0, 2, 0x01, 0x00, 0, 4, 0, 0, 0, 1, 0, 0, 0, 8}) +
+                                  byte_string({0x01, 0x12, 0, 3, 0, 0, 0, 1, 0, orientation, 0, 0}) +
+                                  std::string(4, '\0');
+    const std::string content = std::string("Exif\0\0MM\0*\0\0\0\x08", 14) + directory;
+    return byte_string({0xff, 0xe1}) + big_endian_bytes(static_cast<std::uint32_t>(content.size() + 2), 2) +
+           content;
 }
 
 // The header of a TGA without palette. `type`: 2 colours, 3 grey, 10 and 11 the same run-length coded. Bits 4

@@ -107,6 +107,32 @@ TEST_CASE("precision account: positions too far for epsilon, vertices too far fo
           0);
 }
 
+TEST_CASE("precision account: a unit of lengths that a far triangle enlarged hides no coarse coordinates") {
+    // Where this triangle lies, floats are half its size apart; the unit is that of the bounds, and so is
+    // epsilon.
+    Scene scene = still_life();
+    Mesh& mesh = scene.meshes[2];
+    const std::size_t vertices = mesh.positions.size();
+    const float away = 0x1p23f;
+    for (const glm::vec3 p : {glm::vec3(away, 0, 0), {away, 2, 0}, {away, 0, 2}}) {
+        mesh.positions.push_back(p);
+        mesh.normals.emplace_back(-1, 0, 0);
+        if (!mesh.texcoords.empty()) mesh.texcoords.emplace_back(0, 0);
+        if (!mesh.tangents.empty()) mesh.tangents.emplace_back(0, 0, 1, 1);
+    }
+    const auto first = static_cast<std::uint32_t>(vertices);
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    ++mesh.parts.back().triangle_count;
+    scene.length_unit = length_unit_of(world_bounds(scene));
+    const Frame frame = frame_of(scene, scene.camera, "xjun");
+    CHECK(loss_of(frame, "vertices_far_from_origin").count == 3);
+    CHECK(loss_of(frame, "vertices_far_from_origin").warning.find("or than 1/64 of their triangles") !=
+          std::string::npos);
+    // Ground that reaches as far is large enough for such steps.
+    for (std::size_t i = 1; i < 3; ++i) mesh.positions[vertices + i] *= 0x1p4f;
+    CHECK(loss_of(frame_of(scene, scene.camera, "xjun"), "vertices_far_from_origin").count == 0);
+}
+
 TEST_CASE(
     "precision account: vertices that are no numbers, triangles through the eye plane, radii without "
     "squares") {

@@ -171,6 +171,19 @@ TEST_CASE("material textures: the picture with normals is preferred to the one w
     CHECK(has_warning(both.report, "`bump` is not drawn here"));
 }
 
+TEST_CASE("material textures: a JPEG that a viewer would turn is drawn as it is stored, and said") {
+    const Square square;
+    square.put("upright.jpg", grey_jpeg(exif_segment(1)));
+    square.put("turned.jpg", grey_jpeg(exif_segment(6)));
+    square.material("map_Kd upright.jpg\n");
+    const LoadedObj turned = square.load("map_Kd turned.jpg\n");
+    CHECK(turned.scene.materials[0].texture);
+    REQUIRE(turned.report.warnings.size() == 1);
+    CHECK(has_warning(turned.report,
+                      "a.mtl:3: a texture's EXIF orientation would have it turned or mirrored (1 line); "
+                      "drawn as its pixels are stored"));
+}
+
 TEST_CASE("material textures: scale, offset and clamp") {
     const Square square;
     square.put("t.png", rgb_png({1, 1}, "\xff\0\0"s));

@@ -72,6 +72,9 @@ TEST_CASE("read_texture: options that are ill written are said") {
         {"-s wood.png", "`map_Kd -s` has no number", "wood.png"},
         {"-clamp wood.png", "`map_Kd -clamp` wants on or off", "wood.png"},
         {"-imfchan q wood.png", "`map_Kd -imfchan` wants r, g, b, m or l", "q wood.png"},
+        {"-s 1e38 1e38 1 wood.png", "`map_Kd -s` is beyond 65536 (1e+38)", "wood.png"},
+        {"-s -65537 wood.png", "`map_Kd -s` is beyond 65536 (-65537)", "wood.png"},
+        {"-o 0 1e9 wood.png", "`map_Kd -o` is beyond 65536 (1e+09)", "wood.png"},
         {"", "`map_Kd` names no file", ""},
         {"# forgotten", "`map_Kd` names no file", ""},
     };
@@ -83,5 +86,20 @@ TEST_CASE("read_texture: options that are ill written are said") {
         CHECK(notes.wrong.back().find(row.wrong) == 0);
         CHECK(texture.file == row.file);
         CHECK(texture.scale == glm::vec2(1));
+    }
+}
+
+TEST_CASE("read_texture: a channel is named where the statement shows more than one") {
+    for (const std::string keyword : {"map_Kd", "map_Ks", "map_Ka", "norm"}) {
+        CAPTURE(keyword);
+        MtlNotes notes;
+        CHECK(read_texture(keyword, "-imfchan r wood.png", 1, notes).file == "wood.png");
+        CHECK(notes.not_drawn == std::vector<std::string>{"-imfchan"});
+    }
+    for (const std::string keyword : {"map_d", "MAP_D", "bump", "map_Bump", "disp", "map_disp"}) {
+        CAPTURE(keyword);
+        MtlNotes notes;
+        CHECK(read_texture(keyword, "-imfchan r wood.png", 1, notes).channel == TexelChannel::red);
+        CHECK(notes.not_drawn.empty());
     }
 }

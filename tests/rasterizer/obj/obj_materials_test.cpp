@@ -84,7 +84,9 @@ TEST_CASE("load_obj: a material that is missing, damaged or outside is a warning
         {"texture by absolute path", lib, "newmtl red\nKd .8 .8 .8\nmap_Kd " + absolute + "\n", "is outside"},
         {"texture by detour", lib, "newmtl red\nKd .8 .8 .8\nmap_Kd maps/../../outside.png\n", "is outside"},
         {"texture is a directory", lib, "newmtl red\nKd .8 .8 .8\nmap_Kd maps\n", "is a directory"},
-        {"reflectance out of range", lib, "newmtl red\nKd 7 0 0\n", "has a Kd outside [0, 1] (7 0 0)"},
+        {"negative reflectance", lib, "newmtl red\nKd -1 0 0\n",
+         "has a Kd outside [0, 1] (-1 0 0); drawn with the default"},
+        {"reflectance that is none", lib, "newmtl red\nKd inf 0 0\n", "has a Kd outside [0, 1] (inf 0 0)"},
     };
     for (const Row& row : rows) {
         CAPTURE(row.what);
@@ -119,6 +121,19 @@ TEST_CASE("load_obj: a material's colour is its own; without one it is grey, or 
     CHECK(has_warning(mapped.report,
                       "a b.mtl:1: a material has no Kd (colour) (1 line); its texture is drawn as it is"));
     CHECK(models.load(lib, "newmtl red\nKd .5\n").scene.materials[0].diffuse == glm::vec3(0.5f));
+}
+
+TEST_CASE("load_obj: a reflectance above 1 keeps its hue") {
+    const Models models;
+    const LoadedObj loaded = models.load("mtllib a b.mtl\n", "newmtl red\nKd 2 1 0.5\nKa 4 4 4\nKs 1 1 2\n");
+    const Material& red = loaded.scene.materials[0];
+    CHECK(red.diffuse == glm::vec3(1, 0.5f, 0.25f));
+    CHECK(red.ambient == glm::vec3(1));
+    CHECK(red.specular == glm::vec3(0.5f, 0.5f, 1));
+    CHECK(loaded.report.warnings.size() == 3);
+    CHECK(has_warning(loaded.report,
+                      "a b.mtl:1: material `red` has a Kd outside [0, 1] (2 1 0.5); drawn with 1 0.5 0.25"));
+    CHECK_FALSE(models.load("mtllib a b.mtl\n", "newmtl red\nKd 1 0 1\n").report.any());
 }
 
 TEST_CASE("load_obj: what would be invisible is drawn opaque, and said once for all") {

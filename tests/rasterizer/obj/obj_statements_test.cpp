@@ -1,6 +1,7 @@
 // OBJ statements beyond positions and faces: smoothing groups, colours, weights, and where the scene lies.
 #include <doctest/doctest.h>
 
+#include "rasterizer/lanes/approx_math.h"
 #include "tests/tools/loaded_obj.h"
 
 using namespace crevice;
@@ -88,6 +89,41 @@ TEST_CASE("vertex colours: read as linear, bytes brought to 1, absent ones white
     const LoadedObj wild = load_text("v 0 0 0 nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     CHECK(mesh_of(wild).colours.empty());
     CHECK(has_warning(wild.report, "a.obj:1: a vertex colour of the file is out of range"));
+}
+
+TEST_CASE("polypaint of ZBrush: sRGB colours for the vertices in their order") {
+    const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n", face = "f 1 2 3\n";
+    using Colours = std::vector<glm::vec3>;
+    const Colours wanted = {{1, 0, 0}, glm::vec3(linear_from_srgb(128.0f / 255)), {0, 0, 1}};
+    for (const std::string& text : {corners + "#MRGB ffff0000ff808080000000FF\n" + face,
+                                    "#MRGB ffff0000ff808080000000ff\n" + corners + face,
+                                    corners + "#MRGB ffff0000ff808080\r\n#MRGB 000000ff\r\n" + face}) {
+        CAPTURE(text);
+        const LoadedObj loaded = load_text(text);
+        CHECK(loaded.report.warnings == std::vector<std::string>{});
+        REQUIRE(mesh_of(loaded).colours.size() == 3);
+        for (std::size_t i = 0; i < 3; ++i)
+            CHECK(glm::length(mesh_of(loaded).colours[i] - wanted[i]) < 1e-6f);
+        CHECK(loaded.scene.materials.back().diffuse == glm::vec3(1));
+    }
+    struct Row {
+        std::string lines, warning;
+    };
+    for (const Row& row :
+         {Row{"#MRGB ffff0000\n",
+              "a.obj:4: the colours of `#MRGB` (polypaint) are not as many as the "
+              "vertices (1 for 3); drawn without"},
+          Row{"#MRGB ffff00\n", "a.obj:4: `#MRGB` (polypaint) is not eight hexadecimal digits"},
+          Row{"#MRGB ffff000g\n", "a.obj:4: `#MRGB` (polypaint) is not eight hexadecimal digits"}}) {
+        CAPTURE(row.lines);
+        const LoadedObj loaded = load_text(corners + row.lines + face);
+        CHECK(mesh_of(loaded).colours.empty());
+        CHECK(has_warning(loaded.report, row.warning));
+    }
+    // Colours of the vertices themselves go before; other comments stay comments.
+    const LoadedObj both = load_text("v 0 0 0 0 1 0\nv 1 0 0\nv 0 1 0\n#MRGB ffff0000\n" + face);
+    CHECK(mesh_of(both).colours[0] == glm::vec3(0, 1, 0));
+    CHECK(load_text(corners + "#MRGBs are colours\n" + face).report.warnings.empty());
 }
 
 TEST_CASE("homogeneous vertices are divided by w") {

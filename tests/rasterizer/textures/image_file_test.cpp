@@ -23,6 +23,12 @@ std::string error_of(const std::string& bytes) {
     return "no error";
 }
 
+// Little-endian, of ASCII, behind a byte order mark.
+std::string utf16(std::string mark, const std::string& text) {
+    for (const char c : text) mark += std::string{c, '\0'};
+    return mark;
+}
+
 ImageCodes codes_of(const std::string& bytes) {
     const ScratchDirectory scratch;
     std::ofstream(scratch / "a.png", std::ios::binary) << bytes;
@@ -57,6 +63,29 @@ TEST_CASE("decode_image: a file of another kind is named for what it is") {
         {"<HTML><HEAD></HEAD></HTML>", "HTML"},
         {"version https://git-lfs.github.com/spec/v1\noid sha256:1234\nsize 12\n", "Git LFS pointer"},
         {"%PDF-1.7\n", "PDF"},
+        {byte_string({0, 0, 1, 0, 1, 0, 16, 16, 0, 0, 1, 0, 32, 0, 0, 4, 0, 0, 22, 0, 0, 0}), "icon (ICO)"},
+        {byte_string({0, 0, 2, 0, 1, 0, 16, 16, 0, 0, 1, 0, 1, 0, 0, 4, 0, 0, 22, 0, 0, 0}), "cursor (CUR)"},
+        {"\x0a\5\1\x08\0\0\0\0\x0f\0\x0f\0"s, "PCX"},
+        {"\1\xda\1\1\0\3"s, "SGI"},
+        {"PF\n2 2\n-1.0\n", "PFM"},
+        {"\x13\xab\xa1\x5c\4\4\1"s, "ASTC"},
+        {"PKM 10\0\0"s, "PKM"},
+        {"II\xbc\1\x20\0\0\0"s, "JPEG XR"},
+        {"BPG\xfb\x20\0"s, "BPG"},
+        {"FLIF44\1", "FLIF"},
+        {"\x8aMNG\r\n\x1a\n", "MNG"},
+        {"\x8bJNG\r\n\x1a\n", "JNG"},
+        {"RIFF\x10\0\0\0AVI LIST"s, "film"},
+        {"SDPX\0\0\x20\0"s, "DPX"},
+        {"XPDS\0\x20\0\0"s, "DPX"},
+        {"\x80\x2a\x5f\xd7\0\0\4\0"s, "Cineon"},
+        {"FORM\0\0\0\x20ILBMBMHD"s, "IFF"},
+        {byte_string({1, 0, 0, 0}) + std::string(36, '\1') + " EMF", "EMF"},
+        {"\xd7\xcd\xc6\x9a\0\0"s, "WMF"},
+        {"icns\0\0\x20\0"s, "ICNS"},
+        {"\x59\xa6\x6a\x95\0\0\0\2"s, "Sun raster"},
+        {utf16("\xff\xfe", "<?xml version=\"1.0\"?><svg/>"), "SVG"},
+        {utf16("", "<svg/>"), "SVG"},
         {"", "empty file"},
         {"not a picture at all, only some words", "text"},
         {"\1\2\3\4\5\6\7\x08"s, "nothing that is known"},
@@ -88,6 +117,26 @@ TEST_CASE("decode_image: Apple's PNG variant has its colours in order and freed 
     CHECK(common.colour.at(1, 0) == glm::vec3(0, 64, 127) / 255.0f);
 }
 
+TEST_CASE("decode_image: Apple's deflate streams end without a check sum") {
+    // Four rows of four such pixels, deflated: the last code ends with the last byte.
+    const std::string deflated =
+        byte_string({0x63, 0x30, 0x4a, 0x39, 0xf1, 0x1f, 0x19, 0x33, 0x90, 0x2e, 0, 0});
+    const std::string file = "\x89PNG\r\n\x1a\n" + png_chunk("CgBI", "\x50\0\x20\2"s) +
+                             png_chunk("IHDR", "\0\0\0\4\0\0\0\4\x08\6\0\0\0"s);
+    const std::string end = png_chunk("IEND", "");
+    for (const std::string& pixels :
+         {png_chunk("IDAT", deflated),
+          png_chunk("IDAT", deflated.substr(0, 5)) + png_chunk("IDAT", deflated.substr(5))}) {
+        const DecodedImage image = decode_image(file + pixels + end, "k.png", TextureEncoding::linear);
+        REQUIRE(image.colour.size() == Size{4, 4});
+        CHECK(image.alpha.empty());
+        CHECK(image.colour.at(3, 3) == glm::vec3(200, 100, 50) / 255.0f);
+    }
+    // One that is really cut short is still found out.
+    CHECK(error_of(file + png_chunk("IDAT", deflated.substr(0, 5)) + end).find("the picture is damaged") !=
+          std::string::npos);
+}
+
 TEST_CASE("may_have_alpha: told by the header") {
     CHECK(may_have_alpha(png_file({1, 1}, {.colour_type = 6}, "\1\2\3\4")));
     CHECK(may_have_alpha(png_file({1, 1}, {.colour_type = 4}, "\1\2")));
@@ -112,6 +161,10 @@ TEST_CASE("read_png: the file's own codes, 8 bits or 16, and its alpha") {
     CHECK(rgba.alpha.at(0, 0) == 4.0f / 255);
     CHECK(rgba.linear);
     CHECK_THROWS_WITH_AS(codes_of("GIF89a"), doctest::Contains("a GIF picture"), InputError);
+    CHECK_THROWS_WITH_AS(codes_of(grey_jpeg()), doctest::Contains("not a PNG picture (a JPEG picture)"),
+                         InputError);
+    CHECK_THROWS_WITH_AS(codes_of(tga_header(2, {1, 1}, 24, 0x20) + "abc"),
+                         doctest::Contains("not a PNG picture (a TGA picture)"), InputError);
 }
 
 TEST_CASE("decode_image: a picture beyond the limit given is refused") {

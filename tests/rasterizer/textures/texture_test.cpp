@@ -12,6 +12,7 @@
 #include "rasterizer/base/image_intact.h"
 #include "rasterizer/base/image_io.h"
 #include "rasterizer/lanes/approx_math.h"
+#include "tests/tools/picture_files.h"
 #include "tests/tools/scratch_directory.h"
 
 using namespace crevice;
@@ -40,30 +41,6 @@ std::vector<std::uint8_t> varied_pixels(Size size) {
 }
 
 std::string small_png() { return png_bytes({5, 3}, 3, varied_pixels({5, 3})); }
-
-std::string tga_header(int type, int width, int height, int bits, int descriptor) {
-    std::string header(18, '\0');
-    header[2] = static_cast<char>(type);
-    header[12] = static_cast<char>(width);
-    header[14] = static_cast<char>(height);
-    header[16] = static_cast<char>(bits);
-    header[17] = static_cast<char>(descriptor);
-    return header;
-}
-
-// A baseline JPEG of 8 x 8 grey pixels of value 128: all coefficients are 0, both codes have one bit.
-std::string grey_jpeg() {
-    const auto bytes = [](std::initializer_list<int> values) {
-        std::string text;
-        for (const int value : values) text.push_back(static_cast<char>(value));
-        return text;
-    };
-    const std::string one_code = bytes({1}) + std::string(15, '\0') + bytes({0});
-    return bytes({0xff, 0xd8, 0xff, 0xdb, 0, 67, 0}) + std::string(64, '\1') +
-           bytes({0xff, 0xc0, 0, 11, 8, 0, 8, 0, 8, 1, 1, 0x11, 0}) + bytes({0xff, 0xc4, 0, 20, 0x00}) +
-           one_code + bytes({0xff, 0xc4, 0, 20, 0x10}) + one_code +
-           bytes({0xff, 0xda, 0, 8, 1, 1, 0, 0, 63, 0}) + bytes({0x3f, 0xff, 0xd9});
-}
 
 double mean_of(const Image<float>& image) {
     double sum = 0;
@@ -184,8 +161,9 @@ TEST_CASE("load_texture: black is 0 and white is 1, exactly") {
 TEST_CASE("load_texture: TGA, plain and run-length coded, and JPEG") {
     const ScratchDirectory scratch;
     const std::string blue_green_red("\x40\x80\xff", 3);
-    const std::string plain = tga_header(2, 2, 1, 24, 0x20) + blue_green_red + std::string("\0\0\0", 3);
-    const std::string coded = tga_header(10, 4, 1, 24, 0x20) + "\x83" + blue_green_red;
+    const std::string plain = tga_header(2, {2, 1}, 24, 0x20) + blue_green_red + std::string("\0\0\0", 3);
+    std::string coded = tga_header(10, {4, 1}, 24, 0x20);
+    coded += '\x83' + blue_green_red;
     write_bytes(scratch / "plain.tga", plain);
     write_bytes(scratch / "coded.tga", coded);
     write_bytes(scratch / "grey.jpg", grey_jpeg());
@@ -202,8 +180,8 @@ TEST_CASE("load_texture: a picture cut short anywhere is an InputError") {
     const ScratchDirectory scratch;
     const std::string blue_green_red("\x40\x80\xff", 3);
     const std::vector<std::string> pictures = {
-        small_png(), grey_jpeg(), tga_header(2, 2, 1, 24, 0x20) + blue_green_red + blue_green_red,
-        tga_header(10, 4, 1, 24, 0x20) + "\x83" + blue_green_red};
+        small_png(), grey_jpeg(), tga_header(2, {2, 1}, 24, 0x20) + blue_green_red + blue_green_red,
+        tga_header(10, {4, 1}, 24, 0x20) + ('\x83' + blue_green_red)};
     for (std::size_t which = 0; which < pictures.size(); ++which) {
         for (std::size_t length = 0; length < pictures[which].size(); ++length) {
             CAPTURE(which);
@@ -240,9 +218,6 @@ TEST_CASE("load_texture: what is no picture is named with what to do") {
 TEST_CASE("load_texture: a size beyond the limit is refused before decoding") {
     const ScratchDirectory scratch;
     // The header alone says 20000 x 1; there are no pixels to decode.
-    std::string header = tga_header(2, 0, 1, 24, 0x20);
-    header[12] = static_cast<char>(20000 & 255);
-    header[13] = static_cast<char>(20000 >> 8);
-    write_bytes(scratch / "wide.tga", header + std::string(60000, '\0'));
+    write_bytes(scratch / "wide.tga", tga_header(2, {20000, 1}, 24, 0x20) + std::string(60000, '\0'));
     CHECK(error_of(scratch / "wide.tga").find("20000 x 1") != std::string::npos);
 }

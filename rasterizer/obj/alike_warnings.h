@@ -1,0 +1,18 @@
+// What a file has wrong a thousand times is said a few times.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace crevice {
+
+// So many warnings of a kind are said in full.
+inline constexpr std::size_t kMostAlike = 8;
+
+// `warnings` ("path:line: what is wrong (value); what was done") with at most kMostAlike of a kind: warnings
+// are of one kind when they differ only in where they stand, in what is in brackets and in the names of
+// materials. In the place of the next one stands how many more there are, with its path and line.
+std::vector<std::string> few_of_each_kind(const std::vector<std::string>& warnings);
+
+}  // namespace crevice
