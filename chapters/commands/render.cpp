@@ -9,7 +9,7 @@
 #include "chapters/bench/savings.h"
 #include "chapters/frame/buffer_writer.h"
 #include "chapters/frame/demo_view.h"
-#include "chapters/frame/parameter_words.h"
+#include "chapters/frame/frame_json.h"
 #include "chapters/terminal/json_text.h"
 #include "chapters/terminal/number_text.h"
 #include "chapters/terminal/output_directory.h"
@@ -51,16 +51,9 @@ const Saving* saving_of(Skip skip, const std::vector<Saving>& savings) {
     return at == savings.end() ? nullptr : &*at;
 }
 
-Json passes_json(const std::string& scene, const FrameRequest& request, const Frame& frame,
+Json report_json(const std::string& scene, const FrameRequest& request, const Frame& frame,
                  const std::vector<Saving>& savings, const std::vector<LoadStep>& load_steps, Json buffers) {
-    Json passes = Json::array(), left_out = Json::array();
-    for (const PassTime& pass : frame.passes) {
-        passes.push_back({{"name", pass.name},
-                          {"wall_ms", pass.wall_ms},
-                          {"cpu_ms", pass.cpu_ms},
-                          {"wall_ms_mad", pass.wall_ms_mad},
-                          {"runs", pass.runs}});
-    }
+    Json left_out = Json::array();
     for (const LeftOut& item : frame.left_out) left_out.push_back({{"what", item.what}, {"why", item.why}});
     for (const SkippedWork& work : frame.skipped) {
         if (work.count == 0) continue;
@@ -79,22 +72,17 @@ Json passes_json(const std::string& scene, const FrameRequest& request, const Fr
     Json loading = Json::array();
     for (const LoadStep& step : load_steps)
         loading.push_back({{"step", step.name}, {"wall_ms", step.wall_ms}});
-    Json precision = Json::object();
-    for (const PrecisionLoss& loss : frame.precision) precision[loss.name] = loss.count;
-    Json parameters = Json::object();
-    for (const Parameter<FrameSettings>& p : frame_parameters(*request.method))
-        parameters[p.name] = word_of(p, request.settings);
     return {{"scene", scene},
             {"size", {request.size.width, request.size.height}},
             {"method", request.method->name},
-            {"parameters", parameters},
+            {"parameters", parameters_json(request)},
             {"threads", thread_count(request.run)},
             {"lanes", lane_count(request.run)},
             {"isa", isa_name(isa_of(request.run))},
             {"loading", loading},
-            {"passes", passes},
+            {"passes", passes_json(frame.passes)},
             {"left_out", left_out},
-            {"precision", precision},
+            {"precision", precision_json(frame.precision)},
             {"buffers", std::move(buffers)}};
 }
 
@@ -160,7 +148,7 @@ void write_frame(const RenderOptions& options, const FrameRequest& request, cons
     std::ostream quiet(nullptr);
     try_output_directory(out);
     Json buffers = described_buffers(frame, request, options.inset, out, quiet);
-    write_file_atomically(out / "passes.json", json_text(passes_json(options.scene, request, frame, {},
+    write_file_atomically(out / "passes.json", json_text(report_json(options.scene, request, frame, {},
                                                                      load_steps, std::move(buffers))));
 }
 
@@ -185,7 +173,7 @@ void render(const RenderOptions& options) {
         measure_savings(argument.scene, camera, request, found, std::min(request.repeats, kMostSavingPairs));
     Json buffers = described_buffers(frame, request, options.inset, options.out, std::cout);
     const std::filesystem::path report = options.out / "passes.json";
-    write_file_atomically(report, json_text(passes_json(options.scene, request, frame, savings,
+    write_file_atomically(report, json_text(report_json(options.scene, request, frame, savings,
                                                         argument.load_steps, std::move(buffers))));
     print_times(frame, savings, argument.load_steps);
     std::cout.flush();

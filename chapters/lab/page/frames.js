@@ -1,0 +1,85 @@
+// When which frame is drawn: what is looked at at once, and all buffers with their hashes as soon as nothing changes.
+import { frameRequest } from "./state.js";
+import { Viewer } from "./viewer.js";
+
+// So long after the last change a picture is taken to stay.
+const kRest_ms = 250;
+// Frames that a rate is told over.
+const kRateFrames = 8;
+
+export class Frames {
+  buffers = {};     // of the last frame, by name
+  reply = null;     // what was told with it
+  settled = false;  // all buffers are there, with hashes
+  #engine;
+  #state;
+  #all;
+  #drawn;
+  #refused;
+  #busy = false;
+  #wanted = false;
+  #changed_ms = -Infinity;
+  #timer = 0;
+  #shown_ms = [];
+  #key = "";
+
+  // `all()`: the names of all buffers that the method has. `drawn()` is called with each frame, `refused(message)` where
+  // there is none.
+  constructor(engine, state, { all, drawn, refused }) {
+    this.#engine = engine;
+    this.#state = state;
+    this.#all = all;
+    this.#drawn = drawn;
+    this.#refused = refused;
+  }
+
+  // The state has changed: draws what is missing of it.
+  ask() {
+    this.#changed_ms = performance.now();
+    this.#wanted = true;
+    if (!this.#busy) this.#run();
+  }
+
+  // What was drawn says nothing of what is asked next: files have changed.
+  forget() {
+    this.#key = "";
+  }
+
+  // Frames in a second, over the last few of a movement; 0 where there is none.
+  get rate() {
+    const times = this.#shown_ms;
+    if (times.length < 2 || performance.now() - times.at(-1) > 1000) return 0;
+    return 1000 * (times.length - 1) / (times.at(-1) - times[0]);
+  }
+
+  async #run() {
+    this.#busy = true;
+    while (this.#wanted) {
+      this.#wanted = false;
+      clearTimeout(this.#timer);
+      await this.#draw(performance.now() - this.#changed_ms >= kRest_ms);
+    }
+    this.#busy = false;
+  }
+
+  async #draw(rests) {
+    const wanted = Viewer.wanted(this.#state);
+    const all = this.#all();
+    const request = frameRequest(this.#state, rests ? all : wanted.filter((name) => all.includes(name)), rests);
+    const key = JSON.stringify({ ...request, only: [], hashes: false });
+    if (key === this.#key && this.settled) return this.#drawn();
+    const { reply, buffers } = await this.#engine.ask(request);
+    if (reply.error !== undefined) {
+      this.#key = "";
+      return this.#refused(reply.error);
+    }
+    // Another view of the same frame keeps the buffers that it has.
+    this.buffers = key === this.#key ? { ...this.buffers, ...buffers } : buffers;
+    this.reply = reply;
+    this.settled = rests;
+    this.#key = key;
+    this.#shown_ms = rests ? [] : [...this.#shown_ms, performance.now()].slice(-kRateFrames);
+    this.#drawn();
+    if (!rests) this.#timer = setTimeout(() => { this.#wanted = true; if (!this.#busy) this.#run(); }, kRest_ms);
+  }
+}
