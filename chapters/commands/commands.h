@@ -14,6 +14,7 @@ struct Command {
 };
 
 Command add_render_command(CommandLine& program);
+Command add_probe_command(CommandLine& program);
 Command add_truth_command(CommandLine& program);
 Command add_bake_command(CommandLine& program);
 Command add_compare_command(CommandLine& program);

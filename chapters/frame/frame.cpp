@@ -1,6 +1,5 @@
-#include "chapters/frame/frame.h"
+#include "chapters/frame/worked_frame.h"
 
-#include <optional>
 #include <utility>
 
 #include "ssao/light/ao_lookup.h"
@@ -8,7 +7,6 @@
 #include "ssao/light/scene_shadow.h"
 #include "ssao/light/shade.h"
 #include "ssao/light/sky.h"
-#include "ssao/rays/ray_cast.h"
 
 namespace crevice {
 
@@ -32,6 +30,15 @@ bool shares_geometry(const FrameSettings& settings) {
     return settings.buffers.cutouts && lit_settings(settings) == as_first;
 }
 
+AmbientUse ambient_use(const FrameSettings& settings, const Frame& frame, const Image3& texel_normals) {
+    AmbientUse ambient{settings.ambient};
+    if (!frame.bent_normal.empty()) {
+        ambient.bent_normals = &frame.bent_normal;
+        ambient.texel_normals = &texel_normals;
+    }
+    return ambient;
+}
+
 LitImage lit_image(const Scene& scene, const ScreenGeometry& geometry, const Frame& frame,
                    const Image<float>& ao, const Image3& texel_normals, const ShadowMap* shadow,
                    const FrameRequest& request) {
@@ -40,11 +47,7 @@ LitImage lit_image(const Scene& scene, const ScreenGeometry& geometry, const Fra
         return {deferred_point_light(scene, frame.camera, frame.gbuffer, ao, settings.light_space,
                                      request.run, settings.ambient.multi_bounce),
                 TileMap(geometry.size, geometry.tile_size)};
-    AmbientUse ambient{settings.ambient};
-    if (!frame.bent_normal.empty()) {
-        ambient.bent_normals = &frame.bent_normal;
-        ambient.texel_normals = &texel_normals;
-    }
+    const AmbientUse ambient = ambient_use(settings, frame, texel_normals);
     if (shares_geometry(settings))
         return shade(scene, frame.camera, geometry, frame.gbuffer, ao, request.run, shadow, ambient);
     return {shade(scene, frame.camera, frame.gbuffer.depth, ao, lit_settings(settings), request.run, shadow,
@@ -77,24 +80,34 @@ void fill_open_maps(Frame& frame, const FrameRequest& request) {
 
 Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest& request,
                    const AoHistory& last) {
+    WorkedFrame worked = worked_frame(scene, camera, request, last);
+    worked.frame.ao_raw = std::move(worked.raw.ao);
+    fill_open_maps(worked.frame, request);
+    return std::move(worked.frame);
+}
+
+WorkedFrame worked_frame(const Scene& scene, const Camera& camera, const FrameRequest& request,
+                         const AoHistory& last) {
     const FrameSettings& settings = request.settings;
     const Method& method = *request.method;
     const Needs needs = needs_of(scene, request.wanted, ao_work(method, settings),
                                  !request.run.leaves_out(Skip::passes), settings.buffers.mapped_normals);
-    Frame frame;
+    WorkedFrame worked;
+    Frame& frame = worked.frame;
+    ScreenGeometry& geometry = worked.geometry;
+    RawAo& raw = worked.raw;
+    Image<float>& at_pixels = worked.at_pixels;
+    ShadowMap& shadow = worked.shadow;
+    std::optional<RayScene>& rays = worked.rays;
+    std::shared_ptr<const VertexAo>& baked = worked.baked;
     frame.camera = camera;
     frame.camera.reversed_z = settings.reversed_z;
     frame.left_out = needs.left_out;
 
-    ScreenGeometry geometry;
-    RawAo raw;
-    Image<float> at_pixels;  // the map as the lit pass reads it
-    ShadowMap shadow;
     Stopwatch stopwatch;
-    std::optional<RayScene> rays;  // of the scene at rest: built once for all repeats
+    // Of the scene at rest: built once for all repeats.
     if (needs.ao && method.casts_rays)
         stopwatch.time("ray_scene", [&] { rays = ray_scene(scene, frame.camera.eye, request.run); });
-    std::shared_ptr<const VertexAo> baked;
     if (needs.ao && method.bake)
         stopwatch.time("bake", [&] { baked = method.bake(scene, *rays, settings.method.ao, request.run); });
     for (int repeat = 0; repeat < request.repeats; ++repeat) {
@@ -143,8 +156,8 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
             if (needs.shadow) stopwatch.time("shadow", [&] { shadow = scene_shadow(scene, request.run); });
             if (needs.lit) {
                 stopwatch.time("lit", [&] {
-                    LitImage lit = lit_image(scene, geometry, frame, looks_up ? at_pixels : map,
-                                             raw.inputs.normal, needs.shadow ? &shadow : nullptr, request);
+                    LitImage lit = lit_image(scene, geometry, frame, lit_map(worked), raw.inputs.normal,
+                                             needs.shadow ? &shadow : nullptr, request);
                     frame.lit = std::move(lit.image);
                     frame.tiles.lit = std::move(lit.tiles);
                 });
@@ -160,12 +173,43 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
     frame.passes = stopwatch.summaries();
     frame.precision = precision_account(scene, frame.camera, geometry, frame.gbuffer, raw.inputs,
                                         rays ? &*rays : nullptr, method, settings, request.run);
-    frame.ao_raw = std::move(raw.ao);
-    frame.tiles.ao = std::move(raw.tiles);
+    frame.tiles.ao = raw.tiles;
     frame.tiles.raster = raster_tiles(geometry, request.run);
     frame.skipped = skipped_work(geometry, frame.gbuffer, frame.tiles);
-    fill_open_maps(frame, request);
-    return frame;
+    return worked;
+}
+
+const Image<float>& lit_map(const WorkedFrame& worked) {
+    if (!worked.at_pixels.empty()) return worked.at_pixels;
+    return worked.frame.ao_blurred.empty() ? worked.raw.ao : worked.frame.ao_blurred;
+}
+
+LitExplanation explain_lit(const Scene& scene, const FrameRequest& request, const WorkedFrame& worked, int x,
+                           int y) {
+    const FrameSettings& settings = request.settings;
+    const Frame& frame = worked.frame;
+    const Image<float>& ao = lit_map(worked);
+    LitExplanation lit;
+    if (scene.point_light) {
+        lit = explain_deferred_point_light(scene, frame.camera, frame.gbuffer, ao, settings.light_space,
+                                           settings.ambient.multi_bounce, x, y);
+    } else {
+        const ShadowMap* const shadow = worked.shadow.depth.codes.empty() ? nullptr : &worked.shadow;
+        const AmbientUse ambient = ambient_use(settings, frame, worked.raw.inputs.normal);
+        lit = shares_geometry(settings)
+                  ? explain_shade(scene, frame.camera, worked.geometry, frame.gbuffer, ao, x, y, request.run,
+                                  shadow, ambient)
+                  : explain_shade(scene, frame.camera, frame.gbuffer.depth, ao, lit_settings(settings), x, y,
+                                  request.run, shadow, ambient);
+    }
+    if (scene.sky_cube == nullptr) return lit;
+    const std::optional<glm::vec3> sky = sky_at(frame.gbuffer.depth, frame.camera, *scene.sky_cube, x, y);
+    if (!sky) return lit;
+    LitExplanation behind;
+    behind.formula = kSumOfTerms;
+    behind.terms = {{LitTerm::sky, -1, *sky}};
+    behind.colour = *sky;
+    return behind;
 }
 
 }  // namespace crevice

@@ -31,6 +31,7 @@ struct DepthCurve {
         }
     }
     double ndc(double z) const { return std::clamp(perspective ? a + b / z : a + b * z, 0.0, 1.0); }
+    double view_depth(double ndc) const { return perspective ? b / (ndc - a) : (ndc - a) / b; }
     double view_per_ndc(double z) const { return perspective ? z * z / std::fabs(b) : 1 / std::fabs(b); }
     // How far z' can be from z when ndc depth is off by no more than this; both lie between the planes.
     double bound(double z, double ndc_error) const {
@@ -51,11 +52,19 @@ double step_in_ndc(DepthFormat format, double ndc) {
 
 }  // namespace
 
-DepthError depth_error(const Camera& camera, DepthFormat format, double z) {
+StoredDepth stored_depth(const Camera& camera, DepthFormat format, double z) {
     const DepthCurve curve(camera);
     const auto ndc = static_cast<float>(curve.ndc(z));
-    const float stored = depth_from_code<float>(format, depth_code(format, ndc, 0.0));
-    const double rebuilt = curve.perspective ? curve.b / (stored - curve.a) : (stored - curve.a) / curve.b;
+    const std::int32_t code = depth_code(format, ndc, 0.0);
+    return {ndc, code, depth_from_code<float>(format, code)};
+}
+
+double view_depth_of(const Camera& camera, double ndc) { return DepthCurve(camera).view_depth(ndc); }
+
+DepthError depth_error(const Camera& camera, DepthFormat format, double z) {
+    const DepthCurve curve(camera);
+    const auto [ndc, code, stored] = stored_depth(camera, format, z);
+    const double rebuilt = curve.view_depth(stored);
     const auto a = static_cast<float>(curve.a), b = static_cast<float>(curve.b);
     const float in_float = curve.perspective ? b / (stored - a) : (stored - a) / b;
     const double roundings = 2 * kHalfUlp * std::max(std::fabs(curve.a), double(ndc));

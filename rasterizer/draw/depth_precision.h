@@ -9,6 +9,19 @@
 
 namespace crevice {
 
+// What a buffer of this format, cleared and drawn without a bias, holds of a view depth.
+struct StoredDepth {
+    float ndc;          // before it is stored
+    std::int32_t code;  // what is stored
+    float stored;       // the ndc depth that the code stands for
+};
+
+// `z` in [near, far], scene units. Throws UsageError for a camera that is not valid.
+StoredDepth stored_depth(const Camera& camera, DepthFormat format, double z);
+
+// The view depth that an ndc depth stands for, with A and B in double, scene units. Throws UsageError likewise.
+double view_depth_of(const Camera& camera, double ndc);
+
 struct DepthError {
     double error;           // |z' - z|, scene units: stored and rebuilt with A and B in double
     double error_in_float;  // the same rebuilt as a shader does, all in float; may be infinite

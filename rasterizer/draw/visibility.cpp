@@ -25,6 +25,8 @@ struct Drawing {
     std::optional<std::int32_t> clear_code;  // of tiles before their first triangle; none: depths are kept
     Image<std::int32_t>* triangle;           // to be written; null: not asked for
     const Holes& holes;
+    std::vector<std::int32_t>* hidden =
+        nullptr;  // numbers of what is left out as a whole; null: not asked for
 };
 
 // One tile while it is drawn. Without kAsksHoles the drawing has none.
@@ -43,6 +45,7 @@ struct TileRaster {
                 const ScreenTriangle& t = block.triangles[index];
                 const PixelRect reached = common_part(t.bounds, tile);
                 if (reached.empty()) continue;
+                const std::int32_t number = geometry.number_of(b, index);
                 if (run.leaves_out(Skip::hidden_triangles)) {
                     hidden.count_triangle<F>(drawing.tested);
                     const HiddenTriangles::Verdict verdict =
@@ -50,10 +53,10 @@ struct TileRaster {
                     if (verdict.tied) note_tie(reached);
                     if (verdict.hidden) {
                         ++record.hidden;
+                        if (drawing.hidden != nullptr) drawing.hidden->push_back(number);
                         continue;
                     }
                 }
-                const std::int32_t number = geometry.number_of(b, index);
                 if (t.small) {
                     draw<Int<F>>(block, t, number, reached);
                 } else {
@@ -205,6 +208,16 @@ Visibility visibility(const ScreenGeometry& geometry, DepthFormat format, bool r
                                 if (when_drawn) when_drawn(seen, tile);
                             });
     return seen;
+}
+
+std::vector<std::int32_t> hidden_triangles(const ScreenGeometry& geometry, DepthFormat format,
+                                           bool reversed_z, int tile, const Holes& holes, const Run& run) {
+    Image<std::int32_t> codes(geometry.size);
+    std::vector<std::int32_t> hidden;
+    draw_tile({geometry, nearest_wins(reversed_z), format, codes, &codes,
+               depth_code(format, reversed_z ? 0.0f : 1.0f, 0.0), nullptr, holes, &hidden},
+              tile, geometry.tile_rect(tile), run);
+    return hidden;
 }
 
 Visibility drawn_over(DepthBuffer depth, const ScreenGeometry& geometry, DepthFunction test,

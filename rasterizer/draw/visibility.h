@@ -73,6 +73,11 @@ Image<std::int32_t> drawn_again(Image<std::int32_t> triangle, std::span<const Pi
                                 const ScreenGeometry& geometry, const DepthBuffer& depth, DepthFunction test,
                                 const Holes& holes = {}, const Run& run = {});
 
+// The numbers of the triangles that visibility() leaves out of a tile as a whole, in their order.
+std::vector<std::int32_t> hidden_triangles(const ScreenGeometry& geometry, DepthFormat format,
+                                           bool reversed_z, int tile, const Holes& holes = {},
+                                           const Run& run = {});
+
 // Nearest depths and nothing else: what a shadow map is made of.
 DepthBuffer nearest_depth(const ScreenGeometry& geometry, DepthFormat format, const Holes& holes = {},
                           const Run& run = {});

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/base/parallel.h"
 #include "rasterizer/lanes/approx_math.h"
 #include "ssao/bakes/vertex_ao_picture.h"
@@ -64,6 +65,7 @@ Explanation explain_vertex_bake(const Scene& scene, const Camera& camera, const 
     Explanation result;
     result.surface = is_surface(inputs, x, y);
     result.value_of_sum = [](float) { return 1.0f; };
+    result.formula = "1";
     if (!result.surface) return result;
     const glm::mat3 view_from_relative(camera_matrices(camera, inputs.picture).view_from_relative);
     const VertexAoShown shown = vertex_ao_shown(scene, camera, inputs.size(), rays, baked, x, y);
@@ -83,8 +85,10 @@ Explanation explain_vertex_bake(const Scene& scene, const Camera& camera, const 
         sample.weight = shown.weight[i];
         sample.contribution = shown.taken(i);
         sample.verdict = sample.contribution > 0 ? "occludes" : "no darker than the others";
+        sample.numbers = {{"open", shown.open[i]}};
         result.samples.push_back(sample);
     }
+    result.formula = contrast_formula(shortest_text(shown.most_open()) + " - sum", settings.exponent);
     result.value_of_sum = [most_open = shown.most_open(), settings](float sum) {
         return with_exponent(most_open - sum, settings.exponent);
     };

@@ -13,8 +13,10 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "ssao/methods/ao_map.h"
+#include "ssao/methods/explanation.h"
 
 namespace crevice {
 
@@ -53,6 +55,9 @@ void validate(const BlurSettings& settings);
 
 AoMap bilateral_blur(const Image<float>& ao, const AoInputs& inputs, const BlurSettings& settings = kXjunBlur,
                      const Run& run = {});
+// Texel (x, y) in each of its passes, across and down by turns.
+std::vector<ExplainedPass> explain_bilateral_blur(const Image<float>& ao, const AoInputs& inputs,
+                                                  const BlurSettings& settings, int x, int y);
 
 // Side of the tiles that the blur may leave at 1, texels.
 inline constexpr int kBlurTile = 16;

@@ -37,6 +37,11 @@ Denoiser bilateral_denoiser(const BlurSettings& defaults) {
         blur.format = raw.format;
         return bilateral_blur(raw.ao, raw.inputs, blur, run);
     };
+    denoiser.explain = [](const RawAo& raw, const AnySettings& settings, int x, int y) {
+        BlurSettings blur = settings.as<BlurSettings>();
+        blur.format = raw.format;
+        return explain_bilateral_blur(raw.ao, raw.inputs, blur, x, y);
+    };
     return denoiser;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -64,6 +65,46 @@ void blur_down(const Image<float>& from, const Image<float>& view_depth, const B
     });
 }
 
+// Along one direction, (1, 0) or (0, 1): as blur_across() and blur_down() do it.
+ExplainedPass explained_pass(const Image<float>& map, const AoInputs& inputs, const BoxWeights& weights,
+                             int x, int y, int along_x, int along_y) {
+    ExplainedPass pass;
+    pass.last_step = "sum / total";
+    float values[2 * kReach + 1][1];
+    for (int k = 0; k <= 2 * kReach; ++k) {
+        ExplainedTap tap;
+        tap.x = std::clamp(x + along_x * (k - kReach), 0, map.size.width - 1);
+        tap.y = std::clamp(y + along_y * (k - kReach), 0, map.size.height - 1);
+        tap.value = values[k][0] = map.at(tap.x, tap.y);
+        tap.weight = weights[static_cast<std::size_t>(k)];
+        tap.verdict = tap.weight > 0 ? "counts" : "outside the box";
+        pass.taps.push_back(tap);
+    }
+    pass.value = weighted_sum<float>(
+        weights, [&](int k) { return values[k]; }, 0);
+    if (along_y == 1 && !(inputs.view_depth.at(x, y) < std::numeric_limits<float>::infinity())) {
+        pass.taps.clear();
+        pass.last_step = "no surface: 1";
+        pass.value = 1;
+    }
+    return pass;
+}
+
+std::vector<ExplainedPass> explain_box_blur(const RawAo& raw, const BoxBlurSettings& settings, int x, int y) {
+    const BoxWeights& weights = settings.shift ? kShifted : kCentred;
+    std::vector<ExplainedPass> passes;
+    Image<float> map = raw.ao, across(raw.ao.size);
+    for (int i = 1; i <= settings.iterations; ++i) {
+        blur_across(map, weights, across, {});
+        passes.push_back(explained_pass(map, raw.inputs, weights, x, y, 1, 0));
+        passes.back().name = "iteration " + std::to_string(i) + ", across";
+        passes.push_back(explained_pass(across, raw.inputs, weights, x, y, 0, 1));
+        passes.back().name = "iteration " + std::to_string(i) + ", down";
+        blur_down(across, raw.inputs.view_depth, weights, map, {});
+    }
+    return passes;
+}
+
 std::vector<Parameter<BoxDenoiserSettings>> box_parameters() {
     using S = BoxDenoiserSettings;
     const auto of_box = [](auto& settings) -> auto& { return settings.box; };
@@ -87,6 +128,14 @@ std::vector<Parameter<BoxDenoiserSettings>> box_parameters() {
                    of_bilateral))
         all.push_back(std::move(p));
     return all;
+}
+
+// Of BlurKind::bilateral.
+BlurSettings bilateral_of(const BoxDenoiserSettings& settings, const RawAo& raw) {
+    BlurSettings bilateral = settings.bilateral;
+    bilateral.iterations = settings.box.iterations;
+    bilateral.format = raw.format;
+    return bilateral;
 }
 
 }  // namespace
@@ -119,10 +168,12 @@ Denoiser box_denoiser() {
     denoiser.denoised = [](const RawAo& raw, const AnySettings& settings, const Run& run) {
         const S& s = settings.as<S>();
         if (s.kind == BlurKind::box) return box_blur(raw.ao, raw.inputs, s.box, run);
-        BlurSettings bilateral = s.bilateral;
-        bilateral.iterations = s.box.iterations;
-        bilateral.format = raw.format;
-        return bilateral_blur(raw.ao, raw.inputs, bilateral, run);
+        return bilateral_blur(raw.ao, raw.inputs, bilateral_of(s, raw), run);
+    };
+    denoiser.explain = [](const RawAo& raw, const AnySettings& settings, int x, int y) {
+        const S& s = settings.as<S>();
+        if (s.kind == BlurKind::box) return explain_box_blur(raw, s.box, x, y);
+        return explain_bilateral_blur(raw.ao, raw.inputs, bilateral_of(s, raw), x, y);
     };
     return denoiser;
 }

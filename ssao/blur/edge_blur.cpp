@@ -1,5 +1,8 @@
 #include "ssao/blur/edge_blur.h"
 
+#include <algorithm>
+#include <string>
+
 #include "rasterizer/base/parallel.h"
 #include "ssao/blur/bilateral_blur.h"
 #include "ssao/blur/packed_edges.h"
@@ -47,6 +50,14 @@ struct EdgeWeights {
         bottom_right = diagonal * (right * side(r, Edges::kBottom) + bottom * side(b, Edges::kRight));
     }
 
+    // visit(weight, columns to the right, rows down) for the eight neighbours, in the order of the sum.
+    template <class Visit>
+    CREVICE_INLINE void each_neighbour(const Visit& visit) const {
+        visit(left, -1, 0), visit(right, 1, 0), visit(top, 0, -1), visit(bottom, 0, 1);
+        visit(top_left, -1, -1), visit(top_right, 1, -1), visit(bottom_left, -1, 1),
+            visit(bottom_right, 1, 1);
+    }
+
  private:
     CREVICE_INLINE static F side(Int<F> edges, int first_bit) {
         return F(to_float((edges >> first_bit) & Int<F>(3))) * F(1.0f / 3);
@@ -70,14 +81,11 @@ Image<float> blurred(const Image<float>& map, const PackedEdges& edges, float ow
                     const EdgeWeights<F> w(edges.bits.row(y), edges.bits.row(y + 1), edges.bits.row(y + 2),
                                            x + 1);
                     F sum = F(own_weight) * load<F>(row + x + 1), total(own_weight);
-                    const auto add = [&](F weight, const float* at) __attribute__((always_inline)) {
-                        sum = sum + weight * load<F>(at);
+                    const float* const rows[] = {above + x + 1, row + x + 1, below + x + 1};
+                    w.each_neighbour([&](F weight, int right, int down) __attribute__((always_inline)) {
+                        sum = sum + weight * load<F>(rows[1 + down] + right);
                         total = total + weight;
-                    };
-                    add(w.left, row + x), add(w.right, row + x + 2);
-                    add(w.top, above + x + 1), add(w.bottom, below + x + 1);
-                    add(w.top_left, above + x), add(w.top_right, above + x + 2);
-                    add(w.bottom_left, below + x), add(w.bottom_right, below + x + 2);
+                    });
                     store(result.row(y) + x,
                           select(w.surface, min_of(sum / total, F(largest)), F(background)));
                 }
@@ -117,6 +125,36 @@ CREVICE_INLINE Vec3<F> load3(const Image3& image, int x, int y) {
     return {load<F>(image.x.row(y) + x), load<F>(image.y.row(y) + x), load<F>(image.z.row(y) + x)};
 }
 
+// Of EdgeBlurKind::bilateral.
+BlurSettings bilateral_settings(const EdgeBlurSettings& settings) {
+    BlurSettings blur = kXjunBlur;
+    blur.iterations = settings.iterations;
+    blur.depth_threshold = settings.depth;
+    return blur;
+}
+
+ExplainedPass explained_pass(const Image<float>& map, const PackedEdges& edges, float own_weight, int x,
+                             int y) {
+    const EdgeWeights<float> w(edges.bits.row(y), edges.bits.row(y + 1), edges.bits.row(y + 2), x + 1);
+    ExplainedPass pass;
+    if (!w.surface) {
+        pass.last_step = "no surface: 1";
+        return pass;
+    }
+    pass.last_step = "sum / total, at most 1";
+    pass.taps.push_back({x, y, map.at(x, y), own_weight, "the texel itself"});
+    w.each_neighbour([&](float weight, int right, int down) {
+        ExplainedTap tap{x + right, y + down, 1, weight, "outside the map"};
+        if (tap.x >= 0 && tap.y >= 0 && tap.x < map.size.width && tap.y < map.size.height) {
+            tap.value = map.at(tap.x, tap.y);
+            tap.verdict = weight > 0 ? "counts" : "an edge lies between";
+        }
+        pass.taps.push_back(tap);
+    });
+    pass.value = std::min(pass.sum() / pass.total(), 1.0f);
+    return pass;
+}
+
 // of(a, b) for the vectors of two maps.
 template <class Of>
 Image3 map_vectors(const Image3& a, const Image3& b, const Run& run, const Of& of) {
@@ -141,18 +179,31 @@ Image3 map_vectors(const Image3& a, const Image3& b, const Run& run, const Of& o
 AoMap edge_blur(const Image<float>& ao, const AoInputs& inputs, const EdgeBlurSettings& settings,
                 const Run& run) {
     validate(settings);
-    if (settings.kind == EdgeBlurKind::bilateral) {
-        BlurSettings blur = kXjunBlur;
-        blur.iterations = settings.iterations;
-        blur.depth_threshold = settings.depth;
-        return bilateral_blur(ao, inputs, blur, run);
-    }
+    if (settings.kind == EdgeBlurKind::bilateral)
+        return bilateral_blur(ao, inputs, bilateral_settings(settings), run);
     AoMap map{ao, TileMap(ao.size, kBlurTile)};
     if (settings.iterations == 0) return map;
     const PackedEdges edges = packed_edges(inputs, run);
     for (int i = 1; i <= settings.iterations; ++i)
         map.ao = blurred(map.ao, edges, own_weight(i, settings.iterations), 1, 1, run);
     return map;
+}
+
+std::vector<ExplainedPass> explain_edge_blur(const Image<float>& ao, const AoInputs& inputs,
+                                             const EdgeBlurSettings& settings, int x, int y) {
+    validate(settings);
+    if (settings.kind == EdgeBlurKind::bilateral)
+        return explain_bilateral_blur(ao, inputs, bilateral_settings(settings), x, y);
+    std::vector<ExplainedPass> passes;
+    const PackedEdges edges = packed_edges(inputs);
+    Image<float> map = ao;
+    for (int i = 1; i <= settings.iterations; ++i) {
+        const float own = own_weight(i, settings.iterations);
+        passes.push_back(explained_pass(map, edges, own, x, y));
+        passes.back().name = "iteration " + std::to_string(i);
+        map = blurred(map, edges, own, 1, 1, {});
+    }
+    return passes;
 }
 
 Image3 edge_blur(const Image3& bent_normals, const AoInputs& inputs, const EdgeBlurSettings& settings,
@@ -181,6 +232,9 @@ Denoiser edge_denoiser() {
     denoiser.validate = [](const AnySettings& settings) { validate(settings.as<EdgeBlurSettings>()); };
     denoiser.denoised = [](const RawAo& raw, const AnySettings& settings, const Run& run) {
         return edge_blur(raw.ao, raw.inputs, settings.as<EdgeBlurSettings>(), run);
+    };
+    denoiser.explain = [](const RawAo& raw, const AnySettings& settings, int x, int y) {
+        return explain_edge_blur(raw.ao, raw.inputs, settings.as<EdgeBlurSettings>(), x, y);
     };
     denoiser.directions = [](const Image3& directions, const AoInputs& inputs, const AnySettings& settings,
                              const Run& run) {

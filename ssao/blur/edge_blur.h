@@ -33,6 +33,10 @@ void validate(const EdgeBlurSettings& settings);
 AoMap edge_blur(const Image<float>& ao, const AoInputs& inputs, const EdgeBlurSettings& settings = {},
                 const Run& run = {});
 
+// Texel (x, y) in each of its passes.
+std::vector<ExplainedPass> explain_edge_blur(const Image<float>& ao, const AoInputs& inputs,
+                                             const EdgeBlurSettings& settings, int x, int y);
+
 // Bent normals, by edges whatever the kind: by how much they deviate from the normals is blurred, so that those of an
 // open curved surface stay what they are. Unit; background 0.
 Image3 edge_blur(const Image3& bent_normals, const AoInputs& inputs, const EdgeBlurSettings& settings = {},

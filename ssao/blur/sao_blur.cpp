@@ -1,11 +1,11 @@
 #include "ssao/blur/sao_blur.h"
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 #include "rasterizer/base/parallel.h"
 #include "ssao/blur/bilateral_blur.h"
+#include "ssao/blur/sao_blur_kernel.h"
 #include "ssao/methods/settings_range.h"
 
 namespace crevice {
@@ -13,40 +13,6 @@ namespace crevice {
 namespace {
 
 constexpr float kNoSurface = std::numeric_limits<float>::infinity();
-// The weights of a pass: the texel's own, then those of its neighbours at equal distances to each side.
-struct BlurPass {
-    int step;  // texels from one neighbour to the next
-    int taps;  // to each side
-    float weights[5];
-};
-
-// The published Gaussian, which adds .3 to the weight of each neighbour.
-constexpr BlurPass kPublished{
-    2, 4, {0.153170f, 0.3f + 0.144893f, 0.3f + 0.122649f, 0.3f + 0.092902f, 0.3f + 0.062970f}};
-// What alternates from texel to texel becomes its mean.
-constexpr BlurPass kFine{1, 1, {0.5f, 0.25f}};
-
-// The texels of a square of four must agree better than the blur's: .02 m of its .15 m.
-constexpr float kQuadShare = 0.02f / 0.15f;
-
-// What the taps of a group of texels amount to so far.
-template <class F>
-struct WeighedSum {
-    F z;  // of the texel
-    F sum, total;
-
-    CREVICE_INLINE WeighedSum(const float* ao, const float* depth, float weight)
-        : z(load<F>(depth)), sum(F(weight) * load<F>(ao)), total(weight) {}
-
-    // Texels without a surface have no weight: they are infinitely far away, or their distance is not a number.
-    CREVICE_INLINE void add(const float* ao, const float* depth, float full_weight, F inverse_depth) {
-        const F agreement = max_of(F(1) - absolute(z - load<F>(depth)) * inverse_depth, F(0));
-        const F weight = F(full_weight) * agreement;
-        sum = sum + select(weight > F(0), weight * load<F>(ao), F(0));
-        total = total + weight;
-    }
-    CREVICE_INLINE F mean() const { return select(z < F(kNoSurface), saturate(sum / total), F(1)); }
-};
 
 // A row with texels that show nothing on both sides, so that no tap needs a test of its position.
 class ApronedRow {
@@ -107,26 +73,6 @@ void blur_down(const BlurPass& pass, const Image<float>& ao, const Image<float>&
     });
 }
 
-// Two neighbours of one surface both become their mean.
-void even_out(float& a, float a_z, float& b, float b_z, float limit) {
-    const float apart = a_z - b_z;
-    if (apart < limit && -limit < apart) a = b = 0.5f * (a + b);
-}
-
-// As the derivatives of a GPU do it, whose pixels are shaded in squares of four: first across, then down.
-void even_out_quads(Image<float>& ao, const Image<float>& depth, float limit, const Run& run) {
-    const Size size = ao.size;
-    parallel_rows((size.height + 1) / 2, run, [&](int first_pair, int end_pair) {
-        for (int y = 2 * first_pair; y < std::min(2 * end_pair, size.height); ++y) {
-            for (int x = 0; x + 1 < size.width; x += 2)
-                even_out(ao.at(x, y), depth.at(x, y), ao.at(x + 1, y), depth.at(x + 1, y), limit);
-            if (y % 2 == 0) continue;
-            for (int x = 0; x < size.width; ++x)
-                even_out(ao.at(x, y - 1), depth.at(x, y - 1), ao.at(x, y), depth.at(x, y), limit);
-        }
-    });
-}
-
 std::vector<Parameter<SaoBlurSettings>> blur_parameters() {
     using S = SaoBlurSettings;
     return {
@@ -150,14 +96,9 @@ void validate(const SaoBlurSettings& s) {
 AoMap sao_blur(const Image<float>& ao, const AoInputs& inputs, const SaoBlurSettings& settings,
                const Run& run) {
     validate(settings);
-    if (settings.kind == SaoBlurKind::bilateral) {
-        BlurSettings blur = kXjunBlur;
-        blur.iterations = settings.iterations;
-        blur.depth_threshold = settings.depth;
-        return bilateral_blur(ao, inputs, blur, run);
-    }
-    // So large for 0 that only equal depths agree.
-    const float inverse_depth = settings.depth > 0 ? 1 / settings.depth : 3e38f;
+    if (settings.kind == SaoBlurKind::bilateral)
+        return bilateral_blur(ao, inputs, bilateral_settings(settings), run);
+    const float inverse_depth = inverse_limit(settings);
     AoMap blurred{ao, TileMap(ao.size, kBlurTile)};
     if (settings.iterations > 0 && settings.quads)
         even_out_quads(blurred.ao, inputs.view_depth, kQuadShare * settings.depth, run);
@@ -179,6 +120,9 @@ Denoiser sao_denoiser() {
     denoiser.validate = [](const AnySettings& settings) { validate(settings.as<SaoBlurSettings>()); };
     denoiser.denoised = [](const RawAo& raw, const AnySettings& settings, const Run& run) {
         return sao_blur(raw.ao, raw.inputs, settings.as<SaoBlurSettings>(), run);
+    };
+    denoiser.explain = [](const RawAo& raw, const AnySettings& settings, int x, int y) {
+        return explain_sao_blur(raw.ao, raw.inputs, settings.as<SaoBlurSettings>(), x, y);
     };
     return denoiser;
 }

@@ -40,6 +40,9 @@ void validate(const SaoBlurSettings& settings);
 
 AoMap sao_blur(const Image<float>& ao, const AoInputs& inputs, const SaoBlurSettings& settings = {},
                const Run& run = {});
+// Texel (x, y) in each of its passes.
+std::vector<ExplainedPass> explain_sao_blur(const Image<float>& ao, const AoInputs& inputs,
+                                            const SaoBlurSettings& settings, int x, int y);
 
 // Of a method.
 Denoiser sao_denoiser();

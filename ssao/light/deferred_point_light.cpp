@@ -42,8 +42,8 @@ struct PointLit {
     const Albedos albedos;
     const MultiBounce bounces;
 
-    template <class F>
-    CREVICE_INLINE Vec3<F> colour_at(int x, int y) const {
+    template <class F, class Witness>
+    CREVICE_INLINE Vec3<F> colour_at(int x, int y, const Witness& witness) const {
         const F depth = load<F>(gbuffer.view_depth.row(y) + x);
         const auto surface = depth < F(std::numeric_limits<float>::infinity());
         const Vec3<F> sky = spread<F>(scene.sky);
@@ -58,12 +58,12 @@ struct PointLit {
                                     ? Int<F>(0)
                                     : select(surface, load<F>(gbuffer.material.row(y) + x), Int<F>(0));
         const F ao = load<F>(accessibility.row(y) + x);
-        return select<F>(surface, lit(p, n, albedos.of<F>(material), ao), sky);
+        return select<F>(surface, lit(p, n, albedos.of<F>(material), ao, witness), sky);
     }
 
  private:
-    template <class F>
-    CREVICE_INLINE Vec3<F> lit(Vec3<F> p, Vec3<F> n, Vec3<F> albedo, F ao) const {
+    template <class F, class Witness>
+    CREVICE_INLINE Vec3<F> lit(Vec3<F> p, Vec3<F> n, Vec3<F> albedo, F ao, const Witness& witness) const {
         const F zero(0), one(1);
         const Vec3<F> way = spread<F>(light_view) - p;
         const F distance = square_root(dot(way, way));
@@ -75,40 +75,74 @@ struct PointLit {
         const F facing = max_of(dot(n, to_light), zero);
         const F highlight = power(max_of(dot(n, half), zero), F(kPointLightShininess));
         const Vec3<F> arriving = attenuation * spread<F>(light.colour);
-        return ambient_access(bounces, ao, albedo) * (spread<F>(scene.ambient_light) * albedo) +
-               arriving * (facing * albedo) + highlight * arriving;
+        const Vec3<F> access = ambient_access(bounces, ao, albedo);
+        const Vec3<F> ambient = access * (spread<F>(scene.ambient_light) * albedo),
+                      diffuse = arriving * (facing * albedo), specular = highlight * arriving;
+        witness.point(LitPoint<F>{n, to_eye, {one, one, one}, one, access, one});
+        witness.light(-1, facing, attenuation);
+        witness.term(LitTerm::ambient, -1, ambient);
+        witness.term(LitTerm::diffuse, -1, diffuse);
+        witness.term(LitTerm::specular, -1, specular);
+        return ambient + diffuse + specular;
     }
 };
 
-}  // namespace
-
-Image3 deferred_point_light(const Scene& scene, const Camera& camera, const GBuffer& gbuffer,
-                            const Image<float>& ao, LightSpace space, const Run& run,
-                            MultiBounce bounces) {
-    if (!scene.point_light)
-        throw UsageError("deferred point light: the scene has none (" + scene.name +
-                         "); set its point_light");
+// `accessibility` is the AO map at picture size.
+PointLit point_lit(const Scene& scene, const Camera& camera, const GBuffer& gbuffer,
+                   const Image<float>& accessibility, LightSpace space, MultiBounce bounces) {
     const Size size = gbuffer.view_depth.size;
     const CameraMatrices matrices = camera_matrices(camera, size);
     const PointLight& light = *scene.point_light;
     const bool in_view = space == LightSpace::view;
     const glm::vec3 from_eye(glm::dvec3(light.position) - camera.eye);
+    return {scene,
+            gbuffer,
+            accessibility,
+            light,
+            in_view ? glm::mat3(matrices.view_from_relative) * from_eye : light.position,
+            in_view ? glm::vec3(0) : glm::vec3(camera.eye),
+            {matrices.ray_scale, size, camera.projection == Projection::perspective},
+            Albedos(scene),
+            bounces};
+}
+
+}  // namespace
+
+LitExplanation explain_deferred_point_light(const Scene& scene, const Camera& camera, const GBuffer& gbuffer,
+                                            const Image<float>& ao, LightSpace space, MultiBounce bounces,
+                                            int x, int y) {
+    const Image<float> accessibility = ao_at_picture_size(ao, gbuffer.view_depth.size);
+    LitExplanation result;
+    result.formula = kSumOfTerms;
+    const TermList terms{result};
+    result.surface = gbuffer.view_depth.at(x, y) < std::numeric_limits<float>::infinity();
+    if (result.surface) {
+        result.triangle = gbuffer.triangle.empty() ? kNoTriangle : gbuffer.triangle.at(x, y);
+        result.material = gbuffer.material.empty() ? 0 : gbuffer.material.at(x, y);
+        result.accessibility = accessibility.at(x, y);
+    } else {
+        terms.term(LitTerm::sky, -1, spread<float>(scene.sky));
+    }
+    const Vec3<float> colour =
+        point_lit(scene, camera, gbuffer, accessibility, space, bounces).colour_at<float>(x, y, terms);
+    result.colour = {colour.x, colour.y, colour.z};
+    return result;
+}
+
+Image3 deferred_point_light(const Scene& scene, const Camera& camera, const GBuffer& gbuffer,
+                            const Image<float>& ao, LightSpace space, const Run& run, MultiBounce bounces) {
+    if (!scene.point_light)
+        throw UsageError("deferred point light: the scene has none (" + scene.name +
+                         "); set its point_light");
+    const Size size = gbuffer.view_depth.size;
     const Image<float> accessibility = ao_at_picture_size(ao, size, run);
-    const PointLit pass{scene,
-                        gbuffer,
-                        accessibility,
-                        light,
-                        in_view ? glm::mat3(matrices.view_from_relative) * from_eye : light.position,
-                        in_view ? glm::vec3(0) : glm::vec3(camera.eye),
-                        {matrices.ray_scale, size, camera.projection == Projection::perspective},
-                        Albedos(scene),
-                        bounces};
+    const PointLit pass = point_lit(scene, camera, gbuffer, accessibility, space, bounces);
     Image3 picture(size);
     parallel_rows(size.height, run, [&](int first_row, int end_row) {
         run_kernel(run, [&]<class F>(Lanes<F>) {
             for (int y = first_row; y < end_row; ++y) {
                 for (int x = 0; x < size.width; x += kLanes<F>) {
-                    const Vec3<F> colour = pass.colour_at<F>(x, y);
+                    const Vec3<F> colour = pass.colour_at<F>(x, y, NoLightWitness{});
                     store(picture.x.row(y) + x, colour.x);
                     store(picture.y.row(y) + x, colour.y);
                     store(picture.z.row(y) + x, colour.z);

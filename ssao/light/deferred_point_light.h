@@ -13,6 +13,7 @@
 
 #include "rasterizer/draw/normal_depth.h"
 #include "ssao/light/ambient_use.h"
+#include "ssao/light/lit_explanation.h"
 
 namespace crevice {
 
@@ -30,5 +31,9 @@ inline constexpr float kPointLightShininess = 8;
 Image3 deferred_point_light(const Scene& scene, const Camera& camera, const GBuffer& gbuffer,
                             const Image<float>& ao, LightSpace space = LightSpace::view, const Run& run = {},
                             MultiBounce bounces = MultiBounce::none);
+// One pixel of the same in numbers. The light has no number; what arrives of it is what its distance leaves.
+LitExplanation explain_deferred_point_light(const Scene& scene, const Camera& camera, const GBuffer& gbuffer,
+                                            const Image<float>& ao, LightSpace space, MultiBounce bounces,
+                                            int x, int y);
 
 }  // namespace crevice

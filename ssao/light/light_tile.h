@@ -57,11 +57,19 @@ struct TileLighting {
     // row_of(y) gives the ShownRow of the tile's pixels in row y.
     template <class F, class RowOf>
     CREVICE_INLINE void light_tile(PixelRect tile, const RowOf& row_of) const {
-        if (shadow == nullptr && around == nullptr && ambient.multi_bounce == MultiBounce::none) {
+        if (is_plain()) {
             light_tile_with<F, Effects::none>(tile, row_of);
         } else {
             light_tile_with<F, Effects::any>(tile, row_of);
         }
+    }
+
+    // What it makes of one pixel, told to a witness (NoLightWitness).
+    template <class Witness>
+    Vec3<float> colour_of_pixel(const ShownSurface<float>& surface, float accessibility, int x, int y,
+                                const Witness& witness) const {
+        return is_plain() ? colour_of<float, Effects::none>(surface, accessibility, x, y, witness)
+                          : colour_of<float, Effects::any>(surface, accessibility, x, y, witness);
     }
 
     void fill_with_sky(PixelRect tile) const {
@@ -73,6 +81,9 @@ struct TileLighting {
  private:
     // Shadow, reflections and light of occluders; without them the kernel is smaller, and faster.
     enum class Effects { none, any };
+    bool is_plain() const {
+        return shadow == nullptr && around == nullptr && ambient.multi_bounce == MultiBounce::none;
+    }
 
     template <class F, Effects kEffects, class RowOf>
     CREVICE_INLINE void light_tile_with(PixelRect tile, const RowOf& row_of) const {
@@ -82,7 +93,8 @@ struct TileLighting {
             const ShownRow row = row_of(y);
             for (int x = tile.x0; x < tile.x1; x += kLanes<F>) {
                 const ShownSurface<F> surface(row, x - tile.x0);
-                const Vec3<F> colour = colour_of<F, kEffects>(surface, accessibility.at(x), x, y);
+                const Vec3<F> colour =
+                    colour_of<F, kEffects>(surface, accessibility.at(x), x, y, NoLightWitness{});
                 store(lit.x.row(y) + x, colour.x);
                 store(lit.y.row(y) + x, colour.y);
                 store(lit.z.row(y) + x, colour.z);
@@ -91,8 +103,9 @@ struct TileLighting {
     }
 
     // One material after the other, until every lane has had its own.
-    template <class F, Effects kEffects>
-    CREVICE_INLINE Vec3<F> colour_of(const ShownSurface<F>& surface, F accessibility, int x, int y) const {
+    template <class F, Effects kEffects, class Witness>
+    CREVICE_INLINE Vec3<F> colour_of(const ShownSurface<F>& surface, F accessibility, int x, int y,
+                                     const Witness& witness) const {
         Vec3<F> colour = spread<F>(scene.sky);
         auto left = surface.material != Int<F>(kNoTriangle);
         if (!any(left)) return colour;
@@ -110,30 +123,35 @@ struct TileLighting {
                                            ? 0
                                            : largest_of(select(left, surface.material, Int<F>(kNoTriangle)));
             const auto lanes = surface.material == Int<F>(index);
-            colour =
-                select<F>(lanes, lit_by<F, kEffects>(point, open, static_cast<std::size_t>(index)), colour);
+            const auto material = static_cast<std::size_t>(index);
+            colour = select<F>(lanes, lit_by<F, kEffects>(point, open, material, witness), colour);
             left = left & !lanes;
         } while (any(left));
         return colour;
     }
 
-    template <class F, Effects kEffects>
-    CREVICE_INLINE Vec3<F> lit_by(LitPoint<F> point, Vec3<F> open, std::size_t index) const {
+    template <class F, Effects kEffects, class Witness>
+    CREVICE_INLINE Vec3<F> lit_by(LitPoint<F> point, Vec3<F> open, std::size_t index,
+                                  const Witness& witness) const {
         const Material& material = scene.materials[index];
         const F accessibility = point.ambient.x;
         if (kEffects == Effects::any) {
             const Vec3<F> albedo = point.texture_colour * spread<F>(material.diffuse);
             point.ambient = ambient_access(ambient.multi_bounce, accessibility, albedo);
         }
-        if (scene.lighting == LightingModel::phong) return phong(point, material, lights);
+        witness.point(point);
+        if (scene.lighting == LightingModel::phong) return phong(point, material, lights, witness);
         const Vec3<F> colour =
-            blinn_schlick(point, material, lights, scene.ambient_light, no_highlight_below[index]);
+            blinn_schlick(point, material, lights, scene.ambient_light, no_highlight_below[index], witness);
         if (kEffects == Effects::none || around == nullptr) return colour;
         const F smoothness = point.gloss * F(material.shininess / kFullShininess);
         const Vec3<F> reflected =
             reflected_colour(*around, point.n, point.to_eye, spread<F>(material.specular), smoothness, F(0));
-        if (ambient.specular_occlusion == SpecularOcclusion::none) return colour + reflected;
-        return colour + unhidden(accessibility, point, open, smoothness) * reflected;
+        const Vec3<F> arriving = ambient.specular_occlusion == SpecularOcclusion::none
+                                     ? reflected
+                                     : unhidden(accessibility, point, open, smoothness) * reflected;
+        witness.term(LitTerm::reflection, -1, arriving);
+        return colour + arriving;
     }
 
     // How much of what the point mirrors arrives.

@@ -25,27 +25,52 @@ struct LitPoint {
 // Those that shine, directions in view space.
 struct ViewLight : DirectionalLight {
     bool casts_shadow = false;  // the first at most
+    int number = 0;             // index into Scene::lights
 };
 using ViewLights = std::vector<ViewLight>;
+
+// The terms that a lit colour is the sum of.
+enum class LitTerm { ambient, diffuse, specular, reflection, sky };
+
+// Sees nothing of how a colour comes about, and costs nothing. What a witness is told: the point; of each light the cosine
+// between normal and light, and how much arrives; each term as it is added, with its light's number, or -1.
+struct NoLightWitness {
+    template <class Point>
+    CREVICE_INLINE void point(const Point&) const {}
+    template <class F>
+    CREVICE_INLINE void light(int, const F&, const F&) const {}
+    template <class Colour>
+    CREVICE_INLINE void term(LitTerm, int, const Colour&) const {}
+};
 
 // Material::shininess of a surface with no roughness (Luna).
 inline constexpr float kFullShininess = 256;
 
-// As in X_Jun: ambient, diffuse and Phong specular of each light; the texture multiplies the first two.
-template <class F>
-CREVICE_INLINE Vec3<F> phong(const LitPoint<F>& s, const Material& material, const ViewLights& lights) {
+// As in X_Jun: ambient, diffuse and Phong specular of each light; the texture multiplies the first two. Terms are told as
+// they are before that, and before accessibility.
+template <class F, class Witness = NoLightWitness>
+CREVICE_INLINE Vec3<F> phong(const LitPoint<F>& s, const Material& material, const ViewLights& lights,
+                             const Witness& witness = {}) {
     const F zero = F(0);
     Vec3<F> ambient{zero, zero, zero}, diffuse = ambient, specular = ambient;
     for (const ViewLight& light : lights) {
         const Vec3<F> to_light = spread<F>(-light.direction);
         const F facing = dot(s.n, to_light), arriving = light.casts_shadow ? s.shadow : F(1);
-        ambient = ambient + spread<F>(light.ambient * material.ambient);
+        witness.light(light.number, facing, arriving);
+        const Vec3<F> ambient_term = spread<F>(light.ambient * material.ambient);
+        witness.term(LitTerm::ambient, light.number, ambient_term);
+        ambient = ambient + ambient_term;
         if (!any(facing > zero)) continue;  // would add zero
-        diffuse = diffuse + (arriving * max_of(facing, zero)) * spread<F>(light.diffuse * material.diffuse);
+        const Vec3<F> diffuse_term =
+            (arriving * max_of(facing, zero)) * spread<F>(light.diffuse * material.diffuse);
+        witness.term(LitTerm::diffuse, light.number, diffuse_term);
+        diffuse = diffuse + diffuse_term;
         const Vec3<F> mirrored = F(2) * facing * s.n - to_light;
         const F highlight = power(max_of(dot(mirrored, s.to_eye), zero), F(material.shininess));
-        specular = specular + (arriving * select(facing > zero, highlight, zero)) *
-                                  spread<F>(light.specular * material.specular);
+        const Vec3<F> specular_term = (arriving * select(facing > zero, highlight, zero)) *
+                                      spread<F>(light.specular * material.specular);
+        witness.term(LitTerm::specular, light.number, specular_term);
+        specular = specular + specular_term;
     }
     return s.texture_colour * (s.ambient * ambient + diffuse) + specular;
 }
@@ -68,31 +93,38 @@ inline float invisible_highlight(const Material& material) {
 }
 
 // As in Luna: one ambient term; each light's diffuse albedo plus a Blinn-Phong highlight, normalised, times
-// Schlick's Fresnel term and brought into [0,1) for a low dynamic range. Highlights up to
+// Schlick's Fresnel term and brought into [0,1) for a low dynamic range; told as one term a light. Highlights up to
 // `no_highlight_below` (0, or invisible_highlight of an untextured surface) are left out.
-template <class F>
+template <class F, class Witness = NoLightWitness>
 CREVICE_INLINE Vec3<F> blinn_schlick(const LitPoint<F>& s, const Material& material, const ViewLights& lights,
-                                     const glm::vec3& ambient_light, float no_highlight_below) {
+                                     const glm::vec3& ambient_light, float no_highlight_below,
+                                     const Witness& witness = {}) {
     const F zero = F(0), one = F(1);
     const Vec3<F> albedo = s.texture_colour * spread<F>(material.diffuse);
     const Vec3<F> r0 = spread<F>(material.specular);
     Vec3<F> colour = s.ambient * (spread<F>(ambient_light) * albedo);
+    witness.term(LitTerm::ambient, -1, colour);
+    const auto add = [&](const ViewLight& light, Vec3<F> term) __attribute__((always_inline)) {
+        witness.term(LitTerm::diffuse, light.number, term);
+        colour = colour + term;
+    };
     for (const ViewLight& light : lights) {
         const Vec3<F> to_light = spread<F>(-light.direction);
         F facing = max_of(dot(s.n, to_light), zero);
+        witness.light(light.number, facing, light.casts_shadow ? s.shadow : one);
         if (light.casts_shadow) facing = facing * s.shadow;
         if (!any(facing > zero)) continue;  // would add zero
         const Vec3<F> half = normalize_or<F>(to_light + s.to_eye, s.n);
         const F m = s.gloss * F(material.shininess), cosine = max_of(dot(s.n, half), zero);
         if (!any(cosine > F(no_highlight_below))) {
-            colour = colour + facing * (spread<F>(light.diffuse) * albedo);
+            add(light, facing * (spread<F>(light.diffuse) * albedo));
             continue;
         }
         const F roughness = (m + F(8)) * power(cosine, m) * F(0.125f);
         const Vec3<F> highlight = roughness * schlick_fresnel(r0, dot(half, to_light));
         const Vec3<F> bounded{highlight.x / (highlight.x + one), highlight.y / (highlight.y + one),
                               highlight.z / (highlight.z + one)};
-        colour = colour + facing * (spread<F>(light.diffuse) * (albedo + bounded));
+        add(light, facing * (spread<F>(light.diffuse) * (albedo + bounded)));
     }
     return colour;
 }

@@ -15,6 +15,7 @@
 #include "rasterizer/draw/depth_buffer.h"
 #include "rasterizer/draw/normal_depth.h"
 #include "ssao/light/ambient_use.h"
+#include "ssao/light/lit_explanation.h"
 #include "ssao/light/shadow_map.h"
 
 namespace crevice {
@@ -50,5 +51,18 @@ struct LitImage {
 LitImage shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geometry,
                const GBuffer& gbuffer, const Image<float>& ao, const Run& run = {},
                const ShadowMap* shadow = nullptr, const AmbientUse& ambient = {});
+
+// One pixel of the same in numbers. (x, y) lies in the picture.
+LitExplanation explain_shade(const Scene& scene, const Camera& camera, const ScreenGeometry& geometry,
+                             const GBuffer& gbuffer, const Image<float>& ao, int x, int y,
+                             const Run& run = {}, const ShadowMap* shadow = nullptr,
+                             const AmbientUse& ambient = {});
+LitExplanation explain_shade(const Scene& scene, const Camera& camera, const DepthBuffer& depth,
+                             const Image<float>& ao, const ShadeSettings& settings, int x, int y,
+                             const Run& run = {}, const ShadowMap* shadow = nullptr,
+                             const AmbientUse& ambient = {});
+
+// What a drawing of its own is made from, to compare with these depths.
+GeometrySettings geometry_settings(const ShadeSettings& settings, const DepthBuffer& depth);
 
 }  // namespace crevice

@@ -21,19 +21,24 @@ struct SkyRow {
     template <class F>
     CREVICE_INLINE void draw(Image3& picture, int y) const {
         const Size size = depth.size();
-        const F v((static_cast<float>(y) + 0.5f) / static_cast<float>(size.height));
         for (int x = 0; x < size.width; x += kLanes<F>) {
             const Int<F> stored = load<F>(depth.codes.row(y) + x);
             const auto open = depth_passes<F>(test, Int<F>(far_code), stored);
             if (!any(open)) continue;
-            const F u =
-                (F(to_float(lane_index<F>() + Int<F>(x))) + F(0.5f)) / F(static_cast<float>(size.width));
-            const Vec3<F> sight = rays.perspective ? rays.p_view(u, v, F(1)) : Vec3<F>{F(0), F(0), F(1)};
-            const Vec3<F> colour = sample_cube(sky, turned(world_from_view, sight));
+            const Vec3<F> colour = colour_at<F>(x, y);
             put(picture.x.row(y) + x, open, colour.x);
             put(picture.y.row(y) + x, open, colour.y);
             put(picture.z.row(y) + x, open, colour.z);
         }
+    }
+
+    template <class F>
+    CREVICE_INLINE Vec3<F> colour_at(int x, int y) const {
+        const Size size = depth.size();
+        const F v((static_cast<float>(y) + 0.5f) / static_cast<float>(size.height));
+        const F u = (F(to_float(lane_index<F>() + Int<F>(x))) + F(0.5f)) / F(static_cast<float>(size.width));
+        const Vec3<F> sight = rays.perspective ? rays.p_view(u, v, F(1)) : Vec3<F>{F(0), F(0), F(1)};
+        return sample_cube(sky, turned(world_from_view, sight));
     }
 
     template <class F>
@@ -42,7 +47,25 @@ struct SkyRow {
     }
 };
 
+SkyRow sky_row(const DepthBuffer& depth, const Camera& camera, const CubeMap& sky) {
+    const CameraMatrices matrices = camera_matrices(camera, depth.size());
+    return {depth,
+            sky,
+            {matrices.ray_scale, depth.size(), camera.projection == Projection::perspective},
+            glm::mat3(matrices.relative_from_view),
+            depth_code(depth.format, camera.reversed_z ? 0.0f : 1.0f, 0.0),
+            camera.reversed_z ? DepthFunction::greater_equal : DepthFunction::less_equal};
+}
+
 }  // namespace
+
+std::optional<glm::vec3> sky_at(const DepthBuffer& depth, const Camera& camera, const CubeMap& sky, int x,
+                                int y) {
+    const SkyRow row = sky_row(depth, camera, sky);
+    if (!depth_passes<float>(row.test, row.far_code, depth.codes.at(x, y))) return std::nullopt;
+    const Vec3<float> colour = row.colour_at<float>(x, y);
+    return glm::vec3(colour.x, colour.y, colour.z);
+}
 
 Image3 with_sky(Image3 lit, const DepthBuffer& depth, const Camera& camera, const CubeMap& sky,
                 const Run& run) {
@@ -52,13 +75,7 @@ Image3 with_sky(Image3 lit, const DepthBuffer& depth, const Camera& camera, cons
                          "); give buffers of one view");
     }
     validate(run);
-    const CameraMatrices matrices = camera_matrices(camera, depth.size());
-    const SkyRow row{depth,
-                     sky,
-                     {matrices.ray_scale, depth.size(), camera.projection == Projection::perspective},
-                     glm::mat3(matrices.relative_from_view),
-                     depth_code(depth.format, camera.reversed_z ? 0.0f : 1.0f, 0.0),
-                     camera.reversed_z ? DepthFunction::greater_equal : DepthFunction::less_equal};
+    const SkyRow row = sky_row(depth, camera, sky);
     parallel_rows(depth.size().height, run, [&](int first_row, int end_row) {
         run_kernel(run, [&]<class F>(Lanes<F>) {
             for (int y = first_row; y < end_row; ++y) row.draw<F>(lit, y);

@@ -11,6 +11,8 @@
 // Cost:   one comparison a pixel, about 60 operations a background pixel.
 #pragma once
 
+#include <optional>
+
 #include "rasterizer/draw/depth_buffer.h"
 #include "rasterizer/scene/camera.h"
 #include "rasterizer/textures/cube_map.h"
@@ -20,5 +22,9 @@ namespace crevice {
 // Throws UsageError when picture and depth buffer are of unlike sizes, or the camera is out of range.
 Image3 with_sky(Image3 lit, const DepthBuffer& depth, const Camera& camera, const CubeMap& sky,
                 const Run& run = {});
+
+// The colour that one pixel gets of it; none where something else was drawn.
+std::optional<glm::vec3> sky_at(const DepthBuffer& depth, const Camera& camera, const CubeMap& sky, int x,
+                                int y);
 
 }  // namespace crevice

@@ -130,6 +130,9 @@ struct AlchemyKernel {
         const F facing = max_of(dot(v, texel.n) * inverse, F(0));
         const F weight = select(found.usable, min_of(F(settings.radius) * inverse, F(1)), F(0));
         const F taken = select(found.usable, contribution(texel, v), F(0));
+        witness.tell("height", dot(v, texel.n));
+        witness.tell("bias", texel.p.z * F(settings.bias));
+        witness.tell("distance", distance);
         witness(SampleFacts<F>{found.q, found.pixel.at, found.pixel.r, facing, weight, taken});
         return taken;
     }
@@ -139,6 +142,7 @@ struct AlchemyKernel {
         const Pattern<F> pattern{cosine.at<F>(texel.x, texel.y), sine.at<F>(texel.x, texel.y),
                                  shift.at<F>(texel.x, texel.y),
                                  length_px(inputs, settings.radius, texel.p.z)};
+        witness.tell_of_texel("radius_px", pattern.radius_px);
         F sum(0);
         for (int i = 0; i < settings.samples; ++i) sum = sum + tap(texel, pattern, i, witness);
         return sum;
@@ -148,6 +152,10 @@ struct AlchemyKernel {
     CREVICE_INLINE static F value(const AlchemySettings& settings, F taken) {
         const F access = F(1) - taken / F(static_cast<float>(settings.samples));
         return with_contrast(access, settings.exponent);
+    }
+
+    static std::string formula(const AlchemySettings& settings) {
+        return mean_formula(settings.samples, settings.exponent);
     }
 };
 

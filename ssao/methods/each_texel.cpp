@@ -1,6 +1,9 @@
 #include "ssao/methods/each_texel.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "rasterizer/base/float_text.h"
 
 namespace crevice {
 
@@ -27,11 +30,36 @@ TileMap surface_tiles(const AoInputs& inputs, const Run& run) {
     return map;
 }
 
+void Explainer::operator()(const SampleFacts<float>& facts) const {
+    const auto as_glm = [](const Vec3<float>& v) { return glm::vec3(v.x, v.y, v.z); };
+    ExplainedSample sample;
+    sample.offset = as_glm(facts.q - at.p);
+    sample.q_view = as_glm(facts.q);
+    sample.q_screen = {facts.at.x, facts.at.y};
+    sample.r_view = as_glm(facts.r);
+    sample.dz = at.p.z - facts.r.z;
+    sample.dp = facts.facing;
+    sample.weight = facts.weight;
+    sample.contribution = facts.contribution;
+    sample.verdict = verdict_of(sample);
+    sample.numbers = std::exchange(told, {});
+    result.samples.push_back(std::move(sample));
+}
+
 const char* verdict_of(const ExplainedSample& sample) {
     if (sample.contribution > 0) return "occludes";
     if (sample.weight == 0) return "too far away";
     if (!(sample.dp > 0)) return "below the surface";
     return "nothing in front";
+}
+
+std::string contrast_formula(const std::string& access, float exponent) {
+    if (exponent == 1) return "clamp(" + access + ", 0, 1)";
+    return "clamp(" + access + ", 0, 1) ^ " + shortest_text(exponent);
+}
+
+std::string mean_formula(int count, float exponent) {
+    return contrast_formula("1 - sum / " + std::to_string(count), exponent);
 }
 
 }  // namespace crevice

@@ -3,9 +3,11 @@
 //   const AoInputs& inputs;
 //   template <class F, class Witness> F taken(const TexelPoint<F>& at, const Witness& witness) const;
 //       the sum of what its samples take from the points; it calls witness(SampleFacts<F>) for each, in the order of
-//       the sum, with every term of the sum that is not 0
+//       the sum, with every term of the sum that is not 0, and before that what else is to be known of the sample
 //   template <class F> static F value(const Settings& settings, F taken);
 //       accessibility as the map holds it
+//   static std::string formula(const Settings& settings);
+//       the same in words, of "sum"
 #pragma once
 
 #include <limits>
@@ -78,6 +80,28 @@ struct SampleFacts {
 struct NoWitness {
     template <class Facts>
     CREVICE_INLINE void operator()(const Facts&) const {}
+    template <class Number>
+    CREVICE_INLINE void tell(const char*, const Number&) const {}
+    template <class Number>
+    CREVICE_INLINE void tell_bits(const char*, const Number&) const {}
+    template <class Number>
+    CREVICE_INLINE void tell_of_texel(const char*, const Number&) const {}
+};
+
+// Writes down what a kernel says of one texel.
+struct Explainer {
+    const TexelPoint<float>& at;
+    std::vector<NamedNumber>& told;  // since the last sample
+    Explanation& result;
+
+    // A number of the sample whose facts come next; one whose bits count; one of the texel.
+    void tell(const char* name, float value) const { told.push_back({name, value}); }
+    void tell(const char* name, std::int32_t value) const { told.push_back({name, std::int64_t{value}}); }
+    void tell_bits(const char* name, std::int32_t bits) const {
+        told.push_back({name, std::int64_t{static_cast<std::uint32_t>(bits)}});
+    }
+    void tell_of_texel(const char* name, float value) const { result.numbers.push_back({name, value}); }
+    void operator()(const SampleFacts<float>& facts) const;
 };
 
 // Which tiles show a surface at all; tiles that `run` keeps are done.
@@ -113,32 +137,27 @@ AoMap each_texel(const Kernel& kernel, const Settings& settings, const Run& run)
 // Why a sample takes nothing, or that it takes something.
 const char* verdict_of(const ExplainedSample& sample);
 
+// "access" with its contrast, in words.
+std::string contrast_formula(const std::string& access, float exponent);
+// "1 - sum / count" with its contrast.
+std::string mean_formula(int count, float exponent);
+
 // One texel in numbers.
 template <class Kernel, class Settings>
 Explanation explain_texel(const Kernel& kernel, const Settings& settings, int x, int y) {
-    const auto as_glm = [](const Vec3<float>& v) { return glm::vec3(v.x, v.y, v.z); };
     const TexelPoint<float> at = texel_point<float>(kernel.inputs, x, y);
     Explanation result;
     result.surface = at.surface;
     if (!result.surface) {
         result.value_of_sum = [](float) { return 1.0f; };
+        result.formula = "1";
         return result;
     }
-    result.p_view = as_glm(at.p);
-    result.n_view = as_glm(at.n);
-    kernel.taken(at, [&](const SampleFacts<float>& facts) {
-        ExplainedSample sample;
-        sample.offset = as_glm(facts.q - at.p);
-        sample.q_view = as_glm(facts.q);
-        sample.q_screen = {facts.at.x, facts.at.y};
-        sample.r_view = as_glm(facts.r);
-        sample.dz = at.p.z - facts.r.z;
-        sample.dp = facts.facing;
-        sample.weight = facts.weight;
-        sample.contribution = facts.contribution;
-        sample.verdict = verdict_of(sample);
-        result.samples.push_back(sample);
-    });
+    result.p_view = {at.p.x, at.p.y, at.p.z};
+    result.n_view = {at.n.x, at.n.y, at.n.z};
+    std::vector<NamedNumber> told;
+    kernel.taken(at, Explainer{at, told, result});
+    result.formula = Kernel::formula(settings);
     result.value_of_sum = [settings](float sum) { return Kernel::value(settings, sum); };
     return result;
 }

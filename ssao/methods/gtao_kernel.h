@@ -71,9 +71,22 @@ struct GtaoKernel {
         return select(apart, saturate((F(reach) - felt) * F(inverse_fade)), F(0));
     }
 
+    // What one step found, and the names under which it is told.
     template <class F>
-    CREVICE_INLINE void raise(Horizon<F>& horizon, const TexelPoint<F>& texel, const Slice<F>& slice,
-                              float side, F sine, F distance_px) const {
+    struct Step {
+        Screen2<F> at;  // the pixel
+        F weight, c;    // how much it counts; the cosine of its angle from v, so weighed
+    };
+    struct StepNames {
+        const char *x, *y, *weight, *c;
+    };
+    static constexpr StepNames kStepNames[] = {{"step_1_x", "step_1_y", "step_1_weight", "step_1_cosine"},
+                                               {"step_2_x", "step_2_y", "step_2_weight", "step_2_cosine"},
+                                               {"step_3_x", "step_3_y", "step_3_weight", "step_3_cosine"}};
+
+    template <class F>
+    CREVICE_INLINE Step<F> raise(Horizon<F>& horizon, const TexelPoint<F>& texel, const Slice<F>& slice,
+                                 float side, F sine, F distance_px) const {
         const F along = F(side) * distance_px;
         const Screen2<F> at{texel.at.x + along * slice.x, texel.at.y + along * slice.y};
         const FetchedPixel<F> pixel =
@@ -96,17 +109,25 @@ struct GtaoKernel {
                               select(higher, pixel.at.y, horizon.highest.at.y)};
         horizon.highest.facing = select(higher, above_surface, horizon.highest.facing);
         horizon.highest.weight = select(higher, weight, horizon.highest.weight);
+        return {pixel.at, weight, c};
     }
 
     // The horizon of one side of a slice. `side` is 1 or -1.
-    template <class F>
+    template <class F, class Witness = NoWitness>
     CREVICE_INLINE Horizon<F> horizon_of(const TexelPoint<F>& texel, const Slice<F>& slice, int number,
-                                         float side, F radius_px, F shift) const {
+                                         float side, F radius_px, F shift,
+                                         const Witness& witness = {}) const {
         const F sine = F(side) * slice.sine;
         Horizon<F> horizon{F(0) - sine, {texel.p, texel.at, texel.p, F(0), F(0), F(0)}};
         for (int step = 0; step < plan.steps; ++step) {
-            raise(horizon, texel, slice, side, sine,
-                  step_distance_px(number, step, plan, shift, radius_px, settings.step_power));
+            const Step<F> found =
+                raise(horizon, texel, slice, side, sine,
+                      step_distance_px(number, step, plan, shift, radius_px, settings.step_power));
+            const StepNames& names = kStepNames[step];
+            witness.tell(names.x, found.at.x);
+            witness.tell(names.y, found.at.y);
+            witness.tell(names.weight, found.weight);
+            witness.tell(names.c, found.c);
         }
         return horizon;
     }
@@ -115,7 +136,13 @@ struct GtaoKernel {
     template <class F, class Witness>
     CREVICE_INLINE F lost(const TexelPoint<F>& texel, const Slice<F>& slice, int number, float side,
                           F radius_px, F shift, const Witness& witness) const {
-        Horizon<F> horizon = horizon_of(texel, slice, number, side, radius_px, shift);
+        witness.tell("slice", Int<F>(number));
+        witness.tell("side", F(side));
+        witness.tell("gamma_rad", slice.gamma);
+        witness.tell("length", slice.length);
+        Horizon<F> horizon = horizon_of(texel, slice, number, side, radius_px, shift, witness);
+        witness.tell("horizon_cosine", horizon.c);
+        witness.tell("horizon_rad", arc_cosine(horizon.c));
         const F loss = counted_length(slice) *
                        closed_beyond(horizon.c, slice.cosine, F(side) * slice.sine, F(side) * slice.gamma);
         horizon.highest.r = horizon.highest.q;
@@ -163,6 +190,7 @@ struct GtaoKernel {
 
     template <class F, class Witness>
     CREVICE_INLINE F taken(const TexelPoint<F>& texel, const Witness& witness) const {
+        witness.tell_of_texel("radius_px", length_px(inputs, reach, texel.p.z));
         F sum = given_back(texel, length_px(inputs, reach, texel.p.z), witness);
         for_each_slice(
             texel, [&](const Slice<F>& slice, int number, F radius_px, F shift)
@@ -178,6 +206,10 @@ struct GtaoKernel {
     CREVICE_INLINE static F value(const GtaoSettings& settings, F taken) {
         const F access = F(1) - taken / F(static_cast<float>(slice_plan(settings.samples).slices));
         return with_contrast(access, settings.exponent);
+    }
+
+    static std::string formula(const GtaoSettings& settings) {
+        return mean_formula(slice_plan(settings.samples).slices, settings.exponent);
     }
 };
 

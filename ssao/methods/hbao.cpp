@@ -61,8 +61,9 @@ struct HbaoKernel {
         return ray;
     }
 
-    template <class F>
-    CREVICE_INLINE SampleFacts<F> sample(const TexelPoint<F>& texel, Ray<F>& ray, Screen2<F> at) const {
+    template <class F, class Witness>
+    CREVICE_INLINE SampleFacts<F> sample(const TexelPoint<F>& texel, Ray<F>& ray, Screen2<F> at,
+                                         const Witness& witness) const {
         const FetchedPixel<F> pixel = fetch_pixel(inputs, at);
         const F zero(0), one(1), reach_squared = F(settings.radius) * F(settings.radius);
         const Vec3<F> delta = pixel.r - texel.p;
@@ -74,6 +75,8 @@ struct HbaoKernel {
         const F weight = select(counts, saturate(one - squared * F(inverse_squared)), zero);
         const auto higher = counts & (height > ray.horizon);
         const F contribution = select(higher, weight * (height - ray.horizon), zero);
+        witness.tell("sine_of_horizon", ray.horizon);
+        witness.tell("sine_of_sample", height);
         ray.horizon = select(higher, height, ray.horizon);
         return {pixel.r, pixel.at, pixel.r, select(counts, dot(texel.n, d), zero), weight, contribution};
     }
@@ -85,16 +88,21 @@ struct HbaoKernel {
         const F cosine = noise.cosine.at<F>(texel.x, texel.y), sine = noise.sine.at<F>(texel.x, texel.y);
         const Vec3<F> v = zenith(texel);
         F sum(0);
+        witness.tell_of_texel("radius_px", radius_px);
+        int number = 0;
         for (const glm::vec2& direction : directions) {
             const F x = F(direction.x), y = F(direction.y);
             Ray<F> ray = ray_along(texel, v, x * cosine - y * sine, x * sine + y * cosine);
             for (int step = 0; step < settings.steps; ++step) {
                 const F along = ray_distance_px(step, settings.steps, shift, radius_px);
+                witness.tell("direction", Int<F>(number));
+                witness.tell("step", Int<F>(step));
                 const SampleFacts<F> facts =
-                    sample(texel, ray, {texel.at.x + along * ray.x, texel.at.y + along * ray.y});
+                    sample(texel, ray, {texel.at.x + along * ray.x, texel.at.y + along * ray.y}, witness);
                 sum = sum + facts.contribution;
                 witness(facts);
             }
+            ++number;
         }
         return sum;
     }
@@ -103,6 +111,10 @@ struct HbaoKernel {
     CREVICE_INLINE static F value(const HbaoSettings& settings, F taken) {
         const F access = F(1) - taken / F(static_cast<float>(settings.samples / settings.steps));
         return with_contrast(access, settings.exponent);
+    }
+
+    static std::string formula(const HbaoSettings& settings) {
+        return mean_formula(settings.samples / settings.steps, settings.exponent);
     }
 };
 

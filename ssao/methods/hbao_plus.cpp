@@ -1,5 +1,6 @@
 #include "ssao/methods/hbao_plus.h"
 
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/lanes/approx_math.h"
 #include "ssao/inputs/pixel_fetch.h"
 #include "ssao/methods/each_texel.h"
@@ -111,7 +112,9 @@ struct HbaoPlusKernel {
                 sine = stored(noise.sine.at<F>(texel.x, texel.y));
         const Vec3<F> n =
             settings.normals == NormalSource::depth ? normal_from_depth(inputs, texel) : texel.n;
+        witness.tell_of_texel("radius_px", length);
         F sum(0);
+        int number = 0;
         for (const glm::vec2& direction : directions) {
             const F x = F(direction.x) * cosine - F(direction.y) * sine,
                     y = F(direction.x) * sine + F(direction.y) * cosine;
@@ -120,17 +123,26 @@ struct HbaoPlusKernel {
                 const SampleFacts<F> facts =
                     sample(texel, n, {texel.at.x + along * x, texel.at.y - along * y});
                 sum = sum + facts.contribution;
+                witness.tell("direction", Int<F>(number));
+                witness.tell("step", Int<F>(step));
                 witness(facts);
             }
+            ++number;
         }
         return sum;
     }
 
+    static float multiplier(const HbaoPlusSettings& settings) {
+        return 2 / ((1 - settings.bias) * static_cast<float>(settings.samples));
+    }
     template <class F>
     CREVICE_INLINE static F value(const HbaoPlusSettings& settings, F taken) {
-        const float multiplier = 2 / ((1 - settings.bias) * static_cast<float>(settings.samples));
-        const F access = F(1) - taken * F(multiplier);
+        const F access = F(1) - taken * F(multiplier(settings));
         return with_contrast(access, settings.exponent);
+    }
+
+    static std::string formula(const HbaoPlusSettings& settings) {
+        return contrast_formula("1 - sum * " + shortest_text(multiplier(settings)), settings.exponent);
     }
 };
 

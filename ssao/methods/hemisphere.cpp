@@ -40,14 +40,16 @@ struct HemisphereKernel {
           cleared_from(settings.background == BackgroundPosition::at_eye ? background_from(inputs)
                                                                          : kInfinity) {}
 
-    template <class F>
-    CREVICE_INLINE SampleFacts<F> sample(const TexelPoint<F>& texel, Vec3<F> q) const {
+    template <class F, class Witness>
+    CREVICE_INLINE SampleFacts<F> sample(const TexelPoint<F>& texel, Vec3<F> q,
+                                         const Witness& witness) const {
         const SeenPoint<F> seen = seen_point(inputs, q);
         const auto cleared = seen.pixel.r.z >= F(cleared_from);
         const Vec3<F> r = select<F>(cleared, {F(0), F(0), F(0)}, seen.pixel.r), from_p = r - texel.p;
         const F height = dot(texel.n, from_p);
         auto hidden = seen.visible & (r.z <= q.z - F(bias));
         if (settings.self_occlusion == SelfOcclusion::plane) hidden = hidden & (height > F(bias));
+        witness.tell("height", height);
         const F weight = settings.range_check ? range_weight(texel.p.z - r.z, settings.radius) : F(1);
         return {.q = q,
                 .at = seen.pixel.at,
@@ -62,7 +64,8 @@ struct HemisphereKernel {
         const SurfaceFrame<F> frame = frame_over(texel.n, turns.at(texel, inputs.picture, turned_as));
         F sum(0);
         for (const glm::vec3& point : points) {
-            const SampleFacts<F> facts = sample<F>(texel, texel.p + F(settings.radius) * frame.turned(point));
+            const SampleFacts<F> facts =
+                sample<F>(texel, texel.p + F(settings.radius) * frame.turned(point), witness);
             witness(facts);
             sum = sum + facts.contribution;
         }
@@ -73,6 +76,10 @@ struct HemisphereKernel {
     CREVICE_INLINE static F value(const HemisphereSettings& settings, F taken) {
         const F access = F(1) - taken / F(static_cast<float>(settings.samples));
         return with_contrast(access, settings.exponent);
+    }
+
+    static std::string formula(const HemisphereSettings& settings) {
+        return mean_formula(settings.samples, settings.exponent);
     }
 };
 

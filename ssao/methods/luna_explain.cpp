@@ -1,5 +1,7 @@
 #include "ssao/methods/luna_explain.h"
 
+#include "ssao/methods/each_texel.h"
+
 namespace crevice {
 
 namespace {
@@ -30,6 +32,7 @@ ExplainedSample explained(const LunaKernel& kernel, const LunaPoint<float>& at, 
     sample.weight = kernel.occlusion(sample.dz, at.p.z);
     sample.contribution = kernel.contribution(at.p, at.n, q, inverse_z, r_z);
     sample.verdict = verdict_of(sample, at.p.z, kernel);
+    sample.numbers = {{"epsilon", kernel.nearest_occluder(at.p.z)}};
     return sample;
 }
 
@@ -43,12 +46,15 @@ Explanation explain_luna_occlusion(const AoInputs& inputs, const LunaSettings& s
     result.surface = at.surface;
     if (!result.surface) {
         result.value_of_sum = [](float) { return 1.0f; };
+        result.formula = "1";
         return result;
     }
     result.p_view = as_glm(at.p);
     result.n_view = as_glm(at.n);
     for (int i = 0; i < settings.samples; ++i)
         result.samples.push_back(explained(kernel, at, kernel.offsets[static_cast<std::size_t>(i)]));
+    result.numbers = {{"random_x", at.random.x}, {"random_y", at.random.y}, {"random_z", at.random.z}};
+    result.formula = mean_formula(settings.samples, settings.exponent);
     // The kernel refers to its inputs, which may be gone by then.
     result.value_of_sum = [settings](float sum) {
         const AoInputs none;

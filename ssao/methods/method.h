@@ -74,6 +74,8 @@ struct Denoiser {
     std::function<void(const AnySettings&)>
         validate;  // throws UsageError naming the first member out of range
     std::function<AoMap(const RawAo&, const AnySettings&, const Run&)> denoised;  // empty: there is none
+    // Texel (x, y) in each pass that denoised() makes of this map, in their order; empty where it keeps the map.
+    std::function<std::vector<ExplainedPass>(const RawAo&, const AnySettings&, int x, int y)> explain;
     // The same of unit vectors, such as bent normals. Empty: they stay as they are.
     std::function<Image3(const Image3&, const AoInputs&, const AnySettings&, const Run&)> directions;
 };

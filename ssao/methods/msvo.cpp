@@ -46,6 +46,9 @@ struct MsvoKernel {
         const Int<F> x = lane_index<F>() + Int<F>(texel.x), y(texel.y);
         F sum(0);
         for (const auto& pair : ball.pairs<F>(grid, x, y, texel.p.z)) {
+            witness.tell("columns", pair.x);
+            witness.tell("rows", pair.y);
+            witness.tell("share", pair.share);
             witness(facts_of(texel, pair));
             sum = sum + pair.taken;
         }
@@ -53,6 +56,8 @@ struct MsvoKernel {
             const F open = load<F>(map.row(texel.y) + texel.x), left = max_of(F(1) - sum, F(0));
             const F taken =
                 settings.combine == MsvoCombine::product ? left * (F(1) - open) : max_of(left - open, F(0));
+            witness.tell("open_in_coarser_scale", open);
+            witness.tell("left_open", left);
             witness(SampleFacts<F>{texel.p, texel.at, texel.p, F(1), F(1), taken});
             sum = sum + taken;
         }
@@ -62,6 +67,10 @@ struct MsvoKernel {
     template <class F>
     CREVICE_INLINE static F value(const MsvoSettings& settings, F taken) {
         return saturate(power(max_of(F(1) - taken, F(0)), F(settings.exponent)));
+    }
+
+    static std::string formula(const MsvoSettings& settings) {
+        return contrast_formula("1 - sum", settings.exponent);
     }
 };
 

@@ -97,6 +97,9 @@ struct SaoKernel {
         const F contribution = select(weight > F(0), F(5 * settings.intensity) * weight * obscurance, F(0));
         const F distance = square_root(squared);
         const F facing = max_of(above / select(distance > F(0), distance, F(1)), F(0));
+        witness.tell("level", level_of(F(part) * radius_px));
+        witness.tell("height_radii", above);
+        witness.tell("distance_radii", distance);
         witness(SampleFacts<F>{pixel.r, pixel.at, pixel.r, facing, weight, contribution});
         return contribution;
     }
@@ -105,6 +108,7 @@ struct SaoKernel {
     CREVICE_INLINE F taken(const TexelPoint<F>& texel, const Witness& witness) const {
         const F radius_px = length_px(inputs, settings.radius, texel.p.z);
         const F c = cosine.at<F>(texel.x, texel.y), s = sine.at<F>(texel.x, texel.y);
+        witness.tell_of_texel("radius_px", radius_px);
         F sum(0);
         for (int i = 0; i < settings.samples; ++i) {
             const Screen2<float> base = taps[static_cast<std::size_t>(i)];
@@ -119,6 +123,10 @@ struct SaoKernel {
     CREVICE_INLINE static F value(const SaoSettings& settings, F taken) {
         const F access = F(1) - taken / F(static_cast<float>(settings.samples));
         return with_contrast(access, settings.exponent);
+    }
+
+    static std::string formula(const SaoSettings& settings) {
+        return mean_formula(settings.samples, settings.exponent);
     }
 };
 

@@ -39,8 +39,9 @@ struct UnityKernel {
           range(settings.range * settings.radius),
           shrink(settings.divided_by_z ? shrink_by_z(inputs) : 1) {}
 
-    template <class F>
-    CREVICE_INLINE SampleFacts<F> sample(const TexelPoint<F>& texel, Vec3<F> offset) const {
+    template <class F, class Witness>
+    CREVICE_INLINE SampleFacts<F> sample(const TexelPoint<F>& texel, Vec3<F> offset,
+                                         const Witness& witness) const {
         const Vec3<F> q = texel.p + F(settings.radius) * offset;
         const SeenPoint<F> seen = seen_point(inputs, q, shrink);
         const Vec3<F> r = seen.pixel.r, from_p = r - texel.p;
@@ -48,6 +49,7 @@ struct UnityKernel {
         const F behind = settings.compared_depth == ComparedDepth::point ? q.z : texel.p.z;
         auto hidden = seen.visible & (r.z + F(bias) < behind);
         if (settings.self_occlusion == SelfOcclusion::plane) hidden = hidden & (height > F(bias));
+        witness.tell("height", height);
         F weight = select(absolute(from_p.z) > F(range), F(0), F(1));
         if (settings.weight_smoothing) {
             const F across = square_root(offset.x * offset.x + offset.y * offset.y);
@@ -73,7 +75,7 @@ struct UnityKernel {
         const SurfaceFrame<F> frame = frame_over<F>({texel.n.x, texel.n.y, n_z}, turn);
         F sum(0);
         for (const glm::vec3& point : points) {
-            const SampleFacts<F> facts = sample(texel, frame.turned(point));
+            const SampleFacts<F> facts = sample(texel, frame.turned(point), witness);
             witness(facts);
             sum = sum + facts.contribution;
         }
@@ -86,6 +88,12 @@ struct UnityKernel {
         const bool as_open = settings.counted_points == CountedPoints::hidden_as_open;
         const F access = as_open ? mean : F(1) - mean;
         return with_contrast(access, settings.exponent);
+    }
+
+    static std::string formula(const UnitySettings& settings) {
+        if (settings.counted_points == CountedPoints::hidden_as_open)
+            return contrast_formula("sum / " + std::to_string(settings.samples), settings.exponent);
+        return mean_formula(settings.samples, settings.exponent);
     }
 };
 

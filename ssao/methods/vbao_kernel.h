@@ -67,9 +67,10 @@ struct VbaoKernel {
     }
 
     // What one sample closes and none before it has; `mask` are the sectors that are closed.
-    template <class F>
+    template <class F, class Witness = NoWitness>
     CREVICE_INLINE SampleFacts<F> sample(const TexelPoint<F>& texel, const Slice<F>& slice,
-                                         const Side<F>& side, Screen2<F> at, Int<F>& mask) const {
+                                         const Side<F>& side, Screen2<F> at, Int<F>& mask,
+                                         const Witness& witness = {}) const {
         const FetchedPixel<F> pixel = fetch_pixel(inputs, at);
         const F zero(0), one(1), reach_squared = F(settings.radius) * F(settings.radius);
         const Vec3<F> delta = pixel.r - texel.p, behind = delta - F(thickness) * slice.v;
@@ -91,6 +92,10 @@ struct VbaoKernel {
             side.sign > 0 ? bits_between(first, end) : bits_between(all - end, all - first);
         const Int<F> fresh = select(counts, bits_outside(covered, mask), none);
         mask = mask | fresh;
+        witness.tell("first_sector", first);
+        witness.tell("end_sector", end);
+        witness.tell_bits("covered", covered);
+        witness.tell_bits("newly_closed", fresh);
         const F weight = settings.sectors == Sectors::cosine ? slice.length * slice.open : one;
         facts.contribution = F(to_float(bit_count(fresh))) * F(1.0f / kSectors) * weight;
         return facts;
@@ -101,6 +106,7 @@ struct VbaoKernel {
         const F radius_px = length_px(inputs, settings.radius, texel.p.z);
         const F shift = noise.step.at<F>(texel.x, texel.y);
         const F cosine = noise.cosine.at<F>(texel.x, texel.y), sine = noise.sine.at<F>(texel.x, texel.y);
+        witness.tell_of_texel("radius_px", radius_px);
         F sum(0);
         for (int i = 0; i < plan.slices; ++i) {
             const glm::vec2& direction = directions[static_cast<std::size_t>(i)];
@@ -110,11 +116,14 @@ struct VbaoKernel {
             for (const float sign : {1.0f, -1.0f}) {
                 const Side<F> side = side_of(slice, sign);
                 for (int step = 0; step < plan.steps; ++step) {
+                    witness.tell("slice", Int<F>(i));
+                    witness.tell("side", F(sign));
                     const F along = F(sign) * step_distance_px(i, step, plan, shift, radius_px);
                     const SampleFacts<F> facts =
                         sample(texel, slice, side,
-                               {texel.at.x + along * slice.x, texel.at.y + along * slice.y}, mask);
+                               {texel.at.x + along * slice.x, texel.at.y + along * slice.y}, mask, witness);
                     sum = sum + facts.contribution;
+                    witness.tell_bits("closed", mask);
                     witness(facts);
                 }
             }
@@ -126,6 +135,10 @@ struct VbaoKernel {
     CREVICE_INLINE static F value(const VbaoSettings& settings, F taken) {
         const F access = F(1) - taken / F(static_cast<float>(slice_plan(settings.samples).slices));
         return with_contrast(access, settings.exponent);
+    }
+
+    static std::string formula(const VbaoSettings& settings) {
+        return mean_formula(slice_plan(settings.samples).slices, settings.exponent);
     }
 };
 

@@ -257,6 +257,7 @@ Explanation explain_ray_cast_map(const RayScene& scene, const Camera& camera, co
     Explanation result;
     result.surface = inputs.view_depth.at(x, y) < std::numeric_limits<float>::infinity();
     result.value_of_sum = [](float) { return 1.0f; };
+    result.formula = "1";
     if (!from.surface) return result;
     const glm::mat3 view_from_relative = glm::transpose(caster.relative_from_view);
     result.p_view = view_from_relative * (from.origin - from.lift * from.normal);
@@ -278,8 +279,17 @@ Explanation explain_ray_cast_map(const RayScene& scene, const Camera& camera, co
         sample.weight = 1;
         sample.contribution = hit.triangle < 0 ? 0.0f : 1.0f;
         sample.verdict = hit.triangle < 0 ? "meets nothing" : "occludes";
+        const glm::vec3 towards = view_from_relative * ray.direction;
+        sample.numbers = {{"direction_x", towards.x}, {"direction_y", towards.y}, {"direction_z", towards.z}};
+        if (hit.triangle >= 0) {
+            sample.numbers.push_back({"distance", distance});
+            sample.numbers.push_back({"triangle", std::int64_t{hit.triangle}});
+        }
         result.samples.push_back(sample);
     }
+    result.formula = contrast_formula(
+        "(" + std::to_string(settings.samples) + " - sum) / " + std::to_string(settings.samples),
+        settings.exponent);
     result.value_of_sum = [settings](float sum) {
         const float share =
             (static_cast<float>(settings.samples) - sum) / static_cast<float>(settings.samples);
