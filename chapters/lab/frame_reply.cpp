@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "chapters/frame/frame_json.h"
+#include "chapters/probe/pixel_probe.h"
 #include "chapters/terminal/parse.h"
 #include "rasterizer/base/error.h"
 #include "rasterizer/lanes/approx_math.h"
@@ -30,15 +31,8 @@ std::vector<std::string> stderr_lines(const Body& body) {
     return lines;
 }
 
-const Method& method_of(const FrameWords& words) {
+const Method& method_of(const LabWords& words) {
     return *named_as({{"method", "--ao"}}, [&] { return &find_method(words.ao); });
-}
-
-void refuse_history(const FrameSettings& settings) {
-    if (settings.history.longest > 1)
-        throw UsageError("--param history: the lab draws single frames (" +
-                         std::to_string(settings.history.longest) +
-                         "); give 1, or crevice render --frames A-B");
 }
 
 std::uintptr_t address_of(const Image<float>& plane) {
@@ -84,8 +78,8 @@ Json buffers_json(const DrawnFrame& drawn) {
 
 }  // namespace
 
-FrameWords frame_words(const nlohmann::json& request) {
-    FrameWords words;
+LabWords lab_words(const nlohmann::json& request) {
+    LabWords words;
     words.scene = request.at("scene");
     words.ao = request.at("ao");
     words.size = request.at("size");
@@ -103,7 +97,7 @@ FrameWords frame_words(const nlohmann::json& request) {
     return words;
 }
 
-bool wants_surfaces(const FrameWords& words) {
+bool wants_surfaces(const LabWords& words) {
     // First, for a quick answer to a wrong word.
     const FrameSettings asked = settings_of(method_of(words), words.params);
     return words.only.contains("lit") || asked.buffers.mapped_normals;
@@ -118,14 +112,14 @@ LoadedScene loaded_scene(const std::string& name, bool surfaces, const Run& run)
     return loaded;
 }
 
-DrawnFrame drawn_frame(const LoadedScene& scene, const FrameWords& words, const Run& run) {
+DrawnFrame drawn_frame(const LoadedScene& scene, const LabWords& words, const Run& run) {
     DrawnFrame drawn{words, chosen_camera(scene.argument, words.camera), {}, {}, {}};
     FrameRequest& request = drawn.request;
     request.run = run;
     request.size = parse_size("--size", words.size);
     request.method = &method_of(words);
     request.settings = settings_of(*request.method, words.params, scene.argument.scene.length_unit);
-    refuse_history(request.settings);
+    named_as({{"history", "--param history"}}, [&] { require_no_history(request); });
     request.wanted = words.only;
     drawn.frame = render_frame(scene.argument.scene, drawn.camera, request);
     if (request.wanted.contains("ndc_depth")) drawn.ndc_depth = ndc_depth(drawn.frame.gbuffer.depth, run);

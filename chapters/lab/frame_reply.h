@@ -12,14 +12,14 @@
 namespace crevice {
 
 // As they were typed, or as a link has them.
-struct FrameWords {
+struct LabWords {
     std::string scene, ao, size;
     CameraFlags camera;
     std::vector<std::string> params;  // "name=value"
     WantedBuffers only;
     bool hashes = false;  // of the buffers: reading every byte takes a third of the time of a small frame
 };
-FrameWords frame_words(const nlohmann::json& request);
+LabWords lab_words(const nlohmann::json& request);
 
 // Read or made once for all its frames.
 struct LoadedScene {
@@ -30,7 +30,7 @@ struct LoadedScene {
 };
 
 struct DrawnFrame {
-    FrameWords words;
+    LabWords words;
     Camera camera;  // as asked for; Frame::camera is as drawn
     FrameRequest request;
     Frame frame;
@@ -38,11 +38,11 @@ struct DrawnFrame {
 };
 
 // What a frame of these words needs of its scene. Throws UsageError.
-bool wants_surfaces(const FrameWords& words);
+bool wants_surfaces(const LabWords& words);
 // Throws InputError.
 LoadedScene loaded_scene(const std::string& name, bool surfaces, const Run& run);
 // Throws UsageError, as `crevice render` does.
-DrawnFrame drawn_frame(const LoadedScene& scene, const FrameWords& words, const Run& run);
+DrawnFrame drawn_frame(const LoadedScene& scene, const LabWords& words, const Run& run);
 
 // {"scene": {"triangles", "from_obj", "length_unit", "load_ms"}, "camera": {"eye", "target", "up", "fov_y", "near", "far",
 //   "ortho" (null: perspective), "ray_scale"}, "parameters": {name: word}, "size": [width, height], "passes", "precision",

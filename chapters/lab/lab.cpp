@@ -3,6 +3,7 @@
 #include <new>
 
 #include "chapters/lab/catalogue.h"
+#include "chapters/probe/probe_json.h"
 #include "chapters/study/references.h"
 #include "rasterizer/base/error.h"
 #include "ssao/judge/metrics.h"
@@ -20,13 +21,6 @@ constexpr std::size_t kPointsAtOnce = 1 << 15;
 
 Json error_json(const std::string& message, ExitCode code) {
     return {{"error", message}, {"exit_code", static_cast<int>(code)}};
-}
-
-// The AO of a frame as the lit image reads it.
-Image<float> ao_at_pixels(const DrawnFrame& drawn) {
-    const Frame& frame = drawn.frame;
-    const Image<float>& map = frame.ao_blurred.empty() ? frame.ao_raw : frame.ao_blurred;
-    return ao_at_picture_size(map, drawn.request.size, drawn.request.run);
 }
 
 }  // namespace
@@ -50,29 +44,47 @@ std::string Lab::reply(const std::string& request) {
 Json Lab::answer(const nlohmann::json& request) {
     const std::string ask = request.at("ask");
     if (ask == "catalogue") return lab_catalogue();
-    if (ask == "frame") return frame(frame_words(request));
+    if (ask == "frame") return frame(lab_words(request));
+    if (ask == "probe") return probe(request.at("x"), request.at("y"));
     if (ask == "truth") return truth();
     if (ask == "forget") {
-        scene_.reset();
+        *this = Lab();
         return Json::object();
     }
     throw UsageError("ask: there is no such request (" + ask + ")");
 }
 
-Json Lab::frame(const FrameWords& words) {
+void Lab::use_scene(const std::string& name, bool surfaces) {
+    if (scene_ && scene_->name == name && (scene_->surfaces || !surfaces)) return;
+    scene_ = loaded_scene(name, surfaces, Run{});
+}
+
+Json Lab::frame(const LabWords& words) {
+    drawn_.reset();
+    worked_.reset();
     truth_.reset();
-    const Run run;
-    const bool surfaces = wants_surfaces(words);
-    if (!scene_ || scene_->name != words.scene || (surfaces && !scene_->surfaces)) {
-        drawn_.reset();
-        scene_ = loaded_scene(words.scene, surfaces, run);
-    }
-    drawn_ = drawn_frame(*scene_, words, run);
+    use_scene(words.scene, wants_surfaces(words));
+    drawn_ = drawn_frame(*scene_, words, Run{});
     return frame_reply(*scene_, *drawn_);
 }
 
+const WorkedFrame& Lab::worked() {
+    if (!drawn_) throw UsageError("frame: there is none yet; draw one first");
+    if (!worked_) {
+        use_scene(drawn_->words.scene, true);
+        drawn_->request.wanted = all_buffers();
+        worked_ = worked_frame(scene_->argument.scene, drawn_->camera, drawn_->request);
+    }
+    return *worked_;
+}
+
+Json Lab::probe(int x, int y) {
+    const WorkedFrame& of_pixel = worked();
+    return Json::parse(probe_json(probe_pixel(scene_->argument.scene, drawn_->request, of_pixel, x, y)));
+}
+
 Json Lab::truth() {
-    if (!drawn_) throw UsageError("truth: there is no frame yet; draw one first");
+    const Image<float>& map = lit_map(worked());
     const FrameRequest& request = drawn_->request;
     if (!request.method->computes_ao())
         throw UsageError(std::string("--ao: computes nothing that rays could judge (") +
@@ -80,7 +92,7 @@ Json Lab::truth() {
     if (!truth_) {
         const RayAoSettings question = rays_asking(request.method->question(request.settings.method.ao));
         truth_.emplace(scene_->argument.scene, drawn_->camera, request.size, question, request.run);
-        ao_ = ao_at_pixels(*drawn_);
+        ao_ = ao_at_picture_size(map, request.size, request.run);
     }
     const bool complete = truth_->cast_from(kPointsAtOnce);
     Json reply = {{"complete", complete},

@@ -6,8 +6,9 @@
 //                "camera": {"eye", "target", "fov_y", "near", "far", "ortho"}: words as after the flags of `crevice render`,
 //                each may be left out;
 //                "only": [buffer], "hashes": bool}        draws a frame (frame_reply.h)
+//   probe       {"x", "y"}                                what `crevice probe --json` tells of a pixel of the last frame
 //   truth       {}                                        casts some rays more for the last frame that was drawn
-//   forget      {}                                        scenes are read anew: files have changed
+//   forget      {}                                        starts anew: files have changed
 // A reply is the object that is told with each, or {"error": what the program would say, "exit_code": as it would end}.
 #pragma once
 
@@ -16,6 +17,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "chapters/frame/worked_frame.h"
 #include "chapters/lab/frame_reply.h"
 #include "chapters/lab/progressive_truth.h"
 
@@ -28,11 +30,15 @@ class Lab {
 
  private:
     nlohmann::ordered_json answer(const nlohmann::json& request);
-    nlohmann::ordered_json frame(const FrameWords& words);
+    nlohmann::ordered_json frame(const LabWords& words);
+    nlohmann::ordered_json probe(int x, int y);
     nlohmann::ordered_json truth();
+    void use_scene(const std::string& name, bool surfaces);
+    const WorkedFrame& worked();
 
     std::optional<LoadedScene> scene_;
     std::optional<DrawnFrame> drawn_;
+    std::optional<WorkedFrame> worked_;      // the same with all buffers, as soon as somebody asks about it
     std::optional<ProgressiveTruth> truth_;  // of what was drawn
     ReferenceImage reference_;               // as it was told last
     Image<float> ao_, ao_error_;             // the AO that is judged, picture size, and how far it is off

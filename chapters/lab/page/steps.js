@@ -26,18 +26,27 @@ export class Steps {
     this.#rows.forEach((row, number) => this.#light(row, number));
     this.element.className = "steps";
     this.element.append(this.#bar(), this.#scrolled(table));
+    this.#show(this.#count);
+  }
+
+  // So many rows are done, and the last of them is lit, or none where all are.
+  go(done) {
+    this.#show(done);
+    this.#changed(done, done < this.#count ? done - 1 : null);
+  }
+
+  // All again, as when one begins to look at it.
+  goToEnd() {
     this.go(this.#count);
   }
 
-  // What is done, and no row lit; the last one done is the present one.
-  go(done) {
+  #show(done) {
     this.#slider.value = done;
     this.#rows.forEach((row, number) => {
       row.classList.toggle("to-come", number >= done);
       row.classList.toggle("present", number === done - 1 && done < this.#count);
     });
     this.#told.textContent = this.#tell(done);
-    this.#changed(done, done < this.#count ? done - 1 : null);
   }
 
   stop() {

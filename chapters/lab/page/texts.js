@@ -48,7 +48,6 @@ const kTexts = {
   pixel_ask: ["ask", "查问"],
   pixel_clear: ["none", "取消"],
   pixel_hint: ["Click the picture, or give column and row. A row of a table lights its sample up; a click on it steps there.", "点击画面，或输入列与行。指向表中一行，对应样本即高亮；点击则步进到该处。"],
-  ao_answer: ["ao {value}: {count} of {all} samples take light away", "ao {value}：{all} 个样本中有 {count} 个遮挡"],
   sum_so_far: ["sum of the first {done} of {all}: {sum}", "前 {done} 项（共 {all} 项）之和：{sum}"],
   step: ["step", "步"],
   play: ["go on by itself", "自动步进"],

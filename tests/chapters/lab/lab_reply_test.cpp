@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "chapters/lab/lab.h"
+#include "chapters/probe/probe_json.h"
 #include "chapters/terminal/parse.h"
 #include "rasterizer/base/image_summary.h"
 #include "tests/tools/scratch_directory.h"
@@ -147,6 +148,39 @@ TEST_CASE(
         for (const auto& parameter : history_parameters()) wanted.erase(parameter.name);
         CHECK(offered == wanted);
     }
+}
+
+TEST_CASE("lab: a pixel of the last frame is told as the program's probe tells it") {
+    Lab lab;
+    CHECK(asked(lab, {{"ask", "probe"}, {"x", 1}, {"y", 1}}).contains("error"));
+    for (const char* method : {"xjun", "gtao", "ray_cast", "none"}) {
+        CAPTURE(method);
+        asked(lab, frame_request("cornell", method));
+        const Json told = asked(lab, {{"ask", "probe"}, {"x", 30}, {"y", 20}});
+        const SceneArgument argument = load_scene("cornell");
+        FrameRequest request;
+        request.size = {64, 36};
+        request.method = &find_method(method);
+        request.settings = settings_of(*request.method, {}, argument.scene.length_unit);
+        const PixelProbe probe = probe_pixel(argument.scene, argument.scene.camera, request, 30, 20);
+        CHECK(told == Json::parse(probe_json(probe)));
+    }
+    const Json outside = asked(lab, {{"ask", "probe"}, {"x", 64}, {"y", 0}});
+    CHECK(outside["error"].get<std::string>().find("64x36") != std::string::npos);
+    CHECK(outside["exit_code"] == 2);
+}
+
+TEST_CASE("lab: truth is told from the second pass on, and judges the AO of the last frame") {
+    Lab lab;
+    asked(lab, frame_request("cornell", "xjun"));
+    Json reply;
+    while (!reply.contains("rmse")) reply = asked(lab, {{"ask", "truth"}});
+    CHECK(reply["rays"] == ProgressiveTruth::kFewestPasses * ProgressiveTruth::kRaysAPass);
+    CHECK(reply["buffers"]["ao_error"]["shape"] == Json({36, 64}));
+    CHECK(reply["buffers"]["truth"]["mean"].get<double>() > 0.3);
+    CHECK(reply["rmse"].get<double>() < 0.5);
+    asked(lab, frame_request("cornell", "none"));
+    CHECK(asked(lab, {{"ask", "truth"}})["exit_code"] == 2);
 }
 
 TEST_CASE("lab: after files have changed and were forgotten, a scene is read anew") {

@@ -25,7 +25,8 @@ async function checkSamples(browser) {
     await answered(page);
     const { ao } = probed("--ao", method).passes;
     if (ao.samples.length === 0) continue;
-    expect(`${method}: the head tells the value`, (await page.locator("[data-pass=ao] summary").textContent()).includes(` ${shortest(ao.value)}: `));
+    const told = await page.locator("[data-pass=ao] .step-bar output").textContent();
+    expect(`${method}: the last step tells the value`, told.endsWith(` = ${shortest(ao.value)}`), told);
     const contributions = await cellsOf(page, "contribution");
     expectEqual(`${method}: the table has the probe's samples`, contributions.join(), ao.samples.map(({ contribution }) => shortest(contribution)).join());
     expectEqual(`${method}: the table has the probe's sums`, (await cellsOf(page, "sum")).join(), ao.samples.map(({ sum }) => shortest(sum)).join());
@@ -64,10 +65,15 @@ async function checkSteps(browser) {
     const told = await pass.locator(".step-bar output").textContent();
     expect(`step ${step} tells the sum`, told.includes(`: ${shortest(ao.samples[step - 1].sum)}`), told);
   }
-  const { blur } = probed("--ao", "luna").passes;
-  const taps = page.locator("[data-pass=blur]");
-  await taps.locator("summary").first().click();
-  expectEqual("the blur has the probe's taps", await taps.locator(".steps tbody tr").count(), blur.taps.length);
+  const { passes } = probed("--ao", "luna").passes.blur;
+  await page.locator("[data-pass=blur] > summary").click();
+  const iterations = page.locator("[data-pass=blur] .iteration");
+  expectEqual("the blur has the probe's passes", await iterations.count(), passes.length);
+  const last = iterations.last();
+  await last.locator("summary").click();
+  expectEqual("its taps are in the picture", await dots(), passes.at(-1).taps.length);
+  const sums = await last.locator("tbody tr td:last-child").allTextContents();
+  expectEqual("their sum is the probe's", sums.at(-1), shortest(passes.at(-1).sum));
   await page.locator("#pixel_clear").click();
   expectEqual("none takes the answer away", await page.locator("#pixel_answer details").count(), 0);
 }
