@@ -5,9 +5,10 @@
 
 namespace crevice {
 
-SectionPlane plane_through(int x, int y, const ExplainedSample& sample) {
+SectionPlane plane_through(int x, int y, const ExplainedSample& sample, bool perspective) {
     const glm::vec3 p = sample.q_view - sample.offset, q = sample.q_view;
-    const glm::vec2 way(q.x / q.z - p.x / p.z, q.y / q.z - p.y / p.z);
+    const glm::vec2 way =
+        perspective ? glm::vec2(q.x / q.z - p.x / p.z, q.y / q.z - p.y / p.z) : glm::vec2(sample.offset);
     const float length = std::sqrt(way.x * way.x + way.y * way.y);
     // An offset straight along the eye's ray lies in every plane.
     return {x, y, length > 0 ? way / length : glm::vec2(0, 1)};
@@ -34,7 +35,7 @@ float filtered_depth(const Image<float>& depth, float x, float y) {
 std::vector<SectionPoint> depth_section(const AoInputs& inputs, const SectionPlane& plane,
                                         double half_width) {
     const Size size = inputs.size();
-    const float z = inputs.view_depth.at(plane.x, plane.y);
+    const float z = inputs.rays.perspective ? inputs.view_depth.at(plane.x, plane.y) : 1.0f;
     // One texel further on the screen, in view space at the depth of the point.
     const float texel = 2 * inputs.rays.ray_scale.y * z / static_cast<float>(size.height);
     const int texels = static_cast<int>(std::ceil(half_width / static_cast<double>(texel)));
@@ -55,7 +56,7 @@ std::vector<SectionPoint> depth_section(const AoInputs& inputs, const SectionPla
 std::string sample_diagram(const AoInputs& inputs, int x, int y, const Explanation& explanation,
                            std::size_t sample, double radius, const std::string& title) {
     const ExplainedSample& shown = explanation.samples[sample];
-    const SectionPlane plane = plane_through(x, y, shown);
+    const SectionPlane plane = plane_through(x, y, shown, inputs.rays.perspective);
     const SectionPoint p = plane.at(explanation.p_view), q = plane.at(shown.q_view),
                        r = plane.at(shown.r_view);
     const glm::vec3 tip = explanation.p_view + 0.8f * static_cast<float>(radius) * explanation.n_view;
@@ -65,10 +66,13 @@ std::string sample_diagram(const AoInputs& inputs, int x, int y, const Explanati
     SectionDrawing drawing({p.z - 1.6 * reach, p.across - reach}, {p.z + 1.2 * reach, p.across + reach});
     drawing.surface(depth_section(inputs, plane, 3 * reach));
     drawing.circle(p, radius, kSvgSoft);
-    // The eye is the origin, so its ray through q is q's multiples.
-    const double near = (p.z - 1.6 * reach) / q.z, far = (p.z + 1.2 * reach) / q.z;
-    drawing.segment({near * q.z, near * q.across}, {far * q.z, far * q.across}, kSvgSoft, true);
-    drawing.words({near * q.z, near * q.across}, 4, -8, "from the eye");
+    // The eye is the origin, so its ray through q is q's multiples; an orthographic eye's is parallel to z.
+    const auto on_ray = [&](double z) {
+        return SectionPoint{z, inputs.rays.perspective ? q.across * (z / q.z) : q.across};
+    };
+    const SectionPoint near = on_ray(p.z - 1.6 * reach);
+    drawing.segment(near, on_ray(p.z + 1.2 * reach), kSvgSoft, true);
+    drawing.words(near, 4, -8, "from the eye");
     drawing.arrow(p, plane.at(tip), kSvgPoint);
     drawing.label(plane.at(tip), 6, 2, "n", kSvgPoint);
     drawing.segment(p, q, colour);

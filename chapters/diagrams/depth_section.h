@@ -23,8 +23,8 @@ struct SectionPlane {
     }
 };
 
-// The plane that contains the texel's point and, as the eye sees it, the sample's q.
-SectionPlane plane_through(int x, int y, const ExplainedSample& sample);
+// The plane that contains the texel's point and, as the eye sees it, the sample's q. An orthographic eye sees along z.
+SectionPlane plane_through(int x, int y, const ExplainedSample& sample, bool perspective = true);
 
 // The first surfaces that the depth buffer shows along the plane, from `half_width` scene units on one side of the
 // texel's point to as many on the other, at the point's depth; infinite z where it shows none.

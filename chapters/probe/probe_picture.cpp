@@ -148,10 +148,11 @@ std::string probe_section(const PixelProbe& probe, const FrameRequest& request, 
         const auto first = static_cast<std::size_t>(whole_number(sample, "direction") * hbao.steps);
         return horizon_diagram(inputs, hbao, x, y, explanation, first, title);
     }
-    // A radius beyond the eye would shrink everything else to nothing.
-    const double z = static_cast<double>(explanation.p_view.z);
+    // A radius far beyond what the picture shows would shrink everything else to nothing.
+    const double shown =
+        static_cast<double>(inputs.rays.perspective ? explanation.p_view.z : inputs.rays.ray_scale.y);
     const double radius =
-        std::clamp(static_cast<double>(request.method->question(settings).radius), z / 1000, z);
+        std::clamp(static_cast<double>(request.method->question(settings).radius), shown / 1000, shown);
     return sample_diagram(inputs, x, y, explanation, darkest, radius, title);
 }
 

@@ -17,11 +17,13 @@ std::string place(const glm::vec2& p_screen) {
            decimal_text(static_cast<double>(p_screen.y), 1) + ")";
 }
 
-// Where the surface that a sample met lies, seen from the point.
+// Where it is that a sample takes so much, seen from the point.
 std::string whereabouts(const ExplainedSample& sample) {
-    const std::string distance = significant_text(std::fabs(static_cast<double>(sample.dz)), kDigits);
-    if (sample.dz == 0) return "is as far as p";
-    return "lies " + distance + (sample.dz > 0 ? " in front of p" : " behind p");
+    if (sample.offset == glm::vec3(0)) return ", which stands for the texel as a whole";
+    const std::string at = " at " + place(sample.q_screen) + ", whose r ";
+    if (sample.dz == 0) return at + "is as far as p";
+    return at + "lies " + significant_text(std::fabs(static_cast<double>(sample.dz)), kDigits) +
+           (sample.dz > 0 ? " in front of p" : " behind p");
 }
 
 }  // namespace
@@ -41,8 +43,7 @@ std::string answer(const PixelProbe& probe) {
         [](const ExplainedSample& a, const ExplainedSample& b) { return a.contribution < b.contribution; });
     return value + std::to_string(occluding) + " of " + all +
            (occluding == 1 ? " samples occludes" : " samples occlude") + "; the darkest is sample " +
-           std::to_string(darkest - samples.begin()) + " at " + place(darkest->q_screen) + ", whose r " +
-           whereabouts(*darkest) + ".";
+           std::to_string(darkest - samples.begin()) + whereabouts(*darkest) + ".";
 }
 
 std::string why(const PixelFragment& f) {

@@ -47,8 +47,10 @@ std::vector<std::string> numbers_under(const std::vector<std::string>& names,
 
 std::string raster_text(const PixelProbe& probe) {
     const PixelFragments& raster = probe.raster;
-    std::string text = std::to_string(raster.fragments.size()) +
-                       " triangles reach into the pixel's square, in the order in which they were drawn; " +
+    if (raster.fragments.empty()) return "No triangle reaches into the pixel's square.\n";
+    const std::size_t count = raster.fragments.size();
+    std::string text = std::to_string(count) + (count == 1 ? " triangle reaches" : " triangles reach") +
+                       " into the pixel's square, in the order in which they were drawn; " +
                        word_of(probe.depth_format) + " depth, cleared to code " +
                        std::to_string(raster.cleared) + ":\n";
     TextColumns table({"number", "instance", "triangle", "material", "E0", "E1", "E2", "ndc depth", "code",

@@ -55,6 +55,7 @@ Explanation explain_luna_occlusion(const AoInputs& inputs, const LunaSettings& s
         result.samples.push_back(explained(kernel, at, kernel.offsets[static_cast<std::size_t>(i)]));
     result.numbers = {{"random_x", at.random.x}, {"random_y", at.random.y}, {"random_z", at.random.z}};
     result.formula = mean_formula(settings.samples, settings.exponent);
+    if (settings.format != BufferFormat::float32) result.formula += ", as a 16-bit float";
     // The kernel refers to its inputs, which may be gone by then.
     result.value_of_sum = [settings](float sum) {
         const AoInputs none;

@@ -37,7 +37,9 @@ glm::vec3 added_up(const LitExplanation& lit) {
 std::string lie_of(const ProbedFrame& f, int x, int y) {
     const PixelProbe probe = f.at(x, y);
     const Frame& frame = f.worked.frame;
-    const auto same = [](float a, float b) { return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b); };
+    const auto same = [](float a, float b) {
+        return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+    };
     if (probe.raster.code != frame.gbuffer.depth.codes.at(x, y)) return "depth code";
     if (probe.raster.shown != frame.gbuffer.triangle.at(x, y)) return "triangle";
     if (probe.normal_depth.surface && !same(probe.normal_depth.view_depth, frame.gbuffer.view_depth.at(x, y)))
@@ -68,7 +70,8 @@ std::string lie_of(const ProbedFrame& f, int x, int y) {
 std::string first_lie(const ProbedFrame& frame) {
     const Size size = frame.request.size;
     for (const int y : {0, size.height / 3, size.height / 2, 3 * size.height / 4, size.height - 1}) {
-        for (const int x : {0, size.width / 5, size.width / 3, size.width / 2, 2 * size.width / 3, size.width - 1}) {
+        for (const int x :
+             {0, size.width / 5, size.width / 3, size.width / 2, 2 * size.width / 3, size.width - 1}) {
             const std::string lie = lie_of(frame, x, y);
             if (!lie.empty()) return lie + " at (" + std::to_string(x) + ", " + std::to_string(y) + ")";
         }
@@ -109,7 +112,9 @@ TEST_CASE("probe: so do those of every denoiser, and of every kind of edge and i
     }
 }
 
-TEST_CASE("probe: and those of every way to light: phong, shadows, mirrors, a sky, a point light, holes, depth formats") {
+TEST_CASE(
+    "probe: and those of every way to light: phong, shadows, mirrors, a sky, a point light, holes, depth "
+    "formats") {
     const std::pair<const char*, std::vector<std::string>> lights[] = {
         {"columns", {}},
         {"columns_2022", {"depth_format=d24"}},
@@ -123,7 +128,8 @@ TEST_CASE("probe: and those of every way to light: phong, shadows, mirrors, a sk
         const BuiltinScene* const scene = find_builtin_scene(name);
         if (scene == nullptr) FAIL("no scene " << name);
         CAPTURE(std::string(name));
-        CHECK(first_lie(ProbedFrame(scene->make(SceneDetail::surfaces, {}), find_method("xjun"), {64, 36}, words)) == "");
+        CHECK(first_lie(ProbedFrame(scene->make(SceneDetail::surfaces, {}), find_method("xjun"), {64, 36},
+                                    words)) == "");
     }
 }
 
@@ -145,7 +151,8 @@ TEST_CASE("probe: an empty scene, one pixel, and the sky have their words and no
 TEST_CASE("probe: a pixel outside the picture and a history are refused in one line") {
     const ProbedFrame frame(still_life(), find_method("xjun"), kSmall);
     for (const auto& [x, y] : {std::pair{-1, 0}, {0, -1}, {53, 0}, {0, 31}}) {
-        CHECK_THROWS_WITH_AS(frame.at(x, y), doctest::Contains("lies outside the picture of 53x31"), UsageError);
+        CHECK_THROWS_WITH_AS(frame.at(x, y), doctest::Contains("lies outside the picture of 53x31"),
+                             UsageError);
     }
     FrameRequest request = frame.request;
     request.settings.history.longest = 4;
