@@ -17,6 +17,7 @@ const state = stateOfHash(location.hash);
 const viewer = new Viewer(byId("stage"));
 const pixel_panel = new PixelPanel(byId("pixel_answer"), byId("overlay"));
 let catalogue = null, engine = null, frames = null, controls = null, camera_fields = null, truth = null;
+let answered = null;  // {frame, pixel} that the panel tells of
 const camera = new CameraControl(state, () => changed());
 
 const methodRow = () => catalogue.methods.find((method) => method.name === state.ao) ?? catalogue.methods[0];
@@ -51,6 +52,7 @@ function isChosen(preset) {
 function choose(next) {
   Object.assign(state, next);
   if ("ao" in next) controls.build(methodRow().parameters);
+  truth.on = state.truth === "on";
   showFields();
   changed();
 }
@@ -88,6 +90,8 @@ function showFrame() {
 // What the probe tells of the pixel, as soon as its frame stays.
 async function askPixel() {
   const [x, y] = state.pixel.split(",").map(Number), of_frame = frames.reply;
+  if (answered?.frame === of_frame && answered.pixel === state.pixel) return;
+  answered = null;
   delete document.documentElement.dataset.probed;
   if (state.pixel === "") return pixel_panel.clear();
   const { reply } = await engine.ask({ ask: "probe", x, y });
@@ -95,6 +99,7 @@ async function askPixel() {
   if (reply.error !== undefined) return refuse(reply.error);
   const [width, height] = of_frame.size;
   pixel_panel.show(reply, { size: { width, height }, camera: of_frame.camera, view_depth: frames.buffers.view_depth });
+  answered = { frame: of_frame, pixel: state.pixel };
   document.documentElement.dataset.probed = state.pixel;
 }
 
@@ -130,10 +135,7 @@ function setUpFields() {
   byId("range_auto").addEventListener("click", () => choose({ range: "" }));
   byId("pixel_ask").addEventListener("click", () => choose({ pixel: `${byId("pixel_x").value},${byId("pixel_y").value}` }));
   byId("pixel_clear").addEventListener("click", () => choose({ pixel: "" }));
-  byId("truth").addEventListener("change", (event) => {
-    truth.on = event.target.checked;
-    choose({ truth: event.target.checked ? "on" : "" });
-  });
+  byId("truth").addEventListener("change", (event) => choose({ truth: event.target.checked ? "on" : "" }));
   byId("all_defaults").addEventListener("click", () => choose({ params: {} }));
   camera_fields = new CameraFields(byId("camera_fields"), state, changed);
   controls = new ParameterControls(byId("parameters"), (name, word) => {
@@ -192,6 +194,7 @@ function setUpCopies() {
 function speak(language) {
   setLanguage(language);
   if (!frames?.settled) return;
+  answered = null;
   controls.build(methodRow().parameters);
   showFrame();
 }

@@ -1,5 +1,6 @@
 // A cut through the depth buffer in the plane of the eye's ray through p and one sample: what the method knows of the scene
 // there. To the right is away from the eye, up is towards the sample on the screen.
+import { translated } from "./texts.js";
 
 const kWidth = 560, kHeight = 300, kMargin = 14;
 const kSteps = 240;  // of the cut
@@ -23,15 +24,25 @@ function screenOf(view_depth, camera, [x, y, z]) {
 
 const apart = (a, b) => Math.hypot(...a.map((value, i) => value - b[i]));
 
-// The cut as an SVG. `ao` as a probe tells it; `lit`: the number of the sample that gives the plane; `done`: so many samples
-// are drawn.
+// Rays that go on for ever have no point q.
+const isPlaced = ({ q_view }) => q_view.every(Number.isFinite);
+
+// The one that takes most.
+const darkestOf = (samples) => samples.reduce((darkest, sample) => (sample.contribution > darkest.contribution ? sample : darkest));
+
+// The direction of the cut on the screen: unit, view space x and y.
+function directionOf(p, sample) {
+  const across = isPlaced(sample) ? [sample.q_view[0] - p[0], sample.q_view[1] - p[1]] : [0, 0];
+  const distance = Math.hypot(...across);
+  return distance > 0 ? across.map((value) => value / distance) : [1, 0];
+}
+
+// The cut as an SVG. `ao` as a probe tells it; `lit`: the number of the sample that gives the plane, null: the one
+// that takes most does; `done`: so many samples are drawn.
 export function sectionOf({ ao, camera, view_depth, lit, done }) {
   const { p_view: p, n_view: n, samples } = ao;
-  const chosen = samples[lit ?? 0];
-  const [dx, dy] = [chosen.q_view[0] - p[0], chosen.q_view[1] - p[1]];
-  const across = Math.hypot(dx, dy) || 1;
-  const towards = [dx / across, dy / across];
-  const half = kWider * Math.max(...samples.map(({ q_view }) => apart(q_view, p)), apart(chosen.q_view, p), 1e-6);
+  const towards = directionOf(p, lit === null ? darkestOf(samples) : samples[lit]);
+  const half = kWider * Math.max(...samples.filter(isPlaced).map(({ q_view }) => apart(q_view, p)), 1e-6);
   const scale = Math.min(kWidth, kHeight) / 2 / half - kMargin / half;
   // In the plane, from p on: away from the eye, and towards the sample.
   const at = ([x, y, z]) => [kWidth / 2 + scale * (z - p[2]), kHeight / 2 - scale * ((x - p[0]) * towards[0] + (y - p[1]) * towards[1])];
@@ -41,6 +52,7 @@ export function sectionOf({ ao, camera, view_depth, lit, done }) {
   const tip = [p[0] + half / 3 * nx, p[1] + half / 3 * ny, p[2] + half / 3 * nz];
   parts.push(`<path class="normal" d="M${place(p)}L${place(tip)}"/>`);
   samples.slice(0, done).forEach((sample, number) => {
+    if (!isPlaced(sample)) return;
     const kind = sample.contribution > 0 ? "occludes" : "open";
     const bright = number === lit ? " lit" : "";
     if (number === lit && sample.r_view.every(Number.isFinite)) {
@@ -52,7 +64,7 @@ export function sectionOf({ ao, camera, view_depth, lit, done }) {
   });
   const [px, py] = at(p);
   parts.push(`<circle class="p" cx="${px}" cy="${py}" r="5"/><text x="${px + 8}" y="${py + 14}">p</text>`);
-  return `<svg viewBox="0 0 ${kWidth} ${kHeight}" class="section" role="img">${parts.join("")}</svg>`;
+  return `<svg viewBox="0 0 ${kWidth} ${kHeight}" class="section" role="img" aria-label="${translated("cut")}">${parts.join("")}</svg>`;
 }
 
 // What the depth buffer shows from `half` scene units on one side of p to as many on the other, broken where it shows nothing.

@@ -49,6 +49,7 @@ const kTexts = {
   pixel_clear: ["none", "取消"],
   pixel_hint: ["Click the picture, or give column and row. A row of a table lights its sample up; a click on it steps there.", "点击画面，或输入列与行。指向表中一行，对应样本即高亮；点击则步进到该处。"],
   sum_so_far: ["sum of the first {done} of {all}: {sum}", "前 {done} 项（共 {all} 项）之和：{sum}"],
+  cut: ["cut through the depth buffer: p green, samples that take light away red, others blue, away from the eye to the right", "深度缓冲的剖面：p 为绿色，遮挡的样本为红色，其余为蓝色，向右远离相机"],
   step: ["step", "步"],
   play: ["go on by itself", "自动步进"],
   step_first: ["before the first", "回到开始"],
