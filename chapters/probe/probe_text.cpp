@@ -67,7 +67,9 @@ std::string raster_text(const PixelProbe& probe) {
                    covered ? shortest_text(f.z_ndc) : "-", covered ? std::to_string(f.code) : "-",
                    covered ? std::to_string(f.stored) : "-", why(f)});
     }
-    return text + table.text();
+    return text + table.text() +
+           "E0, E1 and E2 are the edge functions at the pixel's centre, in 1/256 x 1/256 pixel: inside where "
+           "positive, and at 0 where the edge is a top or a left one.\n";
 }
 
 std::string normal_depth_text(const NormalDepthProbe& probe) {

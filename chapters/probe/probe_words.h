@@ -29,6 +29,7 @@ inline const char* word_of(LitTerm term) {
         case LitTerm::ambient: return "ambient";
         case LitTerm::diffuse: return "diffuse";
         case LitTerm::specular: return "specular";
+        case LitTerm::diffuse_and_specular: return "diffuse and specular";
         case LitTerm::reflection: return "reflection";
         case LitTerm::sky: return "sky";
     }

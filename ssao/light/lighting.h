@@ -30,7 +30,7 @@ struct ViewLight : DirectionalLight {
 using ViewLights = std::vector<ViewLight>;
 
 // The terms that a lit colour is the sum of.
-enum class LitTerm { ambient, diffuse, specular, reflection, sky };
+enum class LitTerm { ambient, diffuse, specular, diffuse_and_specular, reflection, sky };
 
 // Sees nothing of how a colour comes about, and costs nothing. What a witness is told: the point; of each light the cosine
 // between normal and light, and how much arrives; each term as it is added, with its light's number, or -1.
@@ -104,8 +104,8 @@ CREVICE_INLINE Vec3<F> blinn_schlick(const LitPoint<F>& s, const Material& mater
     const Vec3<F> r0 = spread<F>(material.specular);
     Vec3<F> colour = s.ambient * (spread<F>(ambient_light) * albedo);
     witness.term(LitTerm::ambient, -1, colour);
-    const auto add = [&](const ViewLight& light, Vec3<F> term) __attribute__((always_inline)) {
-        witness.term(LitTerm::diffuse, light.number, term);
+    const auto add = [&](LitTerm kind, const ViewLight& light, Vec3<F> term) __attribute__((always_inline)) {
+        witness.term(kind, light.number, term);
         colour = colour + term;
     };
     for (const ViewLight& light : lights) {
@@ -117,14 +117,14 @@ CREVICE_INLINE Vec3<F> blinn_schlick(const LitPoint<F>& s, const Material& mater
         const Vec3<F> half = normalize_or<F>(to_light + s.to_eye, s.n);
         const F m = s.gloss * F(material.shininess), cosine = max_of(dot(s.n, half), zero);
         if (!any(cosine > F(no_highlight_below))) {
-            add(light, facing * (spread<F>(light.diffuse) * albedo));
+            add(LitTerm::diffuse, light, facing * (spread<F>(light.diffuse) * albedo));
             continue;
         }
         const F roughness = (m + F(8)) * power(cosine, m) * F(0.125f);
         const Vec3<F> highlight = roughness * schlick_fresnel(r0, dot(half, to_light));
         const Vec3<F> bounded{highlight.x / (highlight.x + one), highlight.y / (highlight.y + one),
                               highlight.z / (highlight.z + one)};
-        add(light, facing * (spread<F>(light.diffuse) * (albedo + bounded)));
+        add(LitTerm::diffuse_and_specular, light, facing * (spread<F>(light.diffuse) * (albedo + bounded)));
     }
     return colour;
 }
