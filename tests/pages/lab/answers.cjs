@@ -10,8 +10,8 @@ const answered = (page) => page.waitForFunction(() => document.documentElement.d
 
 const probed = (...words) => JSON.parse(said(["probe", "columns", String(kX), String(kY), "--size", `${kWidth}x${kHeight}`, "--json", ...words]).stdout);
 
-// The cells of a column of the samples' table.
-const cellsOf = (page, column) => page.locator("[data-pass=ao] .steps table").evaluate((table, name) => {
+// The cells of a column of a table.
+const cellsOf = (table_place, column) => table_place.evaluate((table, name) => {
   const at = [...table.tHead.rows[0].cells].findIndex((cell) => cell.textContent === name);
   return [...table.tBodies[0].rows].map((row) => row.cells[at].textContent);
 }, column);
@@ -25,11 +25,12 @@ async function checkSamples(browser) {
     await answered(page);
     const { ao } = probed("--ao", method).passes;
     if (ao.samples.length === 0) continue;
+    const samples = page.locator("[data-pass=ao] .steps table");
     const told = await page.locator("[data-pass=ao] .step-bar output").textContent();
     expect(`${method}: the last step tells the value`, told.endsWith(` = ${shortest(ao.value)}`), told);
-    const contributions = await cellsOf(page, "contribution");
+    const contributions = await cellsOf(samples, "contribution");
     expectEqual(`${method}: the table has the probe's samples`, contributions.join(), ao.samples.map(({ contribution }) => shortest(contribution)).join());
-    expectEqual(`${method}: the table has the probe's sums`, (await cellsOf(page, "sum")).join(), ao.samples.map(({ sum }) => shortest(sum)).join());
+    expectEqual(`${method}: the table has the probe's sums`, (await cellsOf(samples, "sum")).join(), ao.samples.map(({ sum }) => shortest(sum)).join());
   }
 }
 
@@ -72,7 +73,7 @@ async function checkSteps(browser) {
   const last = iterations.last();
   await last.locator("summary").click();
   expectEqual("its taps are in the picture", await dots(), passes.at(-1).taps.length);
-  const sums = await last.locator("tbody tr td:last-child").allTextContents();
+  const sums = await cellsOf(last.locator("table"), "sum");
   expectEqual("their sum is the probe's", sums.at(-1), shortest(passes.at(-1).sum));
   await page.locator("#pixel_clear").click();
   expectEqual("none takes the answer away", await page.locator("#pixel_answer details").count(), 0);
