@@ -29,10 +29,10 @@ export class Steps {
     this.#show(this.#count);
   }
 
-  // So many rows are done, and the last of them is lit, or none where all are.
+  // So many rows are done, and the last of them is lit, or none where none or all are.
   go(done) {
     this.#show(done);
-    this.#changed(done, done < this.#count ? done - 1 : null);
+    this.#changed(done, done > 0 && done < this.#count ? done - 1 : null);
   }
 
   // All again, as when one begins to look at it.

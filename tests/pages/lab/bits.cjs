@@ -5,7 +5,7 @@ const path = require("node:path");
 const { scratch, expect, expectEqual, rendered, said, floatOf, openLab, rest, after, go, hashOf, addressOf, placeOf, drag } = require("./page.cjs");
 
 async function checkHashes(browser) {
-  const page = await openLab(browser, "#size=96x54");
+  const page = await openLab(browser, "#size=64x36");
   await rest(page);
   const methods = await page.locator("#ao option").allTextContents();
   const listed = said(["methods"]).stdout;
