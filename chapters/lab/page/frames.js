@@ -57,7 +57,8 @@ export class Frames {
     while (this.#wanted) {
       this.#wanted = false;
       clearTimeout(this.#timer);
-      await this.#draw(performance.now() - this.#changed_ms >= kRest_ms);
+      // What the module does not answer at all, such as where its memory ends, is a refusal like any other.
+      await this.#draw(performance.now() - this.#changed_ms >= kRest_ms).catch((error) => this.#refused(error.message));
     }
     this.#busy = false;
   }
