@@ -53,11 +53,13 @@ int run(const ProbeWords& words) {
         throw UsageError("crevice probe: no pixel; give SCENE X Y, such as crevice probe columns 640 360");
     const int x = coordinate("X", words.x), y = coordinate("Y", words.y);
     require_pixel(options.request.size, x, y);
-    const auto [argument, camera, request] = prepared_render(options);
-    named_as({{"history", "--param history"}}, [&, &drawn = request] { require_no_history(drawn); });
+    const PreparedRender prepared = prepared_render(options);
+    const Scene& scene = prepared.argument.scene;
+    const FrameRequest& request = prepared.request;
+    named_as({{"history", "--param history"}}, [&] { require_no_history(request); });
     if (words.picture) try_output_directory(words.out);
-    const WorkedFrame worked = worked_frame(argument.scene, camera, request);
-    const PixelProbe probe = probe_pixel(argument.scene, request, worked, x, y);
+    const WorkedFrame worked = worked_frame(scene, prepared.camera, request);
+    const PixelProbe probe = probe_pixel(scene, request, worked, x, y);
     std::cout << (words.json ? probe_json(probe, words.pass) : probe_text(probe, words.pass));
     // The document alone on stdout.
     if (words.picture)

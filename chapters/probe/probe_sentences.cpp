@@ -26,6 +26,13 @@ std::string whereabouts(const ExplainedSample& sample) {
            (sample.dz > 0 ? " in front of p" : " behind p");
 }
 
+// What becomes of the texel on its way to the pixel.
+std::string afterwards(const PixelProbe& probe) {
+    if (probe.blur.passes.empty() || !probe.lit.explanation.surface) return ".";
+    return ". Denoised it is " + shortest_text(probe.blur.value) + "; the lit pixel reads " +
+           shortest_text(probe.lit.explanation.accessibility) + ".";
+}
+
 }  // namespace
 
 std::string answer(const PixelProbe& probe) {
@@ -37,13 +44,13 @@ std::string answer(const PixelProbe& probe) {
     const auto occluding = std::count_if(samples.begin(), samples.end(),
                                          [](const ExplainedSample& s) { return s.contribution > 0; });
     const std::string all = std::to_string(samples.size());
-    if (occluding == 0) return value + "none of " + all + " samples occludes.";
+    if (occluding == 0) return value + "none of " + all + " samples occludes" + afterwards(probe);
     const auto darkest = std::max_element(
         samples.begin(), samples.end(),
         [](const ExplainedSample& a, const ExplainedSample& b) { return a.contribution < b.contribution; });
     return value + std::to_string(occluding) + " of " + all +
            (occluding == 1 ? " samples occludes" : " samples occlude") + "; the darkest is sample " +
-           std::to_string(darkest - samples.begin()) + whereabouts(*darkest) + ".";
+           std::to_string(darkest - samples.begin()) + whereabouts(*darkest) + afterwards(probe);
 }
 
 std::string why(const PixelFragment& f) {

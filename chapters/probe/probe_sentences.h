@@ -7,7 +7,8 @@
 
 namespace crevice {
 
-// The answer before the numbers: the AO texel's value, how many samples occlude, and which one most.
+// The answer before the numbers: the AO texel's value, how many samples occlude, which one most, and what the pixel gets
+// of it.
 std::string answer(const PixelProbe& probe);
 
 // Why a triangle is seen at the pixel, or is not.

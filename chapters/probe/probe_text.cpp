@@ -1,6 +1,7 @@
 #include "chapters/probe/probe_text.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include "chapters/probe/probe_sentences.h"
 #include "chapters/probe/probe_words.h"
@@ -17,8 +18,13 @@ std::string text_of(const glm::vec3& v) {
     return "(" + shortest_text(v.x) + ", " + shortest_text(v.y) + ", " + shortest_text(v.z) + ")";
 }
 std::string text_of(const NamedNumber& number) {
-    const float* const real = std::get_if<float>(&number.value);
-    return real != nullptr ? shortest_text(*real) : std::to_string(std::get<std::int64_t>(number.value));
+    if (const float* const real = std::get_if<float>(&number.value)) return shortest_text(*real);
+    const std::int64_t whole = std::get<std::int64_t>(number.value);
+    if (!std::string_view(number.name).ends_with("_bits")) return std::to_string(whole);
+    constexpr int kBits = 32;
+    std::string bits;
+    for (int bit = kBits - 1; bit >= 0; --bit) bits += ((whole >> bit) & 1) != 0 ? '1' : '0';
+    return bits;
 }
 std::string place(int x, int y) { return "(" + std::to_string(x) + ", " + std::to_string(y) + ")"; }
 

@@ -48,6 +48,8 @@ void Explainer::operator()(const SampleFacts<float>& facts) const {
 
 const char* verdict_of(const ExplainedSample& sample) {
     if (sample.contribution > 0) return "occludes";
+    // What stands for a whole side or scale lies nowhere else than the texel.
+    if (sample.offset == glm::vec3(0)) return "nothing in front";
     if (sample.weight == 0) return "too far away";
     if (!(sample.dp > 0)) return "below the surface";
     return "nothing in front";

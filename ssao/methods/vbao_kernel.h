@@ -94,8 +94,8 @@ struct VbaoKernel {
         mask = mask | fresh;
         witness.tell("first_sector", first);
         witness.tell("end_sector", end);
-        witness.tell_bits("covered", covered);
-        witness.tell_bits("newly_closed", fresh);
+        witness.tell_bits("covered_bits", covered);
+        witness.tell_bits("newly_closed_bits", fresh);
         const F weight = settings.sectors == Sectors::cosine ? slice.length * slice.open : one;
         facts.contribution = F(to_float(bit_count(fresh))) * F(1.0f / kSectors) * weight;
         return facts;
@@ -123,7 +123,7 @@ struct VbaoKernel {
                         sample(texel, slice, side,
                                {texel.at.x + along * slice.x, texel.at.y + along * slice.y}, mask, witness);
                     sum = sum + facts.contribution;
-                    witness.tell_bits("closed", mask);
+                    witness.tell_bits("closed_bits", mask);
                     witness(facts);
                 }
             }

@@ -110,3 +110,26 @@ TEST_CASE("depth precision: where one step exceeds a length") {
     CHECK_THROWS_AS(depth_of_step(wrong, DepthFormat::d16, 0.05), UsageError);
     CHECK_THROWS_AS(depth_error(wrong, DepthFormat::d16, 5), UsageError);
 }
+
+TEST_CASE(
+    "depth precision: what a buffer stores of a view depth is its code, and stands for a depth within the "
+    "bound") {
+    for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+        for (const bool reversed : {false, true}) {
+            Camera camera;
+            camera.projection = projection;
+            camera.reversed_z = reversed;
+            for (const DepthFormat format : {DepthFormat::d16, DepthFormat::d24, DepthFormat::d32f}) {
+                for (const double z : {1.0, 1.5, 20.0, 333.0, 1000.0}) {
+                    CAPTURE(z);
+                    const StoredDepth stored = stored_depth(camera, format, z);
+                    CHECK(stored.code == depth_code(format, stored.ndc, 0.0));
+                    CHECK(stored.stored == depth_from_code<float>(format, stored.code));
+                    const double off = std::fabs(view_depth_of(camera, double(stored.stored)) - z);
+                    CHECK(off <= depth_error(camera, format, z).bound);
+                }
+                CHECK(stored_depth(camera, format, 1.0).stored == (reversed ? 1.0f : 0.0f));
+            }
+        }
+    }
+}

@@ -67,7 +67,9 @@ TEST_CASE("methods: found by name, none is last, and what each row must have is 
         CHECK(method->reach_px);
         CHECK(!method->samples_to_try.empty());
         CHECK(std::is_sorted(method->samples_to_try.begin(), method->samples_to_try.end()));
-        if (method->denoiser.denoised) CHECK(method->denoiser.validate);
+        if (!method->denoiser.denoised) continue;
+        CHECK(method->denoiser.validate);
+        CHECK(method->denoiser.explain);
     }
     for (const char* wrong : {"", "XJUN", "xjun ", "ssao"}) {
         CAPTURE(std::string(wrong));
