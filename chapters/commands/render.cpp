@@ -11,11 +11,9 @@
 #include "chapters/frame/demo_view.h"
 #include "chapters/frame/frame_json.h"
 #include "chapters/terminal/json_text.h"
-#include "chapters/terminal/number_text.h"
 #include "chapters/terminal/output_directory.h"
 #include "chapters/terminal/parse.h"
 #include "rasterizer/base/write_file.h"
-#include "rasterizer/scene/outlier_vertex.h"
 
 namespace crevice {
 
@@ -111,16 +109,6 @@ void print_times(const Frame& frame, const std::vector<Saving>& savings,
     }
 }
 
-void warn_of(const OutlierVertex& outlier, const RenderOptions& options) {
-    const glm::dvec3& p = outlier.p_world;
-    std::cerr
-        << "warning: " << options.scene << ": the vertex at " << significant_text(p.x, 6) << ", "
-        << significant_text(p.y, 6) << ", " << significant_text(p.z, 6) << " makes the scene "
-        << significant_text(outlier.stretch, 3)
-        << " times as large as the others do, and framing, the unit of lengths and the shadow follow; remove "
-           "it, or give --eye, --target and --param radius\n";
-}
-
 }  // namespace
 
 PreparedRender prepared_render(const RenderOptions& options) {
@@ -136,10 +124,8 @@ PreparedRender prepared_render(const RenderOptions& options) {
              [&] { argument.scene.lights = lights_at(argument.scene, options.time_s); });
     const Camera camera = chosen_camera(argument, options.camera);
     request.settings = settings_of(*request.method, options.params, argument.scene.length_unit);
-    if (triangle_count(argument.scene) == 0)
-        std::cerr << options.scene << ": 0 triangles; only the sky will be seen\n";
-    if (const std::optional<OutlierVertex> outlier = outlier_vertex(argument.scene))
-        warn_of(*outlier, options);
+    for (const std::string& warning : scene_warnings(argument.scene, options.scene))
+        std::cerr << warning << "\n";
     return {std::move(argument), camera, std::move(request)};
 }
 

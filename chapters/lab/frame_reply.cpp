@@ -47,13 +47,12 @@ Json camera_json(const SceneArgument& scene, const Camera& camera, Size size) {
         const glm::dvec3 q = p + scene.scene.origin;
         return point_json(scene.from_obj ? glm::dvec3(q.x, q.y, -q.z) : q);
     };
-    constexpr double kDegreesPerRadian = 57.29577951308232;
     const glm::vec2 ray_scale = camera_matrices(camera, size).ray_scale;
     const bool ortho = camera.projection == Projection::orthographic;
     return {{"eye", own(camera.eye)},
             {"target", own(camera.target)},
             {"up", point_json(camera.up)},
-            {"fov_y", camera.fov_y_rad * kDegreesPerRadian},
+            {"fov_y", camera.fov_y_rad * (180 / kPi)},
             {"near", camera.near_plane},
             {"far", camera.far_plane},
             {"ortho", ortho ? Json(camera.ortho_height) : Json()},
@@ -107,8 +106,8 @@ LoadedScene loaded_scene(const std::string& name, bool surfaces, const Run& run)
     LoadedScene loaded{name, surfaces, {}, {}};
     loaded.warnings =
         stderr_lines([&] { loaded.argument = load_scene(name, {.surfaces = surfaces, .run = run}); });
-    if (triangle_count(loaded.argument.scene) == 0)
-        loaded.warnings.push_back(name + ": 0 triangles; only the sky will be seen");
+    for (std::string& warning : scene_warnings(loaded.argument.scene, name))
+        loaded.warnings.push_back(std::move(warning));
     return loaded;
 }
 

@@ -1,4 +1,5 @@
 // Fields for every parameter of a method, from the table's own ranges.
+import { tableText } from "./table_texts.js";
 import { translated } from "./texts.js";
 
 // Sliders of open ranges end at so many times the default.
@@ -94,7 +95,7 @@ export class ParameterControls {
     back.addEventListener("click", () => this.#changed(parameter.name, null));
     const unit = parameter.unit === "-" ? "" : ` ${parameter.unit}`;
     const label = element("label", { htmlFor: id, textContent: parameter.name });
-    const about = element("p", { className: "about", textContent: `${parameter.effect} (${parameter.range}${unit})`, id: `about_${id}` });
+    const about = element("p", { className: "about", textContent: `${tableText(parameter.effect)} (${parameter.range}${unit})`, id: `about_${id}` });
     for (const input of field.inputs) input.setAttribute("aria-describedby", about.id);
     this.#fields.set(parameter.name, { ...field, back });
     return element("div", { className: "parameter" }, label, element("span", { className: "field" }, ...field.inputs, back), about);

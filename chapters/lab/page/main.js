@@ -8,6 +8,7 @@ import { Frames } from "./frames.js";
 import { PixelPanel } from "./pixel_panel.js";
 import { commandOf, firstState, hashOf, stateOfHash } from "./state.js";
 import { showBuffers, showLines, showPasses } from "./tables.js";
+import { tableText } from "./table_texts.js";
 import { firstLanguage, setLanguage, translated } from "./texts.js";
 import { kTruthBuffers, TruthPanel } from "./truth_panel.js";
 import { drawHistogram, rangeOfWord, Viewer } from "./viewer.js";
@@ -39,7 +40,7 @@ function showFields() {
   [byId("pixel_x").value, byId("pixel_y").value] = state.pixel.split(",").concat("", "");
   byId("truth").checked = state.truth === "on";
   const method = methodRow();
-  byId("method_about").textContent = `${method.title}. ${method.source}`;
+  byId("method_about").textContent = `${tableText(method.title)}. ${method.source}`;
 }
 
 const paramsOf = (preset) => Object.fromEntries(preset.params.map((word) => word.split("=")));
@@ -196,6 +197,7 @@ function speak(language) {
   if (!frames?.settled) return;
   answered = null;
   controls.build(methodRow().parameters);
+  showFields();
   showFrame();
 }
 

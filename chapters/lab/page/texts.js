@@ -81,7 +81,7 @@ const kTexts = {
   needs_gzip: ["DecompressionStream (Chrome 80, Firefox 113, Safari 16.4 or newer)", "DecompressionStream（Chrome 80、Firefox 113、Safari 16.4 或更新）"],
 };
 
-let language = "en";
+export let language = "en";
 
 export function translated(key) {
   return kTexts[key][language === "zh" ? 1 : 0];

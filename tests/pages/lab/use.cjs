@@ -79,6 +79,31 @@ async function checkCamera(browser) {
   }
 }
 
+// Fingers: one turns, two that part come nearer.
+async function checkTouch(browser) {
+  const page = await openLab(browser, "#size=160x90", { hasTouch: true });
+  await rest(page);
+  const box = await page.locator("#stage").boundingBox();
+  const client = await page.context().newCDPSession(page);
+  const touch = (type, ...points) => client.send("Input.dispatchTouchEvent", {
+    type, touchPoints: points.map(([x, y], id) => ({ x: box.x + x, y: box.y + y, id })) });
+  const eye = async () => (new URLSearchParams((await addressOf(page)).slice(1)).get("eye") ?? "0,0,-10").split(",").map(Number);
+  const distance = async () => Math.hypot(...await eye());
+  await after(page, async () => {
+    await touch("touchStart", [200, 200]);
+    for (const x of [220, 240, 260]) await touch("touchMove", [x, 200]);
+    await touch("touchEnd");
+  });
+  expect("one finger turns the camera round its target", Math.abs(await distance() - 10) < 0.01 && Math.abs((await eye())[0]) > 1, String(await eye()));
+  const before = await distance();
+  await after(page, async () => {
+    await touch("touchStart", [300, 200], [340, 200]);
+    for (const by of [10, 20, 40]) await touch("touchMove", [300 - by, 200], [340 + by, 200]);
+    await touch("touchEnd");
+  });
+  expect("two fingers that part come nearer", await distance() < 0.7 * before, `${await distance()}, before ${before}`);
+}
+
 async function checkLooks(browser) {
   for (const width of [1280, 390]) {
     for (const colorScheme of ["light", "dark"]) {
@@ -99,6 +124,18 @@ async function checkLooks(browser) {
         await page.context().close();
       }
     }
+  }
+}
+
+// What the tables of the program say is there in Chinese, too.
+async function checkChinese(browser) {
+  const page = await openLab(browser, "#size=64x36");
+  await rest(page);
+  await page.locator("[data-set-lang=zh]").click();
+  for (const method of await page.locator("#ao option").allTextContents()) {
+    await page.locator("#ao").selectOption(method);
+    const texts = [await page.locator("#method_about").textContent(), ...await page.locator(".parameter .about").allTextContents()];
+    for (const text of texts) expect(`${method} has its texts in Chinese`, /[\u4e00-\u9fff]/.test(text), text);
   }
 }
 
@@ -152,4 +189,4 @@ async function measureSpeed(browser) {
   }
 }
 
-module.exports = { views: checkViews, camera: checkCamera, looks: checkLooks, labels: checkLabels, lacks: checkLacks, speed: measureSpeed };
+module.exports = { views: checkViews, camera: checkCamera, touch: checkTouch, looks: checkLooks, chinese: checkChinese, labels: checkLabels, lacks: checkLacks, speed: measureSpeed };
