@@ -130,7 +130,8 @@ const VertexAo tutorial = vertex_ao_from_centroids(scene, rays, settings);
 
 const Image<float> shown = vertex_ao_picture(scene, scene.camera, book.size(), rays, tutorial);
 book.compare(
-    {"constant", grey_picture(constant_light(scene, book.size()), 0, 1), "Constant ambient light."},
+    {"constant", grey_picture(constant_light(scene, book.size()), 0, 1),
+     "Constant ambient light: one grey for head and floor."},
     {"vertices", ao_picture(shown),
      "Accessibility alone, computed at the vertices as the tutorials do it. The mottles are "
      "explained below."});
@@ -170,12 +171,12 @@ book.draw("fan", fan.svg,
 // $$ 1 - \frac hN \;\to\; \frac1\pi \int_\Omega V(\omega)\, (n \cdot \omega)\, d\omega $$
 //
 // which is what a white sky lights. The tutorials draw uniform rays. In both cases an occluder may be required to be
-// near: X_Jun counts a hit only within a distance $d$, for a wall at the other end of the hall does not darken this
-// corner.
+// near: X_Jun's tutorial (for Direct3D 11; the preface lists all sources) counts a hit only within a distance $d$, for a
+// wall at the other end of the hall does not darken this corner.
 //
 // ## From triangles to vertices
 //
-// Luna's program keeps accessibility with the mesh. It shoots 32 rays from the middle of each triangle, about the
+// The program of Luna's tutorial, for Direct3D 12, keeps accessibility with the mesh. It shoots 32 rays from the middle of each triangle, about the
 // triangle's normal, and gives every vertex the mean of the triangles that share it. While the scene is drawn the value
 // is interpolated like a colour, which costs nothing.
 
@@ -245,9 +246,12 @@ book.check("Rays that are spread evenly do better: {sobol_slope}.",
 
 // %% truth_text [markdown]
 // Are the rays themselves right? For two shapes the integral can be solved on paper: for a floor beside a sphere that
-// rests on it, and for a floor before a long wall, with rays of length 4. If a sphere of radius 1 is seen at the
-// distance $x$ of its contact, its half angle has the sine $s = 1 / \sqrt{1 + x^2}$, and so has the height of its
-// middle over the floor; a cap takes $s^2$ times the cosine to its middle, so $\mathrm{access} = 1 - s^3$.
+// rests on it, and for a floor before a long wall, with rays of length 4. Here is the first, with the cosine. Take a
+// sphere of radius 1 and a point of the floor at the distance $x$ from where it rests. The middle of the sphere is 1
+// above the floor and $\sqrt{1 + x^2}$ away from the point. So the point sees a disc whose half angle has the sine
+// $s = 1 / \sqrt{1 + x^2}$. Such a disc, if none of it is below the horizon, takes $s^2$ times the cosine between the
+// normal and the way to its middle; and that cosine is the height over the distance, $s$ again. What is left is
+// $\mathrm{access} = 1 - s^3$.
 
 // %% closed_forms
 const ClosedFormPlot by_sphere = sphere_on_plane_plot(4096, book.seed()),
@@ -271,8 +275,9 @@ book.check("With 4,096 rays the estimates are off by {off_sphere} and {off_wall}
 // %% few_rays
 settings.rays = 4;
 book.compare(
-    {"four_rays", ao_picture(baked(scene, rays, book.size(), settings)), "4 rays a triangle."},
-    {"many_rays", ao_picture(shown), "32 rays, the tutorials'."});
+    {"four_rays", ao_picture(baked(scene, rays, book.size(), settings)),
+     "4 rays a triangle: large spots on the floor, small ones on the finer mesh of the head."},
+    {"many_rays", ao_picture(shown), "32 rays, the tutorials': the same spots, fainter."});
 settings.rays = kTutorialRays.rays;
 
 // %% distance_text [markdown]
@@ -301,8 +306,9 @@ const RayAoSettings better_rays = {.rays = 128, .radius = kUnbounded, .seed = bo
 const VertexAo corners = vertex_ao_from_corners(scene, rays, better_rays);
 const Image<float> better = vertex_ao_picture(scene, scene.camera, book.size(), rays, corners);
 book.compare(
-    {"centroids", ao_picture(shown), "32 uniform rays a triangle, averaged at the vertices."},
-    {"corners", ao_picture(better), "128 cosine-weighted Sobol rays a vertex."});
+    {"centroids", ao_picture(shown), "32 uniform rays a triangle, averaged at the vertices: spots on floor and skull."},
+    {"corners", ao_picture(better),
+     "128 cosine-weighted Sobol rays a vertex: smooth, with a darker contact below the jaw."});
 book.show("corners_minus_tutorial", difference_picture(signed_difference({better}, {shown})[0]),
           "The second minus the first. Red is lighter: what is in the way lies low, and the cosine "
           "counts it less. Blue is darker: the head hangs over this part of the floor, or a crease "

@@ -97,9 +97,10 @@ std::string stretched_slope(double stretch) {
     drawing.arrow({0, 0}, unit(-1, 1), kSvgSoft);
     drawing.words(unit(-1, 1), -54, -4, "before");
     drawing.arrow({0, 0}, unit(by_world.x, by_world.y), kSvgOccluded);
-    drawing.words(unit(by_world.x, by_world.y), -76, 4, "turned by W");
+    drawing.words(unit(by_world.x, by_world.y), -84, 4, "turned by W");
     drawing.arrow({0, 0}, unit(cofactors.z, cofactors.y), kSvgPoint);
     drawing.words(unit(cofactors.z, cofactors.y), -30, -10, "by the inverse transpose");
+    drawing.words({1.15, 1.15}, -108, 4, "the slope before");
     drawing.words({1.0, 0.5}, -30, 34, "the slope, stretched");
     return drawing.svg("A slope that is stretched, and its normal");
 }
@@ -135,15 +136,18 @@ book.show("colours",
 // **Draw the scene once before any light falls on it, and keep two things of the nearest surface at every pixel: its
 // normal, which says where it faces, and its depth, which says how far away it is.**
 //
-// The passes that compute occlusion read these two images and nothing else. They never see a triangle, only the screen:
-// that is why the whole method is called *screen-space* ambient occlusion. Here is the program that chapters 03 to 09
-// build. A *pass* turns images into an image, all pixels by the same rule.
+// Of the scene, the passes that compute occlusion read these two images and nothing else. They never see a triangle,
+// only the screen: that is why the whole method is called *screen-space* ambient occlusion. Here is the program that
+// chapters 03 to 09 build. It is that of two tutorials, which this book calls by their authors' names: X_Jun's for
+// Direct3D 11 and Luna's for Direct3D 12 (the preface lists all sources). A *pass* turns images into an image, all
+// pixels by the same rule.
 
 // %% graph
 const std::vector<GraphPass> passes = frame_passes(book.size(), shown.raw.size);
 book.draw("passes", pass_graph("The passes of a frame and the images between them", passes),
           "Four passes, from top to bottom; a grey line goes from an image to a pass that reads "
-          "it. The formats are X_Jun's. The two AO maps have half the picture's width and height.");
+          "it. The formats are X_Jun's. The two AO maps (AO: ambient occlusion), raw from pass 2 and "
+          "blurred by pass 3, have half the picture's width and height.");
 book.table(
     {"image", "X_Jun", "Luna", "this book"},
     {{"normal, view space", "R16G16B16A16_FLOAT", "R16G16B16A16_FLOAT", "three 32-bit floats"},
@@ -164,7 +168,8 @@ book.table(
 //
 // Both values are in *view space*, the space of the camera: x to the right, y up, z into the picture, the eye at the
 // origin. *View depth* is the z of a point there. It is not its distance from the eye: all points of a plane that faces
-// the camera have the same view depth.
+// the camera have the same view depth. The pass draws as any rasterizer does: back faces are left out, the nearest surface
+// wins (LESS, so the first of equals), and vertex normals are interpolated with regard to perspective.
 
 // %% buffers
 book.show("normal", normal_picture(shown.gbuffer.normal),
@@ -172,8 +177,8 @@ book.show("normal", normal_picture(shown.gbuffer.normal),
           "where they point away from you. The floor is green, what faces you lacks blue, and the "
           "sky, which has no normal, is black.");
 book.show("view_depth", view_depth_picture(shown.gbuffer.view_depth),
-          "View depth, white at the nearest point. It grows evenly with z; the sky, where nothing "
-          "is seen, is black.");
+          "View depth: white at the nearest point, darker evenly with z down to a dark grey at the end "
+          "of the floor. The sky, where nothing is seen, is black.");
 
 // %% two_depths [markdown]
 // ## Two depths
@@ -184,10 +189,10 @@ book.show("view_depth", view_depth_picture(shown.gbuffer.view_depth),
 //
 // $$ d = \frac{A z + B}{z} = A + \frac{B}{z} $$
 //
-// The near plane $z = n$ must come to $d = 0$ and the far plane $z = f$ to $d = 1$. From $A n + B = 0$ follows
-// $B = -A n$; put into $A f + B = f$, that is
+// The near plane, at the depth $z_n$, must come to $d = 0$ and the far plane, at $z_f$, to $d = 1$. From
+// $A z_n + B = 0$ follows $B = -A z_n$; put into $A z_f + B = z_f$, that is
 //
-// $$ A = \frac{f}{f - n}, \qquad B = -\frac{n f}{f - n}, \qquad\text{and back again}\quad z = \frac{B}{d - A} $$
+// $$ A = \frac{z_f}{z_f - z_n}, \qquad B = -\frac{z_n z_f}{z_f - z_n}, \qquad\text{and back again}\quad z = \frac{B}{d - A} $$
 
 // %% ndc
 const CameraMatrices m = camera_matrices(view.camera(), book.size());
@@ -205,7 +210,7 @@ book.plot("ndc_curve",
            {"NDC depth d", false, 0, 1},
            {ndc_curve(m)},
            {{half_z, "half of the range"}}},
-          "With the planes of this scene, n = {near} and f = {far}: A = {depth_a}, B = {depth_b}. "
+          "With the planes of this scene at $z_n = {{near}}$ and $z_f = {{far}}$, $A$ is {depth_a} and $B$ {depth_b}. "
           "Half of the range is spent below z = {half_z}.");
 book.show(
     "ndc_depth", ndc_depth_picture(ndc),
@@ -235,8 +240,10 @@ for (int i = 0; i < 4; ++i) {
          text(near_by.gbuffer.view_depth.at(x, y)), exact_text(foot_ndc.at(x, y))});
 }
 book.show_row(
-    {{"foot_normal", normal_picture(near_by.gbuffer.normal), "Normals at the foot of the column."},
-     {"foot_depth", view_depth_picture(near_by.gbuffer.view_depth), "View depth there."}});
+    {{"foot_normal", normal_picture(near_by.gbuffer.normal),
+      "Normals at the foot of a column: green on the level ground, from teal on the left of the stone to red on its right."},
+     {"foot_depth", view_depth_picture(near_by.gbuffer.view_depth),
+      "View depth of the same pixels: the column is nearly white, for it stands close to the eye."}});
 book.number("x", std::to_string(at.x));
 book.number("y", std::to_string(at.y));
 book.table({"pixel", "normal n", "view depth z", "NDC depth d"}, pixel_rows,
@@ -287,15 +294,18 @@ book.check(
 // %% matrix_text [markdown]
 // ## The matrix for normals
 //
-// Positions come to the world by the object's matrix $W$ and to view space by the camera's $V$. Normals do not follow
-// the same way. A direction $t$ *in* the surface becomes $W t$, because it joins two points of it. The normal is
-// whatever stays perpendicular to all of these. We look for a matrix $M$ with
+// Positions come to the world by the object's matrix $W$ and to view space by the camera's $V$: $p$ becomes $V W p$.
+// (Vectors are columns here, as in the sources of this book; the tutorials write them as rows, $p\, W V$, so each of
+// their matrices is the transpose of ours.) Normals do not follow the same way. A direction $s$ *in* the surface becomes
+// $W s$, because it joins two points of it. The normal is whatever stays perpendicular to all of these. We look for a
+// matrix $N$ with
 //
-// $$ 0 = (M n) \cdot (W t) = n^\top M^\top W\, t \qquad\text{whenever}\quad n \cdot t = 0 $$
+// $$ 0 = (N n) \cdot (W s) = n^\top N^\top W\, s \qquad\text{whenever}\quad n \cdot s = 0 $$
 //
-// $M^\top W = 1$ does it, so $M = (W^{-1})^\top$, the *inverse transpose* of the upper left 3 x 3 part of $W$. For a
+// $N^\top W = 1$ does it, so $N = (W^{-1})^\top$, the *inverse transpose* of the upper left 3 x 3 part of $W$. For a
 // rotation it is the rotation itself. For a stretch it is the opposite stretch: a roof that is pulled wide gets
-// flatter, and its normal steeper.
+// flatter, and its normal steeper. The camera's $V$ only turns and moves, so its 3 x 3 part can follow as it is, and
+// the normal in view space is $V (W^{-1})^\top n$.
 
 // %% slope
 book.draw("slope", stretched_slope(2),
@@ -308,8 +318,8 @@ book.draw("slope", stretched_slope(2),
 //
 // The lab computes the same matrix without a division: the cross products of the columns of $V W$ are the rows of its
 // inverse but for a factor, the determinant, and the length of a normal does not matter before it is normalised. In
-// HLSL a program hands `M = (W^-1)^T V` to the vertex shader, which computes `mul(n, (float3x3) M)`: the tutorials
-// write vectors as rows, so their matrices stand in the order of their use.
+// HLSL, with rows for vectors, a program hands `M = (W^-1)^T V` to the vertex shader, which computes
+// `mul(n, (float3x3) M)`.
 
 // %% kernels tags=["setup"]
 book.listing("rasterizer/scene/normal_matrix.cpp", "normal_matrix",
@@ -325,19 +335,26 @@ book.listing_part("rasterizer/draw/surfaces.cpp", "find_group", "const TriangleP
 //
 // **The translation left in.** Graphics libraries hold $W$ as a 4 x 4 matrix, with the object's position $t$ in it.
 // Inverting and transposing all of it moves $t$ to the bottom row, and the product with $V$, whose own translation is
-// $v$, mixes it into the 3 x 3 part. Where $W$ and $V$ only move things, the normal becomes $n - (n \cdot t)\, v$.
-// X_Jun therefore erases the translation of $W$ first.
+// $v$, mixes it into the 3 x 3 part. For an object and a camera that are only moved, not turned, one can see it happen:
+//
+// $$ V\, (W^{-1})^\top = \begin{pmatrix} 1 & v \\ 0 & 1 \end{pmatrix} \begin{pmatrix} 1 & 0 \\ -t^\top & 1 \end{pmatrix} = \begin{pmatrix} 1 - v\, t^\top & v \\ -t^\top & 1 \end{pmatrix} $$
+//
+// The upper left part turns $n$ into $n - (n \cdot t)\, v$. X_Jun therefore erases the translation of $W$ first.
 
 // %% translation
 const ComparedNormals moved =
     compare_normals(view.scene(), NormalMatrix::with_translation, book.size());
 const Words left_in = {"normal_matrix=with_translation"};
 book.compare({"translation_wrong", normal_picture(moved.wrong),
-              "Left in (" + view.command(left_in) + "): only the house's front is right."},
-             {"translation_right", normal_picture(moved.right), "Erased: every normal is right."});
+              "Left in (" + view.command(left_in) + "): only what faces the camera squarely, such as the "
+              "front of the house, keeps its normal; floor and roof have turned to face away."},
+             {"translation_right", normal_picture(moved.right),
+              "Erased: every normal is right; floor and roof face upwards, green."});
 book.compare({"translation_ao_wrong", ao_picture(moved.ao_wrong),
-              "Occlusion from the wrong normals: the shade at the columns' feet is gone."},
-             {"translation_ao_right", ao_picture(moved.ao_right), "From the right ones."});
+              "Ambient occlusion from the wrong normals (white: open, black: occluded). The shade at the "
+              "columns' feet and under the balls is gone."},
+             {"translation_ao_right", ao_picture(moved.ao_right),
+              "From the right normals: shade round the feet and below the balls."});
 book.number("moved_share", percent_text(moved.off.share));
 book.number("moved_deg", moved.off.most_deg, 0);
 book.number("moved_lost", percent_text(moved.shade_lost));
@@ -347,15 +364,15 @@ book.check(
     "by {moved_deg} degrees.",
     moved.off.share > 0.5 && moved.off.most_deg > 120);
 book.check(
-    "More shade is lost than invented: {moved_lost} of the map's range on average, against "
-    "{moved_invented}.",
+    "More shade is lost than invented: as a mean over the whole AO map, it gets lighter by {moved_lost} of "
+    "its range and darker by {moved_invented}.",
     moved.shade_lost > 2 * moved.shade_invented);
 
 // %% world_text [markdown]
 // **W itself for the normals.** That is right as long as an object is only turned, or scaled alike in all directions.
 // Luna does so although its box is stretched by (2, 1, 2), and sees nothing wrong, because the box's faces lie along
-// the axes of the stretch: their normals get longer, not crooked. A box that was turned before it is stretched, and a
-// ball, betray it.
+// the axes of the stretch: their normals get longer, not crooked. A box that was turned before it is stretched shows
+// the mistake, and so does a ball.
 
 // %% world
 Scene boxes = stretched_scene();
@@ -364,9 +381,12 @@ boxes.instances.resize(2);  // the floor and Luna's box
 const ComparedNormals aligned = compare_normals(boxes, NormalMatrix::world, book.size());
 book.compare({"stretch_wrong", normal_picture(round.wrong),
               "By W: Luna's box at the left is right, the turned box and the ball are not."},
-             {"stretch_right", normal_picture(round.right), "By the inverse transpose."});
+             {"stretch_right", normal_picture(round.right),
+              "By the inverse transpose: the upper sides of the turned box and of the ball face more upwards "
+              "(greener). Luna's box is the same."});
 book.compare({"stretch_ao_wrong", ao_picture(round.ao_wrong),
-              "Occlusion by W: the tops take themselves for something in the way."},
+              "Occlusion from W's normals: grey grain on the top of the turned box and of the ball, which "
+              "take their own surface for something in the way."},
              {"stretch_ao_right", ao_picture(round.ao_right),
               "By the inverse transpose: only the contacts with the floor are dark."});
 book.number("box_deg", significant_text(aligned.off.most_deg, 2));
@@ -383,12 +403,13 @@ book.table(
     {"matrix", "largest angle off, degrees", "pixels off by over 1 degree", "shade lost",
      "shade invented"},
     {row_of("translation left in, columns", moved), row_of("W itself, boxes and ball", round)},
-    "Both mistakes. Shade: mean over the AO map of how much lighter or darker it got.");
+    "Both mistakes, counted over the pixels of the pictures above. Shade lost and invented: by how "
+    "much the AO map gets lighter and darker, as a mean over all of it.");
 
 // %% float4_text [markdown]
-// **A zero in the wrong place.** SSAO explored multiplies `float4(n, 0)` by all of $(W^{-1})^\top V$ and argues that
-// the 0 keeps translations out. It skips the last row of the product only. The translation of $V$ has come into the
-// first three rows before that, when the two matrices were multiplied.
+// **A zero in the wrong place.** SSAO explored, a blog article on the same pass, multiplies the row `float4(n, 0)` by
+// all of `M` and argues that the 0 keeps translations out. It does keep out the last row of `M`. But the translations
+// have come into the upper left 3 x 3 part before that, when the two matrices were multiplied.
 
 // %% float4
 std::vector<std::vector<std::string>> products;
@@ -401,8 +422,10 @@ for (const bool erased : {false, true}) {
              erased ? "erased" : "left in", significant_text(most.back(), 3)});
     }
 }
+book.number("vertex_deg", significant_text(most[1], 3));
 book.table({"normal by", "translation of W", "largest angle off, degrees"}, products,
-           "M is the tutorials' $(W^{-1})^\\top V$.");
+           "M is the tutorials' $(W^{-1})^\\top V$. This table goes over the normals of all vertices, seen or "
+           "not: the worst is off by {vertex_deg} degrees, the worst pixel of the picture by {moved_deg}.");
 book.check(
     "`float4(n, 0)` does as the 3 x 3 part does: both are right only where the translation of W "
     "was erased.",
@@ -426,8 +449,8 @@ book.check(
 //    each step is ten times coarser.
 // 2. Nothing. Under a uniform scale the inverse transpose is the same matrix but for a factor.
 // 3. The translation of $V$ is $v = 0$ for an eye at the origin, and $n - (n \cdot t)\, v = n$.
-// 4. $A n + B = n$ and $A f + B = 0$ give $A = -n / (f - n)$ and $B = n f / (f - n)$. Chapter 04 shows what it is good
-//    for.
+// 4. $A z_n + B = z_n$ and $A z_f + B = 0$ give $A = -z_n / (z_f - z_n)$ and $B = z_n z_f / (z_f - z_n)$. Chapter 04
+//    shows what it is good for.
 // 5. Octahedral maps are a good start: project the sphere to an octahedron and unfold that to a square.
 //
 // </details>
@@ -437,7 +460,7 @@ book.check(
 //
 // - *SSAO explored:* `float4(n, 0)` makes the translation harmless. The last table shows that it does not.
 // - *Luna, comment in the shader:* W will do for normals under nonuniform scaling. *Uniform* is meant; the aligned box
-//   of the demo hides the slip, the sliders above show it.
+//   of the demo hides the slip, the boxes and the ball above show it.
 // - *X_Jun, prose:* alpha holds the depth in screen space. The shader writes the z of view space.
 //
 // </details>

@@ -40,7 +40,7 @@ std::string eye_ray(const AoInputs& inputs, Texel at, Vec3<float> p_view) {
     drawing.words({0, 0}, -34, 24, "the eye");
     drawing.segment({0, 0}, p, kSvgOpen);
     drawing.point({0, 0}, "", kSvgInk);
-    drawing.point({near, near * p.across / p.z}, "v", kSvgOpen, SectionDrawing::Dot::ring);
+    drawing.point({near, near * p.across / p.z}, "e", kSvgOpen, SectionDrawing::Dot::ring);
     drawing.point(p, "p", kSvgPoint);
     return drawing.svg("The eye's ray through a texel");
 }
@@ -63,10 +63,11 @@ constexpr Way kWays[] = {
 struct WrongWay {
     Notebook::Named wrong, right;
 };
-WrongWay wrong_way(const SwitchedView& view, const SwitchedAo& shown, const Way& way, const char* caption) {
+WrongWay wrong_way(const SwitchedView& view, const SwitchedAo& shown, const Way& way, const char* caption,
+                   const char* right_caption) {
     const auto cubes = [&](Position position) { return unit_cubes(shown.gbuffer, view.camera(), position); };
     return {{std::string("cubes_") + way.name, cubes(way.position), caption},
-            {std::string("cubes_not_") + way.name, cubes(by_far_plane), "With the ray to the far plane."}};
+            {std::string("cubes_not_") + way.name, cubes(by_far_plane), right_caption}};
 }
 
 // What happens to the sky's 100,000 in a buffer of 16-bit floats.
@@ -135,7 +136,7 @@ book.number("x", std::to_string(at.x));
 book.number("y", std::to_string(at.y));
 book.draw("eye_ray", eye_ray(inputs, at, p),
           "A vertical cut through the depth buffer at texel ({x}, {y}), which chapter 03 began to "
-          "follow. The ray that leaves the eye through the texel meets the near plane at v and the "
+          "follow. The ray that leaves the eye through the texel meets the near plane at e and the "
           "ground at p. The dashed lines are the upper and the lower rim of the view; what is "
           "hatched, the depth buffer does not know.");
 
@@ -143,28 +144,31 @@ book.draw("eye_ray", eye_ray(inputs, at, p),
 // ## Along the ray
 //
 // In view space the eye is the origin, so the points of a ray through it are the multiples of any one of them:
-// $p = t\, \mathbf v$. Read this for z alone, $p_z = t\, v_z$; now $t$ is known, and
+// $p = t\, e$. Read this for z alone, $p_z = t\, e_z$; now $t$ is known, and
 //
-// $$ p = \frac{p_z}{v_z}\, \mathbf v $$
+// $$ p = \frac{p_z}{e_z}\, e $$
 //
-// Any point $\mathbf v$ of the ray will do, because $t$ shrinks as $\mathbf v$ grows. X_Jun takes the one on the far
-// plane, Luna the one on the near plane.
+// Any point $e$ of the ray will do, because $t$ shrinks as $e$ grows. Of the two tutorials that we follow, X_Jun's
+// (for Direct3D 11) takes the one on the far plane, Luna's (for Direct3D 12) the one on the near plane; both call it
+// $v$, a letter that we need for the texture coordinate.
 //
 // ## Which ray
 //
 // The view is a pyramid with the angle $fov_y$ from its lower to its upper side and the aspect ratio $a$, width over
-// height. A plane at depth $f$ cuts it in a rectangle. Half of its height is the side across from half the angle, so
+// height. The far plane, at the depth $z_f$, cuts it in a rectangle. Half of its height is the side across from half the
+// angle, so
 //
-// $$ h = f \tan\frac{fov_y}{2}, \qquad w = a\, h, \qquad\text{corners}\quad (\pm w, \pm h, f) $$
+// $$ y_f = z_f \tan\frac{fov_y}{2}, \qquad x_f = a\, y_f, \qquad\text{corners}\quad (\pm x_f, \pm y_f, z_f) $$
 //
-// These are *half* sizes: the rectangle reaches from $-w$ to $w$. The tutorials draw it as two triangles that cover the
-// screen, give each vertex its corner, and let the rasterizer interpolate. What a texel $(i, j)$ of a map of $W$ by $H$
-// texels gets belongs to its centre:
+// These are *half* sizes: the rectangle reaches from $-x_f$ to $x_f$. The tutorials draw it as two triangles that cover
+// the screen, give each vertex its corner, and let the rasterizer interpolate. What a texel $(i, j)$ of a map of $W$ by
+// $H$ texels gets belongs to its centre:
 //
-// $$ u = \frac{i + 1/2}{W}, \quad v = \frac{j + 1/2}{H}, \qquad \mathbf v = \big((2u - 1)\, w,\; (1 - 2v)\, h,\; f\big) $$
+// $$ u = \frac{i + 1/2}{W}, \quad v = \frac{j + 1/2}{H}, \qquad e = \big((2u - 1)\, x_f,\; (1 - 2v)\, y_f,\; z_f\big) $$
 //
-// The sign of the second coordinate turns round because rows count downwards and y goes up. Interpolating is all that
-// may be done to $\mathbf v$: all corners have the same z, so all of the rectangle has it.
+// The sign of the second coordinate turns round because rows count downwards and y goes up. The corners may be
+// interpolated because they lie in one plane: whatever lies between them has the same depth $z_f$, so it is the point of
+// that plane which the texel shows.
 
 // %% numbers_of_one_texel
 const double tangent = static_cast<double>(inputs.rays.ray_scale.y);
@@ -189,8 +193,8 @@ book.check(
 
 // %% half_size [markdown]
 // The centre of a texel of the half-size map is the corner where four pixels of the picture meet. Its depth must belong
-// to the same place as its ray. Chapter 07 says how it is made of the four pixels' depths, and what happens when the
-// depth of one of them is taken instead.
+// to the same place as its ray. Chapter 07 says how it is made of the four pixels' depths, and shows what goes wrong
+// where a texel takes the depth of one of them as it is.
 //
 // ## From the depth buffer
 //
@@ -205,7 +209,8 @@ book.check(
 // %% code_text [markdown]
 // ## The code
 //
-// The lab does not interpolate corners. It computes the same ray from $u$ and $v$, with z = 1: `ray_scale` is
+// The lab does not interpolate corners. Its *kernel*, the code that runs for every texel, computes the same ray from $u$
+// and $v$, with z = 1: `ray_scale` is
 // $(a \tan(fov_y/2), \tan(fov_y/2))$, the half size of the plane one unit away. In HLSL the pixel shader has one line,
 // `p = (pz / ray.z) * ray`, and the vertex shader hands out the corners. `F` is a `float`, or several side by side.
 
@@ -250,54 +255,59 @@ book.check(
 // %% traps [markdown]
 // ## What can go wrong
 //
-// **A ray of length 1.** Normalising $\mathbf v$ and multiplying it with the view depth takes z for the distance to the
+// **A ray of length 1.** Normalising $e$ and multiplying it with the view depth takes z for the distance to the
 // eye. Only in the middle of the picture are they the same; towards the rim every point comes too near.
 
 // %% unit_ray
 const WrongWay unit_ray =
-    wrong_way(view, shown, kWays[2], "The ray normalised, the depth taken for a distance.");
+    wrong_way(view, shown, kWays[2], "The ray normalised, the depth taken for a distance: the rows of the floor are bent.",
+              "With the ray to the far plane: the rows run straight across.");
 book.compare(unit_ray.wrong, unit_ray.right);
 
 // %% corners_text [markdown]
-// **Corner rays of length 1.** Dividing by $v_z$ afterwards mends the length of a ray, so one would think that the
-// corners may be normalised. But the mean of two rays of the same *length* does not point to the middle between their
-// ends when they had to be shortened by different amounts. A quad whose four corner rays are equally long gets away
-// with it. A single large triangle over the whole screen, whose corners lie outside of it, does not.
+// **Corner rays of length 1.** Dividing by $e_z$ afterwards mends the length of a ray, so one would think that the
+// corners may be normalised. But a normalised corner no longer lies in the plane, and what the rasterizer interpolates
+// between corners of unequal depth points elsewhere. On a quad nobody notices: its four corner rays are equally long, so
+// all are shortened alike. A single large triangle over the whole screen has corners outside of the picture, with rays
+// of different lengths, and bends everything.
 
 // %% unit_corners
 const WrongWay corners =
-    wrong_way(view, shown, kWays[3], "Rays of a single triangle, normalised at its corners.");
+    wrong_way(view, shown, kWays[3], "Rays of a single triangle, normalised at its corners: the cubes lean, and are cut at a slant.",
+              "With the ray to the far plane: floor, columns and house are cut straight.");
 book.compare(corners.wrong, corners.right);
 
 // %% full_text [markdown]
-// **The full size for the half.** SSAO explored takes screen coordinates from -1 to 1 and multiplies them with the
-// width and the height of the far plane. Half of both is meant. Everything comes out twice as far from the axis.
+// **The full size for the half.** SSAO explored, a blog article on the same method, takes screen coordinates from -1 to
+// 1 and multiplies them with the width and the height of the far plane. Half of both is meant. Everything comes out
+// twice as far from the axis.
 
 // %% full_size
 const WrongWay full =
-    wrong_way(view, shown, kWays[4], "The whole width and height: every cube has shrunk to half.");
+    wrong_way(view, shown, kWays[4], "The whole width and height: on the screen every cube is half as wide and half as high.",
+              "Half of the width and height, to the same far plane: cubes of one unit.");
 book.compare(full.wrong, full.right);
 
 // %% ao_of_ways
 std::vector<Notebook::Named> occlusion;
-const char* const kCaptions[] = {"The right positions.", nullptr,
+const char* const kCaptions[] = {"The right positions: shade at the feet, under the eaves, round the door.", nullptr,
                                  "Rays of length 1: shade is lost, the more the nearer to the rim.",
-                                 "Normalised corners: open surfaces shade themselves.",
-                                 "Full size: shade where nothing is near."};
+                                 "Normalised corners: the open floor and a whole column shade themselves.",
+                                 "Full size: the open roof is black, and the feet of the columns are white."};
 for (const std::size_t i : {0u, 2u, 3u, 4u})
     occlusion.push_back({std::string("ao_") + kWays[i].name,
                          ao_picture(ao_at(whole, kWays[i].position)), kCaptions[i]});
 book.show_row(occlusion);
 const Vec3<float> misprint = as_misprinted(inputs.rays, 0.3f, 0.8f, 7);
 book.check(
-    "Luna's formula as it is printed, $(p.z / v / z)\\, v$, is (1, 1, 1) for every pixel.",
+    "Luna's formula as it is printed, $(p.z / v / z)\\, v$ (the point e is called v there), is (1, 1, 1) for every pixel.",
     std::fabs(misprint.x - 1) + std::fabs(misprint.y - 1) + std::fabs(misprint.z - 1) < 1e-5f);
 
 // %% formats_text [markdown]
 // ## What a stored depth is worth
 //
-// So the ray does not matter, if it is right. What matters is the number that $p_z$ is made of. X_Jun stores view depth
-// in a 16-bit float, whose steps grow with z; Luna reads a depth buffer, whose steps grow with $z^2$.
+// All right rays give the same $p$. What can still differ is $p_z$, the number that was kept. X_Jun stores view depth in
+// a 16-bit float, whose steps grow with z; Luna reads a depth buffer, whose steps grow with $z^2$.
 
 // %% formats
 std::vector<StoredDepthError> errors;
@@ -315,7 +325,9 @@ book.show_row(
       "NDC depth in 16 bits: too near or too far (red), the more the farther."}},
     "The rebuilt minus the true view depth, from -0.01 to 0.01 units. With 24 bits the picture "
     "would be white.");
-book.table({"stored", "off by at most, units", "over z", "over z^2"}, stored_rows);
+book.table({"stored", "off by at most, units", "over z", "over z^2"}, stored_rows,
+           "D24 and the 32-bit float D32F come out alike: from twice the near plane on $d$ is above 1/2, and there the "
+           "steps of a float are $2^{-24}$, exactly those of D24.");
 book.number("half_share", significant_text(1024 * errors[0].most_of_z, 4));
 book.number("d16_share", significant_text(1.001 * 131072 * errors[1].most_of_z2, 4));
 book.check(
@@ -332,20 +344,22 @@ book.check(
 
 // %% bounds_text [markdown]
 // How large may the error get in other scenes? The next table takes eight pairs of near and far planes and the largest
-// *relative* error of a view depth between them. *Reversed* depth puts the near plane at 1 and the far plane at 0.
-// Floats have their finest steps near 0, so the far end, where $d$ hardly changes, gets them, and the two effects
-// cancel.
+// *relative* error of a view depth between them. One column has a cure. *Reversed* depth puts the near plane at 1 and
+// the far plane at 0. Then $d$ falls like $1/z$, and two effects meet: an error of $d$ counts $z^2$ times as much far
+// away, but a float that holds a small $d$ has fine steps, in proportion to $d$ itself. Together they leave an error of
+// $z$ in proportion to $z$, the same share of it everywhere.
 
 // %% bounds
 const DepthErrorTable table = depth_error_table();
 book.table(table.header, table.rows,
-           "Largest relative error of a view depth. Where it is above 1, the depth is lost; where "
-           "it is infinite, d comes to A itself in floats, and the division is by 0.");
+           "Largest relative error of a view depth. Where it is above 1, the depth is lost. The last column computes "
+           "B / (d - A) in floats, as a shader does, the others without rounding; where it is infinite, d comes to A "
+           "itself, and the division is by 0.");
 book.number("of_bound", percent_text(table.most_of_bound));
 book.number("reversed", significant_text(table.worst_reversed, 2));
 book.check(
-    "No error exceeds the bound that follows from the formula above; the largest is {of_bound} of "
-    "it.",
+    "No error exceeds the bound that follows from the formula above, and the largest comes to {of_bound} "
+    "of it.",
     table.most_of_bound <= 1);
 book.check("Reversed floats are off by no more than {reversed} of z, whatever the planes.",
            table.worst_reversed < 2e-7);
@@ -369,8 +383,9 @@ for (const int kind : {0, 1, 3}) {
 }
 book.compare(
     {"walls_d24", ao_picture(walls[1].ao),
-     "Occlusion of bare walls 25, 45, 65, 85 and 105 away, from a 24-bit depth buffer: none."},
-    {"walls_d16", ao_picture(walls[0].ao), "From a 16-bit one: the three farthest are striped."});
+     "Occlusion of five bare walls side by side, 25, 45, 65, 85 and 105 away, from a 24-bit depth buffer: "
+     "none but a few specks where one wall ends in front of the next."},
+    {"walls_d16", ao_picture(walls[0].ao), "From a 16-bit one: the three farthest walls, on the right, are striped."});
 book.table({"mean AO of the wall at z =", "25", "45", "65", "85", "105"}, wall_rows);
 const Scene wall_scene = bare_walls();
 const double epsilon = static_cast<double>(kLunaSettings.epsilon);
@@ -383,9 +398,9 @@ book.check(
     "Between planes at 1 and 1000, a step is longer than an epsilon of {epsilon} from z = "
     "{from_d16} on with 16 bits, from z = {from_d24} on with 24.",
     std::fabs(from_d16 - 57.3) < 0.1 && std::fabs(from_d24 - 916.4) < 1);
-book.check("With 16 bits the walls at 25 and 45 are open, those at 85 and 105 striped.",
+book.check("With 16 bits the walls at 25 and 45 are open, those at 65, 85 and 105 striped.",
            std::min(walls[0].means[0], walls[0].means[1]) > 0.99 &&
-               std::max(walls[0].means[3], walls[0].means[4]) < 0.97);
+               std::max({walls[0].means[2], walls[0].means[3], walls[0].means[4]}) < 0.97);
 book.check("With 24 bits or reversed floats all are open.",
            std::min(*std::min_element(walls[1].means.begin(), walls[1].means.end()),
                     *std::min_element(walls[2].means.begin(), walls[2].means.end())) > 0.999);
@@ -393,9 +408,11 @@ book.check("With 24 bits or reversed floats all are open.",
 // %% half_text [markdown]
 // **The sky in a 16-bit float.** X_Jun's depth for the sky, 100,000, is more than such a float can hold: the largest is
 // 65,504. What becomes of it depends on the rounding. Direct3D rounds toward zero, so the largest number is kept. Most
-// C++ libraries round to nearest, which is infinity. Filtering then multiplies a weight of 0 with it, or subtracts it
-// from itself, and both are *NaN*, not a number, which spreads to whatever touches it. HLSL's `max(x, 0)` would turn a
-// NaN to 0; C++'s `std::max(x, 0)` keeps it.
+// C++ libraries round to nearest, which is infinity. Now the occlusion pass reads this map with a *linear filter*, a
+// weighted mean of four neighbouring pixels. A weight of 0 times infinity, or infinity minus itself, is *NaN*, not a
+// number, and spreads to whatever touches it. HLSL's `max(x, 0)` would turn a NaN to 0; C++'s `std::max(x, 0)`, with
+// which these pictures are made, keeps it. This lab's kernel asks `x > 0`, which is false for a NaN; chapter 07 shows
+// what infinity costs then.
 
 // %% half_floats
 const SkyInHalf cut = sky_in_half(view, book.size(), BufferFormat::float16_toward_zero);
@@ -403,7 +420,9 @@ const SkyInHalf nearest = sky_in_half(view, book.size(), BufferFormat::float16_n
 book.compare({"sky_nearest", ao_picture(nearest.ao),
               "Rounded to nearest: the sky, all outlines against it and the rim of the picture are "
               "NaN (magenta)."},
-             {"sky_toward_zero", ao_picture(cut.ao), "Rounded toward zero, as Direct3D does."});
+             {"sky_toward_zero", ao_picture(cut.ao),
+              "Rounded toward zero, as Direct3D does: white sky, and the shade of the house up to its outline. (Paler "
+              "than elsewhere: both are without the power that chapter 07 adds for contrast.)"});
 book.table({"rounding", "1e5 becomes", "minus itself", "10 + 0 (it - 10)", "NaN, % of texels",
             "after the blur"},
            {row_of("toward zero", cut), row_of("to nearest", nearest)},
@@ -411,8 +430,8 @@ book.table({"rounding", "1e5 becomes", "minus itself", "10 + 0 (it - 10)", "NaN,
 book.number("nan_cut", significant_text(cut.nan, 2));
 book.number("nan_nearest", significant_text(nearest.nan, 3));
 book.check(
-    "Toward zero {nan_cut} % of the texels are NaN, and only where r = p (chapter 06); to nearest "
-    "it is {nan_nearest} %.",
+    "Toward zero {nan_cut} % of the texels are NaN, and only where a sample comes back to the point itself, the 0/0 of "
+    "chapter 06; to nearest it is {nan_nearest} %.",
     cut.nan < 0.1 && nearest.nan > 5);
 
 // %% exercises [markdown]
@@ -426,7 +445,8 @@ book.check(
 //    triangle's. Why is nothing wrong any more?
 // 4. Set `scene.camera.near_plane = 4` in `bare_walls()` of `chapters/props/stored_depth.cpp`. From which depth on does
 //    D16 show stripes now?
-// 5. Add `BufferFormat::float32` to the cell `half_floats` of this chapter. How much of the sky is NaN?
+// 5. Call `sky_in_half` of `chapters/04_position_from_depth.cpp` with `BufferFormat::float32`, too. How much of the sky
+//    is NaN?
 // 6. (Open) An orthographic camera has no pyramid. What is $p$ there, and which of the traps above are left?
 //
 // <details><summary>Answers</summary>
@@ -434,12 +454,13 @@ book.check(
 // 1. At $(\pm 1026.4, \pm 577.4, 1000)$.
 // 2. On the 16-bit float, which holds its view depth. The depth buffer only decides which surface is nearest; where two
 //    lie closer together than a step of D16, another one may win.
-// 3. All four have the same length, so normalising shrinks them alike, and $v_z$ cancels it.
-// 4. From about 115, behind the last wall. $|B|$ is about $n$, so a step of given length moves out with $\sqrt n$:
+// 3. All four have the same length, so normalising shrinks them alike, and the division by $e_z$ cancels it.
+// 4. From about 115, behind the last wall. $|B|$ is about $z_n$, so a step of given length moves out with $\sqrt{z_n}$:
 //    twice 57.
 // 5. None of it: 100,000 fits.
-// 6. $p = ((2u - 1)\, w, (1 - 2v)\, h, p_z)$ with fixed $w$ and $h$. NDC depth is linear in z there, so its steps do
-//    not grow. Half sizes remain half sizes.
+// 6. All rays are parallel to the z axis: $p = ((2u - 1)\, w, (1 - 2v)\, h, p_z)$ with half the width $w$ and half the
+//    height $h$ of the box that the camera sees. So nothing can be wrong with the length of a ray, and NDC depth is
+//    linear in z, so its steps do not grow. The whole size for the half is as wrong as before.
 //
 // </details>
 
@@ -448,9 +469,10 @@ book.check(
 //
 // - *Luna, prose:* `p=(p.z/v/z)v` is printed where `p = (p.z / v.z) v` is meant. The check above computes it as
 //   printed.
-// - *SSAO explored:* multiplies x and y in -1 to 1 by the size of the far plane. Half of it is meant: third slider.
+// - *SSAO explored:* multiplies x and y in -1 to 1 by the size of the far plane. Half of it is meant; the pair of
+//   pictures above shows the cubes that come of it.
 // - *X_Jun, prose:* calls what it keeps in alpha a depth in screen space. It is the z of view space, and no distance:
-//   first slider.
+//   the bent rows above are what a distance makes of it.
 // - *X_Jun and SSAO explored:* border and clear depth are 1e5, which 16 bits cannot hold. Only Direct3D's rounding
 //   saves them.
 //

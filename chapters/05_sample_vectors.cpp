@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "chapters/diagrams/depth_section.h"
@@ -169,7 +170,8 @@ const Words none = {"random_vectors=none"};
 const SwitchedAo banded = view.ao(none), shown = view.ao();
 book.show("banded", ao_picture(banded.raw),
           "Occlusion with the same fourteen directions everywhere (" + view.command(none) +
-              "). Every band is the outline of the column, once more for each direction.");
+              "); white is open, black is occluded. Every band is the outline of the column, once more for each "
+              "direction.");
 
 // %% idea [markdown]
 // ## The idea
@@ -183,8 +185,8 @@ book.show("banded", ao_picture(banded.raw),
 // ## Fourteen even directions
 //
 // Take a cube and go from its middle to its eight corners and to the middles of its six faces. No side is preferred,
-// and the directions keep their distance from one another. Opposite ones are stored next to each other, so the first
-// eight or ten of them are still balanced. Each gets a random length between a quarter and one, once and for all: the
+// and the directions keep their distance from one another. Opposite ones are stored next to each other: a program that
+// can afford eight or ten samples takes the first ones of the list, and their mean is still 0. Each gets a random length between a quarter and one, once and for all: the
 // samples shall lie everywhere inside the ball around $p$, not only on its rim. We call these vectors $o$, for
 // *offset*.
 //
@@ -196,7 +198,7 @@ book.show("banded", ao_picture(banded.raw),
 //
 // $$ d = o - 2\, (o \cdot r)\, r $$
 //
-// HLSL calls this `reflect`. Does it keep lengths? Multiply out:
+// HLSL calls this `reflect`. (In this chapter $r$ is always this random vector; chapter 06 has another $r$.) Does it keep lengths? Multiply out:
 //
 // $$ |d|^2 = |o|^2 - 4\, (o \cdot r)^2 + 4\, (o \cdot r)^2\, |r|^2 $$
 //
@@ -217,6 +219,14 @@ book.draw(
                      stretch * mirror)}),
     "The fourteen offsets as they are stored; mirrored at the unit vector r; and \"mirrored\" at a "
     "longer r, which pulls them out of shape: red ones lie outside of the ball.");
+std::vector<std::vector<std::string>> pairs;
+for (std::size_t i = 0; i < offsets.size(); i += 2) {
+    const glm::vec3 way = glm::sign(offsets[i]);
+    pairs.push_back({exact_text(way.x) + ", " + exact_text(way.y) + ", " + exact_text(way.z), text(glm::length(offsets[i])),
+                     text(glm::length(offsets[i + 1]))});
+}
+book.table({"direction, not normalised", "length of its offset", "length of the opposite one"}, pairs,
+           "The fourteen offsets of this book, two a row.");
 book.number("closest", closest_deg(offsets), 1);
 glm::vec3 mean_direction(0);
 float opposite = 1;  // cosine
@@ -235,7 +245,7 @@ book.check(
 // ## To the front
 //
 // Half of the directions point into the surface. Nothing can be seen there, so these are flipped over: with the normal
-// $n$ and the length *radius* $R$, half a scene unit in both tutorials,
+// $n$ and the length *radius* $R$, half a scene unit in both tutorials (X_Jun's for Direct3D 11, Luna's for 12),
 //
 // $$ q = p + \mathrm{sign}(d \cdot n)\, R\, d $$
 //
@@ -278,8 +288,8 @@ book.check(
     glm::length(by_hand - texel.samples[flipped].q_view) < 1e-5f);
 
 // %% seven [markdown]
-// Flipping has a price. The opposite of a direction that is flipped lands on the same side as its partner: of the
-// fourteen directions only **seven** are left, with two samples of different lengths along each.
+// Flipping has a price. Of two opposite directions, one always points into the surface, and flipping lays it onto the
+// other: of the fourteen directions only **seven** are left, with two samples of different lengths along each.
 
 // %% seven_directions
 book.check(
@@ -293,8 +303,8 @@ book.check(
 // A shader has no random numbers, so they are made once and stored in a texture, the *random map*: 256 by 256 colours
 // of 8 bits a channel, drawn evenly from 0 to 1. A colour $c$ stands for the vector $r = 2c - 1$, so that each
 // component lies between -1 and 1. The map is laid over the picture four times across and four times down, whatever the
-// picture's shape, and it wraps round at its ends, so there is no seam. A texel looks it up at $(4u, 4v)$, and the four
-// nearest vectors are mixed *linearly*, which shortens them.
+// picture's shape, and it wraps round at its ends, so there is no seam. A texel looks it up at $(4u, 4v)$. Its vectors
+// stand at the centres of its own texels, as in any texture; the four nearest are mixed *linearly*, which shortens them.
 
 // %% the_map
 book.show("random_map", normal_picture(as_image(map)),
@@ -304,8 +314,8 @@ book.number("step", 1024.0 / shown.inputs.size().width, 1);
 book.number("not_unit", percent_text(not_unit_share(map)));
 book.check(
     "From one texel of the AO map to the next it is {step} vectors of the random map, so "
-    "neighbours turn their sets differently. {not_unit} of the vectors are more than a twentieth "
-    "longer or shorter than 1.",
+    "neighbours turn their sets differently. {not_unit} of the vectors in the map, before any are "
+    "mixed, are more than a twentieth longer or shorter than 1.",
     not_unit_share(map) > 0.8);
 
 // %% code_text [markdown]
@@ -327,8 +337,9 @@ book.listing("ssao/methods/luna_occlusion.h", "random_vector",
 book.listing("ssao/methods/luna_occlusion.h", "sample_point",
              "One sample: mirror, flip, step away from p.");
 book.listing("ssao/methods/luna_occlusion.h", "visible",
-             "A sample that comes to lie in front of the near plane has no place on the screen. It "
-             "takes nothing from p, but it is counted among the fourteen all the same.");
+             "A sample that comes to lie before the near plane, between it and the eye or even behind the eye, "
+             "has no place on the screen. It takes nothing from p, but it is counted among the fourteen "
+             "all the same.");
 
 // %% picture [markdown]
 // ## The picture it makes
@@ -360,7 +371,7 @@ book.plot("lengths",
            {"share of the samples, %"},
            {length_shares(raw)},
            {{1, "unit r"}}},
-          "With vectors as they come from the map, lengths spread from almost nothing to several "
+          "With the vectors as they are stored in the map, lengths spread from almost nothing to several "
           "radii. With unit vectors all of them stand at 1.");
 book.table({"mean |d| / |o|", "1 % are below", "1 % are above", "the largest"},
            {{decimal_text(mean, 3), text(p1), text(p99), text(raw.back())}});
@@ -376,8 +387,8 @@ book.check(
 const Words raw_words = {"random_vectors=raw"};
 const SwitchedAo published = view.ao(raw_words);
 book.compare({"ao_raw", ao_picture(published.raw),
-              "Vectors as they come (" + view.command(raw_words) + ")."},
-             {"ao_unit", ao_picture(shown.raw), "Unit vectors: finer grain."});
+              "Vectors as they come (" + view.command(raw_words) + "): white dots in the dark, grey dots far out."},
+             {"ao_unit", ao_picture(shown.raw), "Unit vectors: the same shade in finer grain."});
 book.show("raw_minus_unit", difference_picture(difference_of(published.raw, shown.raw)),
           "The first minus the second: less shade at the foot (red), more further out (blue), and "
           "grain everywhere.");
@@ -386,17 +397,19 @@ const double noise_raw = noise_of(view, "random_vectors=raw"),
 book.number("noise_raw", noise_raw, 4);
 book.number("noise_unit", noise_unit, 4);
 book.check(
-    "Vectors as they come make at least a quarter more noise: {noise_raw} against {noise_unit}, "
-    "RMS difference from the mean over 32 seeds.",
+    "Vectors as they come make at least a quarter more noise: {noise_raw} against {noise_unit}. (The root "
+    "mean square, RMS, of the difference from a mean over 32 seeds, in which the noise has cancelled, in this view.)",
     noise_raw > 1.25 * noise_unit);
 
 // %% near_text [markdown]
-// Long samples may also end in front of the near plane, or behind the eye. The tutorials go on to divide by $q_z \le 0$
-// there. This lab rejects them, with raw vectors too.
+// Long samples may also end between the eye and the near plane, or behind the eye. The tutorials divide by the depth
+// $q_z$ of such a sample as of any other, although it is 0 or negative behind the eye. This lab rejects them, whatever
+// the vectors.
 //
-// **Even at one texel is not even over all.** Each turned set is even. But of all mirrors most stand nearly edge-on to
-// a given direction, and such a mirror hardly moves it. Collected over the whole map, the directions crowd around the
-// places where the fourteen began.
+// **Even at one texel is not even over all.** Each turned set is even. But look at one offset $o$ and all mirrors that
+// it may meet. Far more vectors $r$ stand nearly at right angles to $o$ than nearly along it, as a globe has far more
+// land near the equator than near the poles. At a right angle $o \cdot r = 0$, and $d = o$: such a mirror moves nothing.
+// So, collected over the whole map, the directions crowd around the places where the fourteen began.
 
 // %% density
 const Image<float> often = density(directions);
@@ -405,23 +418,26 @@ book.show(
     "density", grey_picture(often, 0, 4),
     "Where all flipped directions point, seen along the normal z. The disc is the hemisphere; "
     "equal areas stand for equal solid angles. A quarter of white is even. The light spots come up "
-    "to {densest} times as often as they should: they are the fourteen first directions.");
+    "to {densest} times as often as they should: there the fourteen directions began, flipped to the front, "
+    "so that some coincide.");
 
 // %% exercises [markdown]
 // ## Exercises
 //
 // 1. Run `crevice chapter 05 --seed 2`. What changes, and what does not?
-// 2. In the cell `vectors` of this chapter set `stretch` to 1.1. How long does the longest sample get at most, as a
-//    formula?
+// 2. In `chapters/05_sample_vectors.cpp` set `stretch` to 1.1. By how much can this mirror lengthen an offset at most, as
+//    a formula?
 // 3. With $|r|^2 = 1/2$ and $o$ along $r$: what is $d$, and what does the sample then ask?
-// 4. In `all_mirrored` keep only every second `d`. Why does the density stay the same?
+// 4. In `all_mirrored` of the same file, keep only one direction of each opposite pair. Why does the density stay the
+//    same?
 // 5. (Open) Find a distribution of $r$ that makes the density even. How would you store it?
 //
 // <details><summary>Answers</summary>
 //
 // 1. The lengths and the random map, so the grain; not the statistics, and not the shade.
-// 2. $d$ along $r$ is $(1 - 2 |r|^2)\, o$, so $2 |r|^2 - 1$ times as long: 1.42 with 1.1. In the corner of the map,
-//    $|r|^2 = 3$, it is 5.
+// 2. It lengthens those most that lie along $r$. For them $(o \cdot r)\, r = |r|^2\, o$, so $d = (1 - 2 |r|^2)\, o$ is
+//    $2 |r|^2 - 1$ times as long as $o$: 1.42 times for $|r| = 1.1$. The longest vector of the random map is
+//    $(1, 1, 1)$ with $|r|^2 = 3$, which makes it five times.
 // 3. $d = o - 2 \cdot \tfrac12\, o = 0$: the sample lies on $p$ itself. Chapter 06 says what that comes to.
 // 4. The other half are opposites, which flipping sends to the same places.
 // 5. No distribution of mirrors that is itself even will do: $d \cdot o = 1 - 2 (o \cdot r)^2$ prefers 1. Take random

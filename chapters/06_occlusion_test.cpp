@@ -80,8 +80,10 @@ void occlusion_test(Notebook& book) {
 // %% start
 const SwitchedView view = column_foot(book);
 const SwitchedAo shown = view.ao();
-book.show_row({{"normals", normal_picture(shown.gbuffer.normal), "The normals of the first pass."},
-               {"depth", view_depth_picture(shown.gbuffer.view_depth), "Its view depth: the nearer, the lighter."}});
+book.show_row({{"normals", normal_picture(shown.gbuffer.normal), "The normals of the first pass: green on the floor, from teal to red round the "
+                "column."},
+               {"depth", view_depth_picture(shown.gbuffer.view_depth),
+                "Its view depth: the nearer, the lighter. Nothing marks the corner between column and floor."}});
 
 // %% idea [markdown]
 // ## The idea
@@ -113,10 +115,13 @@ book.number("dp", text(texel.samples[blocked].dp));
 book.number("occlusion", text(texel.samples[blocked].weight));
 book.number("taken", text(texel.samples[blocked].contribution));
 book.number("behind", text(-texel.samples[free].dz));
+book.number("blocked", std::to_string(blocked + 1));
+book.number("free", std::to_string(free + 1));
 book.number("sky", static_cast<double>(kBackgroundOverFar * view.camera().far_plane), 0);
 book.draw("occluded_sample",
           sample_diagram(shown.inputs, at.x, at.y, texel, blocked, radius, "One sample that is occluded"),
-          "A cut through the depth buffer at texel ({x}, {y}), drawn from its own numbers. The eye looks from the left. "
+          "A cut through the depth buffer at texel ({x}, {y}) and its sample number {blocked}, drawn from their own numbers. "
+          "The eye looks from the left. "
           "The hatching is what the depth buffer does not know: whatever lies behind the first surface. The dotted circle "
           "is the radius around p; q lies behind the column's surface, so r, where the eye's ray through q meets "
           "that surface, is in front of p.");
@@ -162,7 +167,8 @@ book.draw("occluded_sample",
 // $$ dp = \max\left(0,\; n \cdot \frac{r - p}{|r - p|}\right) $$
 //
 // What the sample takes from $p$ is the product $dp \cdot \mathrm{occlusion}(dz)$. These are the numbers of the two
-// tutorials from which this part of the book is built, X_Jun's and Luna's; the pictures here are made with X_Jun's.
+// tutorials from which this part of the book is built, X_Jun's for Direct3D 11 and Luna's for Direct3D 12; the pictures
+// here are made with X_Jun's.
 
 // %% settings_of_both tags=["setup"]
 std::vector<std::vector<std::string>> numbers;
@@ -195,7 +201,7 @@ book.plot("curves",
 // The kernel of this lab does exactly that. `F` is a `float`, or several of them side by side; `select(condition, a, b)` is
 // `condition ? a : b` for each. Four cases need a word, because the tutorials' shaders leave them to chance:
 //
-// - A point $q$ that is not beyond the near plane, $q_z \le near$, has no place on the screen. Such a sample takes nothing.
+// - A point $q$ that is not beyond the near plane, $q_z \le z_n$, has no place on the screen. Such a sample takes nothing.
 // - Where $r$ and $p$ are the same point (nearer than a millionth of the radius), the way between them has no direction, and
 //   $dp$ would be 0/0. Such a sample takes nothing.
 // - Where fade start equals fade end, the fraction would be 0/0 again. The function is a step then: 1 before, 0 from there
@@ -224,10 +230,10 @@ std::vector<std::vector<std::string>> rows;
 float sum = 0;
 for (const ExplainedSample& sample : texel.samples) {
     sum += sample.contribution;
-    rows.push_back({text(sample.q_view), text(sample.r_view.z), text(sample.dz), text(sample.dp), text(sample.weight),
+    rows.push_back({std::to_string(rows.size() + 1), text(sample.q_view), text(sample.r_view.z), text(sample.dz), text(sample.dp), text(sample.weight),
                     text(sample.contribution), sample.verdict});
 }
-book.table({"q (x, y, z)", "r_z", "dz", "dp", "occlusion", "takes", "because"}, rows);
+book.table({"no.", "q (x, y, z)", "r_z", "dz", "dp", "occlusion", "takes", "because"}, rows);
 book.number("sum", text(sum));
 book.number("mean", text(sum / kCubeVectors));
 book.number("access", text(1 - sum / kCubeVectors));
@@ -236,8 +242,8 @@ book.check("All fourteen together take {sum}, on average {mean}. One minus that,
            "contrast, is {ao}: exactly the value of the texel in the AO map.",
            texel.value_of_sum(sum) == shown.raw.at(at.x, at.y));
 book.draw("open_sample", sample_diagram(shown.inputs, at.x, at.y, texel, free, radius, "One sample that is open"),
-          "A sample of the same texel that meets nothing: the surface behind q lies {behind} behind p, outside of the "
-          "drawing.");
+          "Sample number {free} of the same texel meets nothing: the surface behind q lies {behind} behind p, outside of "
+          "the drawing.");
 
 // %% picture [markdown]
 // ## The picture it makes
@@ -247,8 +253,9 @@ book.draw("open_sample", sample_diagram(shown.inputs, at.x, at.y, texel, free, r
 
 // %% raw_ao
 book.show("ao", ao_picture(shown.raw),
-          "Accessibility after the test, half the picture's size. The floor darkens towards the column; the column's lit "
-          "side and the open floor stay white.");
+          "*Accessibility*, what is left of 1 when all samples have taken their share (with the power for contrast), half "
+          "the picture's size. The floor darkens towards the column; the open floor and the column from a little above "
+          "it stay white.");
 
 // %% without_dp_text [markdown]
 // ## What can go wrong
@@ -267,11 +274,11 @@ settings.self_occlusion_test = false;
 const Image<float> floor_without = luna_occlusion(floor_inputs, settings, {}).ao;
 const Words no_dp = {"self_occlusion_test=false"};
 book.number("floor_without", buffer_statistics(floor_without).mean, 3);
-book.compare({"plane_without_dp", ao_picture(floor_without), "A bare floor, judged by dz alone."},
-             {"plane", ao_picture(floor_with), "The same with dp: open everywhere."});
+book.compare({"plane_without_dp", ao_picture(floor_without), "A bare floor, judged by dz alone: full of grey grain, darkest close to the eye, though nothing stands on it."},
+             {"plane", ao_picture(floor_with), "The same with dp: white, open everywhere."});
 book.check("With dp no texel of the bare floor is darkened; without it, their mean falls to {floor_without}.",
            buffer_statistics(floor_with).min > 0.99f && buffer_statistics(floor_without).mean < 0.7);
-book.compare({"ao_without_dp", ao_picture(view.ao(no_dp).raw), "The columns without dp (" + view.command(no_dp) + ")."},
+book.compare({"ao_without_dp", ao_picture(view.ao(no_dp).raw), "The columns without dp (" + view.command(no_dp) + "): grain on the whole floor and on the columns."},
              {"ao_with_dp", ao_picture(shown.raw), "With it: the shade at the column's foot stands out again."});
 
 // %% epsilon_text [markdown]
@@ -321,8 +328,9 @@ book.check("A wider range only ever closes: the mean over the surfaces goes from
 
 // %% sign_text [markdown]
 // **HLSL's sign(0) is 0.** The tutorials turn a vector to the side of the normal by multiplying it with
-// `sign(dot(offset, n))`. A vector that lies exactly in the surface has the sign 0, and its sample falls onto $p$ itself. It
-// takes a wall along an axis and vectors that no random turn has moved, but then it is four samples of fourteen.
+// `sign(dot(offset, n))`. A vector that lies exactly in the surface has the sign 0, and its sample falls onto $p$ itself.
+// This needs a surface along the axes and vectors that are not turned at random; there, four of the fourteen samples are
+// lost. This lab takes +1 for the sign of 0.
 
 // %% sign_of_zero
 const int plus = samples_that_move(shown.inputs, SignOfZero::plus);

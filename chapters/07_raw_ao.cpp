@@ -186,6 +186,7 @@ book.number("ao_6", text(std::pow(access, 6.0f)));
 book.number("background", decimal_text(static_cast<double>(kBackgroundOverFar) * foot.camera().far_plane, 0));
 book.number("cosine", decimal_text(static_cast<double>(kSameSurfaceCosine), 1));
 book.number("pixels", decimal_text(static_cast<double>(kSameSurface_px), 0));
+book.number("steepest", decimal_text(static_cast<double>(kSteepest), 2));
 
 // %% formula [markdown]
 // ## From samples to a map
@@ -196,8 +197,9 @@ book.number("pixels", decimal_text(static_cast<double>(kSameSurface_px), 0));
 // $$ access = 1 - \frac1N \sum_{i=1}^{N} dp_i \cdot \mathrm{occlusion}(dz_i), \qquad AO = access^{\,k} $$
 //
 // A sample that was rejected has taken nothing, but it stays among the $N$. At our texel $({{x}}, {{y}})$ the samples take
-// {sum} together, so $access = {{access}}$. With X_Jun's exponent $k = 4$ that becomes {ao_4}, with Luna's $k = 6$ it would
-// be {ao_6}. The exponent has no physical meaning: it makes shade out of hints.
+// {sum} together, so $access = {{access}}$. With the exponent of X_Jun's tutorial for Direct3D 11, $k = 4$, that becomes
+// {ao_4}; with that of Luna's for Direct3D 12, $k = 6$, it would be {ao_6}. The exponent has no physical meaning: it turns
+// faint shade into strong shade.
 
 // %% exponents
 const SwitchedView view(book, "columns");
@@ -208,12 +210,13 @@ for (const char* exponent : {"1", "4", "6"}) {
     powers.push_back(view.ao({seed[0], std::string("exponent=") + exponent}).raw);
     occlusions.push_back(1 - buffer_statistics(powers.back()).mean);
 }
-book.compare({"exponent_1", ao_picture(powers[0]), "k = 1: what the samples say."},
-             {"exponent_4", ao_picture(powers[1]), "k = 4, X_Jun's contrast."});
+book.compare({"exponent_1", ao_picture(powers[0]), "k = 1: what the samples say, in pale grey."},
+             {"exponent_4", ao_picture(powers[1]), "k = 4, X_Jun's contrast: the same shade, dark."});
 book.number("occlusion_4", occlusions[1], 4);
 book.number("occlusion_6", occlusions[2], 4);
+book.number("occlusion_more", percent_text(occlusions[2] / occlusions[1] - 1));
 book.check("The exponent 6 instead of 4 raises the mean occlusion of the picture from {occlusion_4} to {occlusion_6}, by "
-           "more than a sixth.", occlusions[2] > 7 * occlusions[1] / 6);
+           "{occlusion_more}.", occlusions[2] > 7 * occlusions[1] / 6);
 
 // %% half_size [markdown]
 // ## A texel between four pixels
@@ -227,8 +230,11 @@ book.check("The exponent 6 instead of 4 raises the mean occlusion of the picture
 // and the mean of the stored depths.)
 //
 // This lab first asks whether the four show one surface: normals whose cosine with that of the pixel nearest to the eye is at least
-// {cosine}, and points that lie within {pixels} pixels' width of that pixel's plane. If so, it takes the mean. If not, it takes
-// the nearest pixel's normal, and the depth that the nearest pixel's plane has at the centre of the texel.
+// {cosine}, and points that lie near that pixel's plane, within {pixels} times the width of a pixel at that depth. If so, it takes
+// the mean of the four normals, as short as that comes out, and of the four view depths. If not, it takes
+// the nearest pixel's normal, and the depth that the nearest pixel's plane has at the centre of the texel. (A plane seen edge-on
+// has no such depth; where $|n \cdot e|$ is below {steepest} for the ray $e$ of depth 1, the pixel's own depth stays. And no depth
+// is taken that is larger than the mean.)
 
 // %% edge_texel
 const SwitchedAo mixed = foot.ao({seed[0], "edge_texels=mixed"});
@@ -251,8 +257,8 @@ book.compare({"edge_mixed", ao_picture(cropped(mixed.blurred, part)), "Blurred, 
 //
 // Two cases need an answer before the loop can run everywhere.
 //
-// **The sky** has neither $p$ nor $n$. Its texels are computed like any other, with harmless numbers, and the result is then
-// replaced by 1: `select(surface, ao, 1)`.
+// **The sky** has neither $p$ nor $n$. Its texels are computed like any other, with the depth 1 and the normal 0, and the result
+// is then replaced by 1: `select(surface, ao, 1)`.
 //
 // **Beyond the picture** the depth map has no pixels, but a sample near the rim asks for them. The map answers as for the
 // sky. X_Jun writes "nothing" as a large depth, {background} here, a hundred times the far plane; in Luna's map of NDC depths
@@ -262,14 +268,19 @@ book.compare({"edge_mixed", ao_picture(cropped(mixed.blurred, part)), "Blurred, 
 // ## The code
 //
 // The whole pass is a loop over texels with the following body. The HLSL of the tutorials ends in the same three steps:
-// divide by the sample count, subtract from one, `saturate(pow(access, k))`.
+// divide by the sample count, subtract from one, `saturate(pow(access, k))`. The pictures of this book use X_Jun's numbers, and
+// depart from the shader in five places: the random vector is made unit (chapter 05); edge texels take the nearest surface; and of
+// the cases of chapter 06, the sign of 0 is 1, samples before the near plane are rejected, and $r = p$ takes nothing. `--param
+// as_published=true` goes back to the tutorials' random vectors, edge texels and sign.
 
 // %% kernel_texel tags=["setup"]
 book.listing("ssao/methods/luna_occlusion.h", "texels_at",
-             "One texel, or several side by side: what surrounds p, what the samples leave, and 1 for the sky.");
+             "One texel, or several side by side. `point_at` has its p, n and random vector, `accessibility` goes through the "
+             "samples, and the sky gets 1.");
 book.listing("ssao/methods/luna_occlusion.h", "accessibility_of_sum", "The mean of the samples.");
 book.listing("ssao/methods/luna_occlusion.h", "stored", "Contrast, and rounding to the format of the map.");
-book.listing("ssao/inputs/texel_fetch.h", "one_surface", "Whether the four pixels of a texel show one surface.");
+book.listing("ssao/inputs/texel_fetch.h", "one_surface", "Whether the four pixels, a `Tap` each, show one surface. A pixel's `weight` is 1/4 here; it is 0 only for sizes that "
+             "are not halved evenly.");
 
 // %% picture [markdown]
 // ## The picture it makes
@@ -280,8 +291,9 @@ book.listing("ssao/inputs/texel_fetch.h", "one_surface", "Whether the four pixel
 // %% raw_ao
 const Scene luna_scene = find_builtin_scene("columns_luna")->make();
 const Image<float> luna = luna_ssao(normal_depth(luna_scene, luna_scene.camera, book.size()), luna_scene.camera).ao;
-book.show("xjun", ao_picture(shown.raw), "X_Jun's raw AO, half the picture's size.");
-book.show("luna", ao_picture(luna), "Luna's scene and settings: occluders fade out by 1 unit instead of 2, and k is 6.");
+book.show("xjun", ao_picture(shown.raw), "X_Jun's raw AO, half the picture's size: darkest round the door, the windows and the steps.");
+book.show("luna", ao_picture(luna), "Luna's scene and settings (occluders fade out by 1 unit instead of 2, and k is 6): eye sockets and mouth of the "
+          "skull are dark.");
 const SkyTexels sky = sky_texels(shown);
 const BufferStatistics all = buffer_statistics(shown.raw);
 book.number("sky", std::to_string(sky.count));
@@ -313,9 +325,9 @@ for (int i = 10; i <= 140; ++i) {
 }
 book.plot("noise_by_samples", {"Noise by the number of samples", {"samples a texel, N"},
                                {"RMS difference from the mean of 32 seeds", false, 0}, {measured, ideal}},
-          "Every sample after the second helps, each less than the one before.");
-book.show_row({{"samples_1", ao_picture(cropped(by_samples[0], house_of(shown.raw.size))), "One sample."},
-               {"samples_4", ao_picture(cropped(by_samples[2], house_of(shown.raw.size))), "Four samples."},
+          "The second sample helps next to nothing, every later one less than the one before.");
+book.show_row({{"samples_1", ao_picture(cropped(by_samples[0], house_of(shown.raw.size))), "One sample: a texel is nearly black or white, hit or not."},
+               {"samples_4", ao_picture(cropped(by_samples[2], house_of(shown.raw.size))), "Four samples: coarse grey grain."},
                {"samples_14", ao_picture(cropped(by_samples[5], house_of(shown.raw.size))), "Fourteen: less noise, the same shade."}});
 book.number("noise_1", measured.y[0], 4);
 book.number("noise_2", measured.y[1], 4);
@@ -328,10 +340,10 @@ book.check("The second sample only brings it to {noise_2}; going from 2 to 4 gai
 // %% blurred_text [markdown]
 // ## Why grain is better than bands
 //
-// Texel by texel both maps of the column's foot are wrong by about as much. Blur both as in chapter 08, and compare them with the
-// blurred mean of 32 seeds. What remains of the bands is broad and strong, since a band is as wide as the filter. The grain is
-// gone; a faint even tint remains, because the lengths of the fourteen vectors are drawn once for the whole map, and no mean over
-// neighbours changes those.
+// Texel by texel both maps of the column's foot are wrong by about as much (the first numbers of the check below). Blur both as
+// in chapter 08, and compare them with the blurred mean of 32 seeds. What remains of the bands is broad and strong, since a band
+// is as wide as the filter. The grain is gone. A faint, even error remains: this seed has drawn other lengths for the fourteen
+// vectors than the mean of all seeds, the same for every texel, so no mean over neighbours removes it.
 
 // %% blurred
 const Image<float> limit = luna_limit(grain.inputs, grain.settings, kSeeds).mean;
@@ -362,15 +374,15 @@ book.check("The random map repeats four times across the picture: a quarter of t
 // %% thin_text [markdown]
 // ## What can go wrong
 //
-// **Half size loses thin lines.** Noise is no coarser in the end, since the blur follows; but a joint that is one pixel wide
-// may fall between the texels.
+// **Half size loses thin lines.** The grain of a small map is coarser, but it is blurred anyway. A joint that is one pixel wide,
+// however, may fall between the texels, and no blur brings it back.
 
 // %% thin
 const Image<float> full = view.ao(seed, 1).raw;
 const Image<float> half = ao_at_picture_size(shown.raw, book.size());
 const PixelRect house = house_of(book.size());
 const double mean_change = buffer_statistics(difference_of(half, full)).mean;
-book.compare({"half_size", ao_picture(cropped(half, house)), "The house at half size."},
+book.compare({"half_size", ao_picture(cropped(half, house)), "The house at half size: most joints of the roof are missing, the rest soft."},
              {"full_size", ao_picture(cropped(full, house)), "At full size (`--ao-scale 1`), four times the work: the "
               "joints of the roof are whole."});
 book.number("mean_change", mean_change, 4);
@@ -385,16 +397,17 @@ book.check("On average both are equally dark: half size minus full size is {mean
 const SwitchedView walls(book, "cornell");
 const Image<float> exact = walls.ao(seed).raw, off = walls.ao({seed[0], "texel_centre=off"}).raw;
 const double darker = buffer_statistics(difference_of(off, exact)).mean;
-book.compare({"centre_off", ao_picture(off), "Half a pixel off: the side walls are speckled (" + walls.command({"texel_centre=off"}) + ")."},
-             {"centre_exact", ao_picture(exact), "The depth at the texel's centre."});
+book.compare({"centre_off", ao_picture(off), "Half a pixel off: faint specks on the ceiling and on the left wall (" + walls.command({"texel_centre=off"}) + ")."},
+             {"centre_exact", ao_picture(exact), "The depth at the texel's centre: ceiling and walls are white up to the corners."});
 book.number("darker", -darker, 4);
 book.check("Misplaced points darken the room by {darker} on average.", darker < -0.002);
 
 // %% sky_text [markdown]
 // **A large number that does not fit.** X_Jun keeps depths as 16-bit floats, whose largest number is 65504, and clears them to
 // 1e5. Direct3D rounds toward zero and stores 65504. Other machines round to nearest and store infinity; a linear filter
-// then computes $0 \cdot \infty$, which is NaN, and every comparison with NaN is false. The samples that meet it take
-// nothing: texels at silhouettes lose their shade.
+// then computes $0 \cdot \infty$, which is NaN, and every comparison with NaN is false. So in this lab's kernel, which compares,
+// the samples that meet it take nothing, and texels at silhouettes lose their shade. (The pictures of chapter 04 are made with a
+// `max` that lets the NaN through instead.)
 
 // %% sky_in_a_half
 const Words nearest_even = {seed[0], "buffer_format=float16_nearest", "edge_texels=mixed"};
@@ -405,8 +418,8 @@ const float stored_sky = infinite_sky.inputs.depth_map.at(0, 0), kept = truncate
 const Image<float> change = difference_of(infinite_sky.raw, finite_sky.raw);
 const PixelRect where = part_around_largest(change, {40, 30});
 const auto lost = std::count_if(change.pixels.begin(), change.pixels.end(), [](float a) { return a > 0.01f; });
-book.compare({"sky_infinite", ao_picture(cropped(infinite_sky.raw, where)), "An infinite sky, 40 by 30 texels at a silhouette."},
-             {"sky_finite", ao_picture(cropped(finite_sky.raw, where)), "The sky at 65504: the shade is back."});
+book.compare({"sky_infinite", ao_picture(cropped(infinite_sky.raw, where)), "An infinite sky, 40 by 30 texels at a silhouette: those that touch the sky are white."},
+             {"sky_finite", ao_picture(cropped(finite_sky.raw, where)), "The sky at 65504: single texels of the outline are grey again."});
 book.number("lost", std::to_string(lost));
 book.check("Rounded toward zero 1e5 becomes 65504, to nearest infinity, and a filter that touches infinity gives NaN.",
            kept == 65504 && std::isinf(stored_sky) && std::isnan(stored_sky + 0 * (kept - stored_sky)));
@@ -426,10 +439,10 @@ const Image<float> nothing = rim.ao(seed).blurred, last = rim.ao({seed[0], "bord
 const Image<float> other_side = rim.ao({seed[0], "border=wrap"}).blurred;
 const Image<float> last_minus = difference_of(last, nothing), wrap_minus = difference_of(other_side, nothing);
 book.show_row({{"border_far", ao_picture(nothing), "Nothing beyond the picture: the tutorials', and the default here."},
-               {"border_edge", ao_picture(last), "The last pixel again (" + rim.command({"border=edge"}) + ")."},
-               {"border_wrap", ao_picture(other_side), "The other side (" + rim.command({"border=wrap"}) + ")."}});
-book.show_row({{"edge_minus_far", difference_picture(last_minus), "The last pixel minus nothing: blue is darker."},
-               {"wrap_minus_far", difference_picture(wrap_minus), "The other side minus nothing."}});
+               {"border_edge", ao_picture(last), "The last pixel again: the shade of column and house reaches to the rim (" + rim.command({"border=edge"}) + ")."},
+               {"border_wrap", ao_picture(other_side), "The other side: the near column at the left darkens the far right (" + rim.command({"border=wrap"}) + ")."}});
+book.show_row({{"edge_minus_far", difference_picture(last_minus), "The second picture minus the first: blue, so darker, where a surface goes on at the rim."},
+               {"wrap_minus_far", difference_picture(wrap_minus), "The third minus the first: blue also where there is nothing near."}});
 book.number("last_change", text(most(last_minus)));
 book.number("wrap_change", text(most(wrap_minus)));
 book.check("Single texels change by up to {last_change} and {wrap_change}; no policy knows what is really there.",

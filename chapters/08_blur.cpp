@@ -181,7 +181,7 @@ void blur(Notebook& book) {
 // # The bilateral blur
 //
 // Chapter 07 leaves a map full of grain. Its errors differ from texel to texel, so the mean of a texel and its neighbours should
-// be free of them. The picture on the right of the slider takes that mean without asking any questions. The grain is gone.
+// be free of them. The second of the next two pictures takes that mean without asking any questions. The grain is gone.
 // So are the edges: the shade of the columns spills over the sky and the floor behind them, and in a lit picture it would surround everything
 // with a dirty fringe.
 
@@ -190,8 +190,8 @@ const SwitchedView view(book, "columns");
 const Words seed = {"seed=" + std::to_string(book.seed())};
 const Words gaussian = {"blur_edges=none", "blur_weights=luna"};
 const SwitchedAo shown = view.ao(seed), plain = view.ao({seed[0], gaussian[0], gaussian[1]});
-book.compare({"raw", ao_picture(shown.raw), "The raw AO map."},
-             {"plain", ao_picture(plain.blurred), "The plain mean of neighbours, weighted by a Gaussian, four times (" +
+book.compare({"raw", ao_picture(shown.raw), "The raw AO map: shade with sharp edges, full of grain."},
+             {"plain", ao_picture(plain.blurred), "The plain mean of neighbours, weighted by a Gaussian, four times: soft clouds that ignore the edges (" +
               view.command(gaussian) + ")."});
 
 // %% idea [markdown]
@@ -199,7 +199,7 @@ book.compare({"raw", ao_picture(shown.raw), "The raw AO map."},
 //
 // **Average only over neighbours that show the same surface.**
 //
-// Which neighbours are those? The first pass has left us the normal and the view depth of every texel. If a neighbour's normal is
+// Which neighbours are those? Chapter 07 has found a normal and a view depth for every texel of the map. If a neighbour's normal is
 // nearly ours, and its depth too, it most likely lies on our surface. A mean that weighs neighbours by their place *and* by
 // their likeness is called a *bilateral filter*. Here likeness is yes or no.
 
@@ -224,7 +224,7 @@ book.number("step_y", std::to_string(step.y));
 book.draw("taps", blur_taps_diagram(in, step.x, step.y, taps, "A texel and its neighbours on one row, at a step in depth"),
           "A cut through the depth buffer along the row of texel ({step_x}, {step_y}), seen from above; the eye is on the left. The "
           "blue neighbours of the green texel c lie on its surface. The red ones face another way and lie farther back; "
-          "their AO says nothing about c.");
+          "their AO says nothing about c. (It is chosen for the step beside it, and is not the texel that we follow.)");
 
 // %% numbers
 book.number("middle", text(kXjunBlurWeights[5], 1));
@@ -249,11 +249,12 @@ book.number("sigma_4", std::sqrt(kXjunBlur.iterations * variance_of(kXjunBlurWei
 //
 // $$ w_i = \frac{e^{-i^2 / 2\sigma^2}}{\sum_{j=-5}^{5} e^{-j^2 / 2\sigma^2}}, \qquad \sigma = 2.5 \text{ texels}, $$
 //
-// whose radius of five is $2\sigma$. X_Jun's are set by hand: {middle} for the texel itself, {inner} for the three nearest on
-// either side, {outer} for the last two.
+// whose radius of five is $2\sigma$. Cut off there, they have a standard deviation of only {luna_sigma} texels. (Luna's is a
+// tutorial for Direct3D 12. X_Jun's, for Direct3D 11, has the same blur with weights that are set by hand: {middle} for the texel
+// itself, {inner} for the three nearest on either side, {outer} for the last two.)
 //
-// X_Jun does both passes {iterations} times, Luna {luna_iterations} times. Repeating a filter adds up the squares of its widths: one
-// iteration of X_Jun's weights has a standard deviation of {sigma_1} texels, four have {sigma_4}.
+// X_Jun does both passes {iterations} times, Luna {luna_iterations} times. When a filter is repeated, the squares of its standard
+// deviations add up: one iteration of X_Jun's weights has {sigma_1} texels, four have {sigma_4}.
 
 // %% weights
 double off = 0;
@@ -292,7 +293,8 @@ book.number("raw_step", text(near.raw.at(step.x, step.y)));
 book.number("across_step", text(across));
 book.table({"tap i", "weight", "n_c . n_i", "|z_c - z_i|", "verdict", "AO"}, tap_rows,
            "The eleven taps of the texel in the figure. Those that count have a total weight of {kept_weight}; divided by it, their mean "
-           "is {across_step}, where the texel itself had {raw_step}.");
+           "is {across_step}, where the texel itself had {raw_step}. (Tap 0 is the texel itself: its cosine may come a little below 1, "
+           "since a mean of four normals is not of length 1.)");
 
 // %% the_code [markdown]
 // ## The code
@@ -307,8 +309,8 @@ book.listing("ssao/blur/blur_edges.h", "counts", "The tests as the lab's kernel 
 book.listing("ssao/blur/blur_rows.h", "total_weight", "The divisor, from one bit for each tap that counts.");
 
 // %% decided_once [markdown]
-// Normals and depths stay the same through all iterations, and if $a$ counts for $b$, then $b$ counts for $a$. So the lab's kernel decides each pair
-// once and keeps one bit for it, where a shader repeats both tests eight times.
+// Normals and depths stay the same through all iterations, and if $a$ counts for $b$, then $b$ counts for $a$. So the lab's kernel tests each pair of
+// texels once and keeps the answer as one bit. A shader tests it again in each of the four iterations, from both sides.
 
 // %% same_as_shader
 const Image<float> by_shader = blurred_naively(near.raw, in, near.blur);
@@ -343,7 +345,8 @@ book.number("of_texel_4", text(of_texel[2]));
 
 // %% followed [markdown]
 // The texel that we follow, $({{x}}, {{y}})$ in the view of the column's foot, had {of_texel_0} in the raw map. It has {of_texel_1}
-// after one iteration and {of_texel_4} after four.
+// after one iteration and {of_texel_4} after four. A single texel may go down and up again: at first its nearest neighbours
+// decide, later theirs.
 
 // %% keeps
 const double drift = buffer_statistics(shown.blurred).mean - buffer_statistics(shown.raw).mean;
@@ -359,14 +362,14 @@ book.show("leak", difference_picture(difference_of(plain.blurred, shown.blurred)
 book.number("drift", drift, 4);
 book.number("leaked", percent_text(leaked));
 book.check("Four iterations change the mean of the map by {drift} only.", std::fabs(drift) < 0.005);
-book.check("In one iteration nothing crosses a step in depth; of the plainly blurred map {leaked} shows what no raw value near it in "
-           "depth has.", leak(BlurEdges::fixed) == 0 && leaked > 0.01);
+book.check("In one iteration of the bilateral blur nothing crosses a step in depth. One iteration of the plain blur gives {leaked} of "
+           "the texels a value outside of the range of the raw values around them at about their depth.", leak(BlurEdges::fixed) == 0 && leaked > 0.01);
 
 // %% error_text [markdown]
 // ## How wrong it is
 //
 // Which blur is better (X_Jun's first exercise)? The mean of many seeds is the method without its noise; let us measure how far
-// each map is from that. *Edges* are texels beside a step in depth, *creases* those where surfaces meet, *flats* all others.
+// each map is from that, with twice the seeds of chapter 07. *Edges* are texels beside a step in depth, *creases* those where surfaces meet, *flats* all others.
 
 // %% errors
 const ReferenceImage limit = luna_limit(shown.inputs, shown.settings, kSeeds);
@@ -412,9 +415,9 @@ book.number("f", text(focal_px, 1));
 book.number("limit_z", text(limit_z, 1));
 
 // %% floor_text [markdown]
-// ## What breaks it: a floor seen at a slant
+// ## What can go wrong: a floor seen at a slant
 //
-// Rows of the map that show a floor are not equally far apart. From an eye at the height $h$ above the floor, the row $s$ texels
+// Rows of the map that show a floor are not equally far apart. From an eye that looks level from the height $h$, the row $s$ texels
 // below the horizon shows the depth $z = hf / s$, where $f$ is the focal length in texels, half the map's height over
 // $\tan(fov_y/2)$. From one row to the next the depth therefore changes by
 //
@@ -430,7 +433,7 @@ book.number("limit_z", text(limit_z, 1));
 const SwitchedAo slope = view.ao({seed[0], "blur_edges=slope"});
 const KeptTaps of_fixed = kept_taps(shown.inputs, shown.blur, limit_z), of_slope = kept_taps(shown.inputs, slope.blur, limit_z);
 book.compare({"kept_taps", grey_picture(of_fixed.kept, 0, 10), "How many of the ten taps above and below count, 0 black to 10 "
-              "white: the far floor loses all, in rows."},
+              "white. On the far floor it is none, and towards the eye more, step by step."},
              {"kept_taps_slope", grey_picture(of_slope.kept, 0, 10), "Measured from the plane (" +
               view.command({"blur_edges=slope"}) + "): the floor is white up to the horizon."});
 book.show("slope_minus_fixed", difference_picture(difference_of(slope.blurred, shown.blurred)),
@@ -438,7 +441,7 @@ book.show("slope_minus_fixed", difference_picture(difference_of(slope.blurred, s
 book.number("without", percent_text(double{1} * of_fixed.without / of_fixed.far_floor));
 book.number("taps_fixed", of_fixed.taps / of_fixed.far_floor, 1);
 book.number("taps_slope", of_slope.taps / of_slope.far_floor, 1);
-book.check("Past that depth {without} of the floor's texels keep no tap at all above or below.", of_fixed.without > 0.9 * of_fixed.far_floor);
+book.check("From a tenth beyond that depth on, {without} of the floor's texels keep no tap at all above or below.", of_fixed.without > 0.9 * of_fixed.far_floor);
 book.check("Measured from the plane they keep {taps_slope} of ten on average instead of {taps_fixed}.",
            of_slope.taps > 7 * of_slope.far_floor && of_fixed.taps < 0.5 * of_fixed.far_floor);
 
@@ -449,8 +452,9 @@ book.check("Measured from the plane they keep {taps_slope} of ten on average ins
 // 2. Run `crevice chapter 08 --cell iterations --param blur_depth=10`. Only the normals hold shade back now. Which edges stay
 //    sharp, and which do not?
 // 3. Run it with `--param blur_normal=-1` instead. What becomes of the roof and of the steps?
-// 4. Luna's filter is `--param blur_weights=luna` with three iterations. Compute its width, and compare the maps.
-// 5. The filter is not exactly separable any more. Where does the order of the two passes matter?
+// 4. Luna's filter is `--param blur_weights=luna` with three iterations. Compute its standard deviation, and compare the maps.
+// 5. A Gaussian over a square may be taken along rows and then along columns, or the other way round, with the same result: it is
+//    *separable*. With the two tests it is not any more. Where does the order of the passes matter?
 //
 // <details><summary>Answers</summary>
 //
@@ -468,7 +472,8 @@ book.check("Measured from the plane they keep {taps_slope} of ten on average ins
 // %% errata [markdown]
 // <details><summary>Errata of the tutorials</summary>
 //
-// - *SSAO explored:* blurs vertically first, X_Jun and Luna horizontally. The order changes the result.
+// - *SSAO explored,* a blog article on the same method: blurs vertically first, X_Jun and Luna horizontally. The order changes
+//   the result.
 // - *X_Jun, Luna and SSAO explored:* a fixed limit of 0.2 units in depth makes the blur one-dimensional on far floors, as shown
 //   above.
 // - *Luna, UpdateSsaoCB:* reads the weights as three vectors of four floats. A radius of five has only eleven, so the last one

@@ -104,7 +104,7 @@ scene.sky = kMagenta;
 Camera camera = scene.camera;
 camera.eye = {-7.3, 1.7, -11.1}, camera.target = {0.4, -1.2, 1.3};
 const Mismatch turned = mismatch(scene, camera, book.size());
-book.show("turned", lit_picture(turned.lit), "X_Jun's scene, lit with EQUAL, with the two formulas of its two passes.");
+book.show("turned", lit_picture(turned.lit), "The scene of X_Jun's tutorial for Direct3D 11, lit with EQUAL, with the two formulas of its two passes.");
 book.number("turned_holes", percent_text(turned.holes));
 book.check("{turned_holes} of the surface's pixels are not lit.", turned.holes > 0.1);
 
@@ -171,12 +171,13 @@ book.listing("rasterizer/draw/vertex_transform.cpp", "row_product", "The one exp
 // that fuses a multiplication and an addition into one operation in one of the two shaders breaks this again; HLSL's `precise`
 // forbids it.)
 //
-// **LESS_EQUAL** passes what is equal or nearer. It closes the holes where the second depth is the smaller one. With these formulas
-// that is nearly all of them, by luck; the others stay open.
+// **LESS_EQUAL** passes what is equal or nearer. Where the second depth is the smaller one, the hole is closed. With these two
+// formulas that happens to be so nearly everywhere. Where the second depth is the larger one, the hole stays.
 //
-// **LESS_EQUAL with a bias** subtracts a constant number of steps from the second depth, so that rounding no longer matters. It
-// must be larger than the rounding errors and smaller than the distance to the next surface, and nothing tells where that is. A step of
-// depth is worth $2^{-24} z^2 / near$ scene units: the table says how far each bias reaches at $z = 10$.
+// **LESS_EQUAL with a bias** subtracts a constant number of steps from the second depth, so that rounding no longer matters. The
+// bias must be larger than the rounding errors, and smaller than the distance to what lies behind, which no program knows
+// beforehand. With the near plane at $z_n$ (here 1), a step of depth is $2^{-24} z^2 / z_n$ scene units long: the table says how
+// far each bias reaches at $z = 10$.
 
 // %% cures
 const GBuffer first = normal_depth(scene, camera, book.size(), {.position_order = kFirstPass});
@@ -195,10 +196,10 @@ settings.depth_bias.constant = -256;
 const Lit biased = cured("LESS_EQUAL, bias 256 steps", settings);
 settings.depth_bias.constant = -65536;
 const Lit too_far = cured("LESS_EQUAL, bias 65536 steps", settings);
-book.compare({"two_formulas", lit_picture(turned.lit), "Two formulas, EQUAL."}, {"one_formula", shared.picture(), "One formula, EQUAL: whole."});
-book.show_row({{"less_equal", looser.picture(), "LESS_EQUAL alone: holes where the second depth is the larger one."},
+book.compare({"two_formulas", lit_picture(turned.lit), "Two formulas, EQUAL: most of the scene is missing."}, {"one_formula", shared.picture(), "One formula, EQUAL: whole."});
+book.show_row({{"less_equal", looser.picture(), "LESS_EQUAL alone: a column in the background and the rim of the near sphere have holes."},
                {"bias", biased.picture(), "LESS_EQUAL with a bias of 256 steps: closed."},
-               {"large_bias", too_far.picture(), "With 65536 steps: what is hidden shines through."}});
+               {"large_bias", too_far.picture(), "With 65536 steps what is behind shines through: at the ridge of the roof, in the frames of door and windows."}});
 book.table({"cure", "holes", "wrong surface", "reach at z = 10, units"}, rows);
 book.number("holes_left", percent_text(looser.shares.holes));
 book.number("hidden_seen", percent_text(too_far.shares.wrong));
@@ -214,8 +215,9 @@ book.check("A large one shows hidden surfaces at {hidden_seen} of the pixels.", 
 // %% cutouts_text [markdown]
 // ## Holes that are meant
 //
-// A lattice is a rectangle whose texture says, by its *alpha*, where there is nothing: the shader discards those pixels, X_Jun's
-// `clip`. Both drawings and the shadow map draw the lattice. Which of them must cut?
+// A fence is often drawn as one rectangle. The fourth channel of its texture, *alpha*, is 0 where there is a hole, and the shader
+// throws these pixels away; HLSL's word for it is `clip`, ours is *cutting*. X_Jun has such a fence, a lattice, and cuts in both
+// drawings. Must both?
 
 // %% cutouts
 const Scene cut = lattice_scene(), whole = without_cutouts(cut);
@@ -228,10 +230,10 @@ const auto drawn = [&](bool first_cut, bool second_cut, DepthFunction function) 
 const Lit both = drawn(true, true, DepthFunction::equal), only_first = drawn(true, false, DepthFunction::equal);
 const Lit closed = drawn(true, false, DepthFunction::less_equal), only_second = drawn(false, true, DepthFunction::equal);
 book.show_row({{"cut_1", both.picture(), "Both drawings cut the holes: the lattice is right."},
-               {"cut_3", closed.picture(), "Only the first cuts, and the second tests LESS_EQUAL: it draws the full panel, which is nearer than what is "
-                "seen through the holes, and passes."},
-               {"cut_4", only_second.picture(), "Only the second cuts: the first has left the panel's depth in the holes, where nothing equal is drawn, and "
-                "the background shows."}});
+               {"cut_3", closed.picture(), "Only the first cuts, and the second tests LESS_EQUAL: its rectangle has no holes, is nearer than what the first "
+                "has seen through them, and covers it."},
+               {"cut_4", only_second.picture(), "Only the second cuts: in the holes the first has left the depth of the rectangle, so what lies behind is not "
+                "equal to it, and the background shows."}});
 const auto row = [](const char* in_first, const char* in_second, const char* test, const Lit& lit) -> std::vector<std::string> {
     return {in_first, in_second, test, percent_text(lit.shares.holes), percent_text(lit.shares.wrong)};
 };
@@ -243,8 +245,8 @@ book.number("gaps", percent_text(only_second.shares.holes));
 book.check("Cut in both, EQUAL leaves no hole.", both.shares.holes == 0 && both.shares.wrong == 0);
 book.check("Cut in the first alone, EQUAL still gives the same picture, to the bit: the depth itself has the holes.",
            content_hash(only_first.image) == content_hash(both.image));
-book.check("LESS_EQUAL then closes the lattice, {panel} of the surface.", closed.shares.wrong > 0.05);
-book.check("Cut in the second alone, the background shows at {gaps} of the surface.", only_second.shares.holes > 0.05);
+book.check("With LESS_EQUAL instead, the rectangle covers {panel} of the surface that should be seen through its holes.", closed.shares.wrong > 0.05);
+book.check("Cut in the second alone, {gaps} of the surface is missing.", only_second.shares.holes > 0.05);
 
 // %% exercises [markdown]
 // ## Exercises
@@ -255,7 +257,7 @@ book.check("Cut in the second alone, the background shows at {gaps} of the surfa
 // 3. Set `depth_format=d32f` and `--param lit_depth_test=less_equal`, and try `lit_depth_bias` of -1, -16 and -256. Which is the smallest that
 //    closes all?
 // 4. Where would a *slope* bias, a multiple of how fast depth changes from pixel to pixel, be better than a constant one?
-// 5. Reversed Z stores $near / z$. Would it change the number of holes?
+// 5. Reversed Z stores $z_n / z$. Would it change the number of holes?
 //
 // <details><summary>Answers</summary>
 //

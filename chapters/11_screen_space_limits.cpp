@@ -95,7 +95,7 @@ void screen_space_limits(Notebook& book) {
 //
 // A sphere rests on a column. In the first picture we see both, and the stone under the sphere is dark. Then we look down a
 // little, until only the foot of the sphere is left in the picture. The stone has not changed, the sphere is still there, and the
-// shade is almost gone. This is the flaw that X_Jun's last picture shows.
+// shade is almost gone. This is the flaw that the last picture of X_Jun's tutorial, for Direct3D 11, shows.
 
 // %% look_down
 const Scene columns = find_builtin_scene("columns")->make();
@@ -149,7 +149,7 @@ book.draw("plate_section", sample_diagram(wall.inputs, wall.x, wall.y, wall.texe
 
 // %% beside
 const BorderGain gain = border_gain();
-book.show_row({{"noise_wall", ao_picture(gain.ao), "A wall of noise."},
+book.show_row({{"noise_wall", ao_picture(gain.ao), "AO of a wall with random dents: soft grey all over, up to the rim."},
                {"rim", difference_picture(gain.gained), "Its AO minus that of the larger picture, cut to size: red is too bright."}});
 book.number("rim", gain.rim, 3);
 book.number("inside", gain.inside, 3);
@@ -175,8 +175,8 @@ book.listing("ssao/inputs/ao_inputs.cpp", "seen_beyond", "What the depth map sho
 // %% thick
 const PlateAo at_03 = plate_ao(0.3f), at_08 = plate_ao(0.8f), at_14 = plate_ao(1.4f);
 book.show_row({{"fade_end_2", ao_picture(at_14.fade_2), "The plate 1.4 units before the wall, fade end 2 (X_Jun): a halo on the wall."},
-               {"fade_end_1", ao_picture(at_14.fade_1), "Fade end 1 (Luna): none."},
-               {"plate_rays", ao_picture(at_14.rays), "By rays: the wall is open."}});
+               {"fade_end_1", ao_picture(at_14.fade_1), "Fade end 1 (Luna's tutorial, for Direct3D 12): next to none."},
+               {"plate_rays", ao_picture(at_14.rays), "By rays: the wall is open; only where wall and plate meet the floor is shade."}});
 const auto plate_row = [](const char* distance, const PlateAo& plate) -> std::vector<std::string> {
     return {distance, decimal_text(plate.darkest[0], 3), decimal_text(plate.darkest[1], 3), decimal_text(plate.darkest[2], 3)};
 };
@@ -240,8 +240,8 @@ book.check("The point stays as it is, at {truth}; its AO goes from {least} to {m
 // %% layers_text [markdown]
 // ## Behind the first surface
 //
-// How much of this is the fault of the method, how much of the depth buffer? Let rays decide that, too: the same rays, once through the scene, and once
-// through what the depth buffer knows of it, its pixels joined to one surface.
+// How much of this is the fault of the method, how much of the depth buffer? Let rays decide that, too. We shoot the same rays twice: once through the
+// scene, and once through all that the depth buffer knows of it, a single sheet of cloth that is drawn from each pixel's surface to its neighbours'.
 
 // %% layers
 Camera above = columns.camera;
@@ -251,14 +251,15 @@ const RayAoSettings long_rays{.rays = 64, .radius = 1.5f};
 const Image<float> all_layers = ray_picture(columns, above, layers, long_rays);
 const Image<float> one_layer = depth_buffer_picture(columns, above, layers, long_rays);
 const Image<float> lost = difference(one_layer, all_layers);
-book.compare({"one_layer", ao_picture(one_layer), "Rays against the depth buffer."}, {"all_layers", ao_picture(all_layers), "The same rays through the scene."});
+book.compare({"one_layer", ao_picture(one_layer), "Rays against the sheet that the depth buffer knows."}, {"all_layers", ao_picture(all_layers), "The same rays through the scene: the shade beside the "
+             "house and behind the columns differs."});
 book.show("one_layer_minus_all", difference_picture(lost),
-          "Depth buffer minus scene. Red: shade is lost, because what casts it is hidden. Blue: shade is invented, where near and far were joined "
-          "across a silhouette.");
+          "Depth buffer minus scene. Red: shade is lost, because what casts it is hidden from the eye. Blue: shade is invented, because the sheet closes "
+          "the gap between a near thing and the far one beside it.");
 book.number("lost", static_cast<double>(buffer_statistics(lost).max), 3);
 book.number("invented", -static_cast<double>(buffer_statistics(lost).min), 3);
-book.check("At single pixels up to {lost} of accessibility is gained where layers are hidden, and up to {invented} lost where near and far are "
-           "joined. A method that reads only this buffer cannot know better there.",
+book.check("Single pixels come out too light by up to {lost}, where the occluder is hidden, and too dark by up to {invented}, where the sheet closes a "
+           "gap. A method that reads only this buffer cannot know better there.",
            buffer_statistics(lost).max > 0.3f && buffer_statistics(lost).min < -0.3f);
 
 // %% half_text [markdown]
@@ -288,7 +289,7 @@ near_column.eye = {3, 0.4, -3}, near_column.target = {6, -0.6, 0}, near_column.n
 const Supersampled s = supersample(columns, near_column, kSize);
 book.compare({"plain", lit_picture(s.plain), "One sample a pixel: jagged edges."},
              {"supersampled", lit_picture(s.four), "Four, each with light and AO of its own, their mean in linear light."});
-book.show_row({{"multisampled", lit_picture(s.four_with_one), "Four lit samples with the AO of one."},
+book.show_row({{"multisampled", lit_picture(s.four_with_one), "Four lit samples with the AO of one: at this size as good as the right picture."},
                {"mismatch", difference_picture(s.off, 0.1f), "That minus the right one, 0.1 is full red: the error sits on the edges."},
                {"edges", mask_picture(s.edge), "The pixels whose samples differ."}});
 book.table({"pixels", "share", "mean difference"}, {{"edges", decimal_text(s.edge_share, 3), decimal_text(s.off_at_edges, 3)},
@@ -298,9 +299,10 @@ book.check("The AO of one sample is at least five times as wrong at edges as els
 // %% rows_text [markdown]
 // ## A slip that nobody saw
 //
-// One limit is none, but a mistake. X_Jun's vertex shader computes the coordinate of the lookup as $v = -\tfrac12 (y + w)/w$, where
-// $-\tfrac12 (y - w)/w$ is right: $v$ is too small by 1. A sampler that *wraps* finds the right row all the same. One that *clamps* reads the top row
-// everywhere.
+// The last flaw is no limit of screen space but a mistake in a shader. When X_Jun's scene is lit, each pixel looks up the AO map at its place on the screen, $v$ from 0 at
+// the top to 1 at the bottom. From the y and w of its clip space that is $v = -\tfrac12 (y - w)/w$. The vertex shader has $-\tfrac12 (y + w)/w$ instead,
+// which is less by exactly 1. A sampler that *wraps* repeats the map above and below, so it finds the right row all the same. One that *clamps* answers with
+// the top row for all that lies above the map: everywhere.
 
 // %% rows
 const ShiftedRows rows = shifted_rows(columns);
@@ -318,17 +320,18 @@ book.check("WRAP is no cure, either: it mixes the lowest row into the top one, b
 // %% exercises [markdown]
 // ## Exercises
 //
-// 1. In `downward_views` of chapters/props/limit_scenes.cpp, lower the target of `without_sphere` further. What happens to the stone, and what to its
-//    shade?
-// 2. In this chapter, call `plate_ao(2.2f)`. Which of the three values changes, and why?
-// 3. In `seen_from` of the same file, set the height of the eye to 2. How many dots does the plot keep?
+// 1. In `downward_views` of `chapters/props/limit_scenes.cpp`, lower the target of `without_sphere`, so that the camera looks further down. What happens
+//    to the stone, and what to its shade?
+// 2. In `chapters/11_screen_space_limits.cpp`, add the plate at 2.2 units, `plate_ao(2.2f)`, to the table. What are its three values, and why?
+// 3. In `seen_from` of `chapters/props/limit_scenes.cpp`, set the height of the eye to 2. How many dots does the plot keep?
 // 4. Where would you take the depth from, if not from the nearest surface, to lose less shade?
 // 5. How wide must a guard band be so that nothing within the picture misses an occluder beside it?
 //
 // <details><summary>Answers</summary>
 //
-// 1. It leaves the picture as well, at the top: then there is nothing to be wrong.
-// 2. None of the fade ends reaches that far, so all three are open: the halo is gone.
+// 1. Its shade gets lighter still, until the stone has left the picture at the top like the sphere before it, and no pixel is left that could be wrong.
+// 2. The rays have 1, both methods are within a few hundredths of it: the plate is further in front of the wall than either fade end, so it does not
+//    count any more, and the halo is gone.
 // 3. Fewer, because a flatter view has the shelf in front of the point more often.
 // 4. From a second layer: *depth peeling* keeps the second surface of each pixel, or the depths of back faces, which also tell how thick
 //    things are. Both cost a further drawing.

@@ -133,7 +133,7 @@ const AoInputs& inputs = shown.inputs;
 const GroupedAo without_apron = luna_occlusion_in_groups(inputs, shown.settings, 0);
 const double reads = double(without_apron.reads.direct), pixels = double(book.size().width) * book.size().height;
 const auto [by_pixels, pixel_ms] = timed([&] { return luna_occlusion(inputs, shown.settings, {}).ao; });
-book.show("ao_by_pixels", ao_picture(by_pixels), "X_Jun's raw AO map, computed texel by texel.", pixel_ms);
+book.show("ao_by_pixels", ao_picture(by_pixels), "The raw AO map of X_Jun's tutorial (for Direct3D 11), computed texel by texel.", pixel_ms);
 book.number("reads", reads / 1e6, 2);
 book.number("times", reads / pixels, 1);
 book.check("The map took {reads} million reads of depths, {times} for each pixel of the picture.", reads > pixels);
@@ -168,8 +168,8 @@ book.draw("apron", group_diagram(group, kApron_px, samples_of_group(view, shown)
 // %% how_wide [markdown]
 // ## How wide the apron should be
 //
-// A group of half size covers $32 \times 32$ pixels. With two more for the linear filter and an apron of $a$ pixels on each side it copies $(34 + 2a)^2$ depths
-// of four bytes. With $a = {{apron}}$ that is ${{side}}^2$ of them, {kilobytes} KB. The limit of 32 KB allows $a = {{widest}}$.
+// The AO map has half the picture's width and height, so the $16 \times 16$ texels of a group cover $32 \times 32$ pixels. The linear filter needs one more on
+// each side, and the apron $a$ more: the group copies $(34 + 2a)^2$ depths of four bytes. With $a = {{apron}}$ that is ${{side}}^2$ of them, {kilobytes} KB. The limit of 32 KB allows $a = {{widest}}$.
 //
 // Samples reach as far as the radius on the screen: $radius \cdot f / z$ pixels with the focal length $f = {{f}}$ pixels. For the group in the
 // figure, at $z = {{z}}$, that is {reach} pixels. Far away the reach is less than a pixel; near the eye it is more than any apron. A wide
@@ -254,7 +254,7 @@ book.check("In groups the blur makes {saved} times fewer reads.", saved > 8);
 // ## Exercises
 //
 // 1. Why must the barrier be reached by all threads of a group, also by those whose texel shows the sky?
-// 2. Set `kApron_px` of this chapter (line 21 of its source) to 0 and to 24. What becomes of the orange?
+// 2. Set `kApron_px` in `chapters/12_compute_ssao.cpp` to 0 and to 24. What becomes of the orange?
 // 3. Give the table a copy of X_Jun's settings with `.radius = 0.1f`. Which apron is best now? And for a radius of 2?
 // 4. Move the camera of the table's scene to `{0, 0, -30}`. Why does the best apron shrink?
 // 5. Far from the eye a group needs no apron at all. How could a shader find out, before it copies?

@@ -63,16 +63,16 @@ void hemisphere_ssao(Notebook& book) {
 // # Points in a hemisphere: LearnOpenGL's SSAO
 //
 // Part I asked fourteen questions a texel and weighed each answer twice: by the angle at which an occluder stands, and by a
-// fade of its depth. On the left you see the raw result, a grain as coarse as gravel. And what is the number? Neither of
-// the two weights follows from anything; the exponent 4 at the end is there because it looks good. The SSAO of LearnOpenGL,
-// which more people have copied than any other, asks a simpler question more often.
+// fade of its depth. The first picture is the raw result, a grain as coarse as gravel. And what is the number? Neither
+// weight follows from anything; the exponent 4 at the end is there because it looks good. The SSAO of LearnOpenGL, a
+// tutorial for OpenGL that more people have copied than any other, asks a simpler question more often.
 
 // %% start
 const JudgedView view = house_front(book, "hemisphere", book.size());
 const MethodMap shown = view.map("hemisphere"), votes = view.map("xjun");
 const HemisphereSettings settings = shown.settings.ao.as<HemisphereSettings>();
 book.show_row(
-    {{"votes", ao_picture(votes.raw.ao), "Chapter 07's fourteen samples, before the blur."},
+    {{"votes", ao_picture(votes.raw.ao), "Chapter 07's fourteen samples, before the blur (white: open, black: occluded)."},
      {"points", ao_picture(shown.raw.ao), "This chapter's method, before the blur: a finer, regular grain."}});
 
 // %% idea [markdown]
@@ -80,10 +80,10 @@ book.show_row(
 //
 // **Scatter points in the half ball over the surface, and count how many of them the eye cannot see.**
 //
-// A point in the air beside a wall may be inside of the wall, or behind it. In either case the depth map shows
-// something nearer at the point's place on the screen, and we call the point *hidden*. The share of the hidden points
-// measures how much of the space over the surface is filled. Only the half ball on the side of the normal counts: of a whole
-// ball, a half would lie below the floor, and an open floor would come out grey.
+// A point beside a wall may be inside of the wall, or behind it. In either case the depth map shows something nearer at
+// the point's place on the screen, and we call the point *hidden*. The share of the hidden points measures how much of the
+// space over the surface is filled. Of a whole ball a half would lie below the floor, and an open floor would come out
+// grey: so only the half on the side of the normal is used.
 
 // %% numbers_of_one_texel
 const Texel at = beside_the_jamb(shown.raw.inputs.size());
@@ -126,8 +126,8 @@ book.draw(
 // $$ |k_i| = u_i \left( 0.1 + 0.9 \left(\tfrac{i}{N}\right)^2 \right), \qquad u_i \text{ random in } [0, 1] $$
 //
 // The square keeps most points close to the surface, because what is near hides more of the sky than what is far. Each
-// texel turns the points about its normal. A small tile of $4 \times 4$ random vectors $v$ is laid over the picture again
-// and again; *Gram and Schmidt's* method takes from $v$ its part along $n$, so that what is left, $t$, lies in the surface:
+// texel turns the points about its normal, by one of $4 \times 4$ random vectors $v$, a tile that is laid over the picture
+// again and again. *Gram and Schmidt's* method takes from $v$ its part along $n$; what is left, $t$, lies in the surface:
 //
 // $$ t = \frac{v - (n \cdot v)\, n}{|v - (n \cdot v)\, n|}, \qquad b = n \times t, \qquad
 //    q_i = p + R \,(k_{i,x}\, t + k_{i,y}\, b + k_{i,z}\, n) $$
@@ -138,11 +138,11 @@ book.draw(
 // %% test_text [markdown]
 // ## When a point is hidden
 //
-// Project $q$ onto the screen exactly as in chapter 06, and look up the view depth $r_z$ there. View depth grows away from
-// the eye, so the point is hidden where $r_z \le q_z$. Two things go wrong with that. The depth map has one depth a pixel,
-// so a point close over a slanted floor may find the floor itself in front of it: $r_z$ must be nearer by at least a *bias*.
-// And something far in front of the whole half ball hides all of its points, although it does not touch it. The *range
-// check* lets a surface count less the further its depth is from that of $p$:
+// Project $q$ onto the screen as in chapter 06, and look up the view depth $r_z$ there. The point is hidden where
+// $r_z \le q_z$. Two things go wrong with that. The depth map has one depth a pixel, so a point close over a slanted floor
+// may find the floor itself in front of it: $r_z$ must be nearer by at least a *bias*. And something far in front of the
+// whole half ball hides all of its points without touching it. The *range check* lets a surface count less the further its
+// depth is from that of $p$:
 //
 // $$ A = 1 - \frac{1}{N} \sum_i [\,r_z \le q_z - \mathrm{bias}\,] \cdot
 //    \mathrm{smoothstep}\left(\frac{R}{|p_z - r_z|}\right) $$
@@ -155,7 +155,7 @@ book.draw(
 // %% the_code [markdown]
 // ## The code
 //
-// In GLSL the loop is short, and everything in it has been said:
+// In GLSL:
 //
 // ```glsl
 // for (int i = 0; i < N; ++i) {
@@ -166,8 +166,8 @@ book.draw(
 // }
 // ```
 //
-// The lab's kernel adds one test, `SelfOcclusion::plane`, to which we come below, and refuses points in front of the near
-// plane. `F` in its text is one number or several side by side.
+// The lab's kernel adds one test, `SelfOcclusion::plane`, to which we come below, and refuses points that lie before the
+// near plane.
 
 // %% kernel tags=["setup"]
 book.listing("ssao/methods/hemisphere_samples.cpp", "hemisphere_points", "The points, once for all texels.");
@@ -181,8 +181,8 @@ book.listing("ssao/methods/hemisphere.cpp", "sample", "One point from beginning 
 // ## The pictures it makes
 //
 // Sixteen different turns, repeated in every square of four by four pixels, make a pattern like woven cloth. That is the
-// point of the tile: a plain mean over four by four pixels holds every turn exactly once, whatever its place. It is the
-// cheapest blur of this book, and it needs neither normals nor depths.
+// point of the tile: a plain mean over four by four pixels, a *box blur*, holds every turn exactly once, whatever its
+// place. It is the cheapest blur of this book.
 
 // %% pictures
 book.show("raw", ao_picture(shown.raw.ao),
@@ -195,8 +195,8 @@ book.check(
     texel.value_of_sum(sum) == shown.raw.ao.at(at.x, at.y));
 
 // %% strip_text [markdown]
-// Three numbers decide what you see. More points make the grain finer but take time in proportion. A larger radius gathers
-// more shade and spreads the same points thinner. The blur takes the grain away, and the same amount of detail.
+// More points make the grain finer and take time in proportion. A larger radius gathers more shade and spreads the same
+// points thinner. The blur takes away the grain, and detail of the same size.
 
 // %% strips
 for (const auto& [samples, blurred] : {std::pair{"8", false}, std::pair{"64", false}, std::pair{"64", true}}) {
@@ -214,9 +214,9 @@ for (const auto& [samples, blurred] : {std::pair{"8", false}, std::pair{"64", fa
 // %% volume_text [markdown]
 // ## What it measures, and how wrong that is
 //
-// The method counts *volume*, ambient light arrives along *directions*. Stand on a floor at a distance from an endless
-// wall. Of all directions in which one may look as far as the radius, the wall blocks a share that falls evenly, from a half
-// at the wall to nothing at the radius. Of our points, it holds fewer, for few of them are that far out.
+// The method counts *volume*, ambient light arrives along *directions*. Stand on a floor before an endless wall. Of all
+// directions, the wall blocks within the radius a share that falls evenly, from a half at the wall to nothing at the
+// radius. Of our points it holds fewer, for few of them are that far out.
 
 // %% wall_curves
 book.plot(
@@ -233,10 +233,9 @@ book.check("At three tenths of the radius rays find {half_way_rays}, the points 
            points_at(0.3) > rays_beside_wall(0.3) + 0.1);
 
 // %% error_text [markdown]
-// The nearest question that rays can be asked is: of all directions, each counting the same, which share meets nothing
-// within the radius? Chapter 02 casts such rays. Against their answer more points cannot help, for it is the question that
-// is another one. An exponent can: the 4 of chapter 07, which nothing justifies, brings this method nearer to the truth
-// than any number of points.
+// The nearest question that rays can be asked (chapter 02) is: of all directions, each counting the same, which share meets
+// nothing within the radius? More points bring no nearer to their answer, for it is the question that differs. An exponent
+// does: the 4 of chapter 07, which nothing justifies.
 
 // %% errors
 const JudgedView judged = house_front(book, "hemisphere", kJudgedSize);
@@ -269,10 +268,10 @@ book.check(
 // %% acne_text [markdown]
 // ## What can go wrong
 //
-// **Without the bias a floor hides its own points.** A pixel's depth is that of its centre. A point just over a slanted
-// floor is looked up in a pixel whose centre may lie on the nearer side. The stripes that follow are called *acne*. The bias
-// is a length in depth, but the error grows with the slant of the floor and with distance: no bias is right everywhere. The
-// lab adds a test that needs no tuning. The surface in front must also lie over the plane of $p$ itself; the floor never does.
+// **Without the bias a floor hides its own points.** A point just over a slanted floor is looked up in a pixel whose centre
+// may lie on the nearer side. What follows is called *acne*. The error grows with the slant of the floor and with distance,
+// so no bias is right everywhere. The lab adds a test that needs no tuning: the surface in front must also lie over the
+// plane of $p$ itself, which the floor never does.
 
 // %% acne
 const Image<float> no_bias = floor_ao(book.size(), 0, SelfOcclusion::depth);
@@ -289,8 +288,8 @@ book.check(
         buffer_statistics(over_plane).min == 1);
 
 // %% range_text [markdown]
-// **Without the range check, a thing in front darkens what is far behind it.** The column covers a strip of the wall on the
-// screen, and every half ball whose points fall behind the column is taken for filled.
+// **Without the range check, a thing in front darkens what is far behind it.** Every half ball whose points fall behind the
+// column on the screen is taken for filled.
 
 // %% range
 JudgedView behind(book, "columns", "hemisphere");
@@ -311,8 +310,8 @@ book.check("The range check only ever opens: the mean over the surfaces rises fr
 
 // %% sky_text [markdown]
 // **A position buffer that is cleared to zero puts the sky into the eye.** The tutorial keeps positions, not depths, and
-// clears them to $(0, 0, 0)$. That is the eye itself, in front of everything. At every silhouette against the sky the points
-// that fall beside the surface are hidden by nothing at all. A range check hides most of it, but not where the scene is near.
+// clears them to $(0, 0, 0)$. That is the eye itself, in front of everything: points that fall beside a silhouette against
+// the sky are hidden by nothing at all. The range check saves most of it, but not where the scene is near.
 
 // %% sky
 const JudgedView whole(book, "columns", "hemisphere");
@@ -323,8 +322,8 @@ book.compare({"sky_at_eye", ao_picture(whole.map("hemisphere", at_eye).denoised)
               "The sky far away: silhouettes against it are clean."});
 
 // %% tile_text [markdown]
-// **The tile must fit the map.** The notes scale the tile for a map of 1024 by 1024. On any other size the turns no longer
-// change from pixel to pixel, a square of four by four holds some of them twice and others never, and the blur leaves spots.
+// **The tile must fit the map.** The notes on LearnOpenGL's chapter scale the tile for a map of 1024 by 1024. On any other
+// size a square of four by four pixels holds some turns twice and others never, and the blur leaves spots.
 
 // %% tile
 const Words few = {"samples=16"}, misfit = {"samples=16", "turns_for_1024=true"};
@@ -339,9 +338,9 @@ book.check("With the tile of another size a square of four by four pixels holds 
            turns < 15.9);
 
 // %% leak_text [markdown]
-// **The box blur knows no edges, and it is off centre.** The tutorial's loops run from -2 to 1, so that the whole map moves
-// by half a texel to one side. And shade leaks from the floor onto the column. The bilateral blur of chapter 08 cures both
-// and costs several times as much; with points this regular, the box centred on its texel is a fair bargain.
+// **The box blur knows no edges, and it is off centre.** The tutorial's loops run from -2 to 1, which moves the whole map by
+// half a texel, and shade leaks from the floor onto the column. The bilateral blur of chapter 08 cures both and costs
+// several times as much; with a grain this regular, a centred box is a fair bargain.
 
 // %% leak
 const MethodMap shifted = view.map("hemisphere", {"blur_shift=true"}),
@@ -354,8 +353,8 @@ book.show("shift", difference_picture(difference_of(shifted.denoised, shown.deno
 // %% other_scene_text [markdown]
 // ## The tutorial's own scene
 //
-// LearnOpenGL shows a model that lies in a closed room. Here everything has something behind it, no sky is in sight, and a
-// carved surface is full of small hollows. That is where many points close to the surface are at their best.
+// LearnOpenGL shows a carved model in a closed room: no sky, and many small hollows. There points close to the surface are
+// at their best.
 
 // %% room
 const JudgedView room(book, "room", "hemisphere");
@@ -367,11 +366,11 @@ book.compare(
 // %% choice [markdown]
 // ## When to choose it
 //
-// It improves on Part I in three ways: it works without an exponent, its number has a meaning, and its noise is of a kind
-// that a cheap blur removes. It pays with {samples} depth reads a pixel instead of fourteen, at full size besides, and with
-// a shade that is narrower than the radius. Choose it where fine contact shade matters more than the broad darkening of
-// corners, and where you want code that can be explained in five minutes. Do not choose it where the result has to agree
-// with ray-cast light: no number of points leads there.
+// It improves on Part I in three ways: it works without an exponent, its number has a meaning, and a cheap blur removes its
+// noise. It pays with {samples} depth reads a pixel instead of fourteen, at full size besides, and with a shade that is
+// narrower than the radius. Choose it where fine contact shade matters more than the broad darkening of corners, and where
+// the code must be simple. Do not choose it where the result has to agree with ray-cast light: no number of points leads
+// there.
 
 // %% exercises [markdown]
 // ## Exercises

@@ -59,10 +59,10 @@ void unity_ssao(Notebook& book) {
 // # Which depth? The Unity notes' SSAO
 //
 // Here is the same house twice. Both pictures come from the same listing of the Unity notes, which build an SSAO for a
-// large hall step by step, with the points of chapter 13. On the left its lines run as they are printed; on the right five
-// of them have been mended. None of the five is a typing error. Each is a confusion that everybody meets who reads
-// a depth buffer for the first time: which depth is compared with which, what a depth is measured in, and whether the
-// number that comes out says *open* or *closed*.
+// large hall step by step, with the points of chapter 13. The first is made by its lines as they are printed; for the second
+// five of them have been mended. None of the five is a typing error. Each is a confusion that everybody meets who reads a
+// depth buffer for the first time: which depth is compared with which, what a depth is measured in, and whether the number
+// that comes out says *open* or *closed*.
 
 // %% start
 const JudgedView view = house_front(book, "unity", book.size());
@@ -123,15 +123,17 @@ book.number("learnopengl_length", mean_length(kLearnOpenGl), 2);
 //
 // $$ A = 1 - \frac{1}{N} \sum_i [\,r_z + \mathrm{bias} < q_{i,z}\,] \cdot [\,|p_z - r_z| \le \mathrm{range}\,] \cdot w_i $$
 //
-// A bracket is 1 where what stands in it is true, and 0 elsewhere. The first is the test for being hidden, with a *bias*
+// A bracket is 1 where what stands in it is true, and 0 elsewhere. The first says whether the point is hidden, with a *bias*
 // against rounding. The second is a *hard range*: a surface counts or it does not. The third factor is
 //
 // $$ w_i = \mathrm{smoothstep}\left(0,\ 0.2,\ \sqrt{o_x^2 + o_y^2}\right), \qquad o = \frac{q_i - p}{R} $$
 //
-// A point straight in front of $p$, as the eye sees it, falls onto the pixel of $p$ itself and can tell nothing; $w_i$
-// lets it count less. Unity hands out depth as a share of the far plane's distance. A range of 0.001 is then one unit where
-// the far plane is 1,000 units away, and a tenth of that in the next scene. Here range and bias are shares of the radius,
-// which mean the same everywhere.
+// Points on the way from $p$ to the eye fall onto the pixel of $p$, where the depth map shows nothing but $p$. The weight
+// $w_i$ is 0 for them and grows to 1 for points that lie a fifth of the radius to the side.
+//
+// Unity divides depths by that of the far plane, and the notes give range and bias in such shares: 0.001 is one scene unit
+// where the far plane is at 1,000, and a tenth of one where it is at 100. Here both are shares of the radius, which mean the
+// same everywhere.
 
 // %% the_code [markdown]
 // ## The code
@@ -222,8 +224,8 @@ book.check(
 // which the notes do.
 
 // %% blur
-book.compare({"raw", ao_picture(shown.raw.ao), "Before the blur."},
-             {"blurred", ao_picture(shown.denoised), "After it: edges between two directions stay sharp."});
+book.compare({"raw", ao_picture(shown.raw.ao), "Before the blur: grain on the walls."},
+             {"blurred", ao_picture(shown.denoised), "After it: smooth, and the edges where two walls meet stay sharp."});
 
 // %% strip_text [markdown]
 // Two films in the notes move the sliders for radius and number of points. As a still: the shade grows with the radius, and
@@ -282,8 +284,8 @@ book.check("With as many points the error is {rmse} where chapter 13 had {rmse_l
 
 // %% wrong_depth
 book.compare({"by_centre", ao_picture(by_centre.raw.ao),
-              "Compared with the depth of p (" + view.command("unity", centre) + ")."},
-             {"by_point", ao_picture(by_point.raw.ao), "Compared with the depth of each point."});
+              "Compared with the depth of p: columns, gutter and ground are grey (" + view.command("unity", centre) + ")."},
+             {"by_point", ao_picture(by_point.raw.ao), "Compared with the depth of each point: all of them are white."});
 book.number("centre_mean", mean_over_surfaces(by_centre.raw.ao, by_centre.raw.inputs), 3);
 book.number("point_mean", mean_over_surfaces(by_point.raw.ao, by_point.raw.inputs), 3);
 book.check("The mean over the surfaces is {centre_mean} with the wrong depth and {point_mean} with the right one.",
@@ -331,10 +333,10 @@ book.number("pixels", (1 - shrink) * book.size().width / 2, 1);
 
 // %% divide_text [markdown]
 // **Divided by z instead of w.** The notes multiply with the upper $3 \times 3$ part of the projection and divide by the
-// third component. The fourth, $w = z$, is gone with the fourth row, and the third row's part is not $z$ but, in OpenGL's
-// matrix, $z \,(f + n)/(f - n)$: all points are drawn together towards the middle of the picture. With $n = {{near}}$ and
-// $f = {{far}}$ that is a factor of {shrink}, or {pixels} pixels at the edge of this picture. Nearly nothing, and therefore
-// hard to find; with a near far plane it is plain.
+// third component. The fourth, $w = z$, is gone with the fourth row, and the third is not $z$ but, in OpenGL's matrix,
+// $z \,(z_f + z_n)/(z_f - z_n)$ with the planes $z_n$ and $z_f$: all points are drawn together towards the middle of the
+// picture. With $z_n = {{near}}$ and $z_f = {{far}}$ that is a factor of {shrink}, or {pixels} pixels at the edge of this
+// picture. Nearly nothing, and therefore hard to find; with a far plane close by it is plain.
 
 // %% divide
 Camera close_planes = view.camera();
@@ -344,7 +346,7 @@ close.look(close_planes, "--eye -2.4,-1.1,-5.2 --target -0.3,-2,-1.5 --far 20");
 const MethodMap by_z = close.map("unity", {"divided_by_z=true"}), by_w = close.map("unity");
 book.compare({"by_z", ao_picture(by_z.raw.ao),
               "Divided by z, the far plane at 20 (" + close.command("unity", {"divided_by_z=true"}) + ")."},
-             {"by_w", ao_picture(by_w.raw.ao), "Divided by w."});
+             {"by_w", ao_picture(by_w.raw.ao), "Divided by w: the shade lies where the corners are."});
 
 // %% halo_text [markdown]
 // **No range.** The sky, or a far wall, is behind everything; but what is near is in front of everything that borders on it.
@@ -353,13 +355,13 @@ book.compare({"by_z", ao_picture(by_z.raw.ao),
 const MethodMap unlimited = view.map("unity", {"range=1e30"});
 book.compare(
     {"unlimited", ao_picture(unlimited.raw.ao), "Any distance counts: a grey veil beside whatever stands in front."},
-    {"limited", ao_picture(shown.raw.ao), "One radius counts."});
+    {"limited", ao_picture(shown.raw.ao), "Only what is within one radius of depth counts: the veil is gone."});
 
 // %% atrium_text [markdown]
 // ## A hall
 //
-// The notes end with a walk through Sponza. This lab has a court of its own, with arches, curtains and leaves. Its carvings
-// are small beside the radius. There chapter 13's points, which crowd around $p$, draw more than this chapter's.
+// The notes end with a walk through the hall of Sponza. This lab's court has carvings that are small beside the radius.
+// There chapter 13's points, which crowd around $p$, draw more than this chapter's.
 
 // %% atrium
 const JudgedView hall(book, "atrium", "unity");
@@ -373,9 +375,9 @@ book.compare({"hall_points", ao_picture(hall_points.denoised),
 // %% choice [markdown]
 // ## When to choose it
 //
-// Against chapter 13 it gains a wider shade from as many points, and a blur that keeps the edges between two directions, at
-// about ninety operations a texel and direction where the box has five. It pays with less detail in small hollows, and with
-// a hard range that may flicker when the camera moves, because a surface jumps from counting to not counting. If you build
+// With as many points as chapter 13 it has a wider shade, and its blur keeps the edges where two walls meet. That blur takes
+// about ninety operations a texel, once across and once down, where the box takes five. Small hollows lose detail. And when
+// the camera moves, the hard range lets a surface jump from counting to not counting, so the shade may flicker. If you build
 // one of the two, take chapter 13's soft range, and choose the lengths by the size of what you want to see: short ones for
 // carvings, long ones for corners. Neither measures what light does.
 

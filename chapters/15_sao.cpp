@@ -86,10 +86,10 @@ void sao_chapter(Notebook& book) {
 // %% question [markdown]
 // # How large does it look? Alchemy and scalable obscurance
 //
-// Let the last chapter's points reach three times as far, with as many of them as this one will need, eleven. On the left
-// is what they make of it. A point can only say yes or no, and eleven votes have twelve outcomes. They also fall all over
-// the screen, each read of the depth map far from the one before, which is slow on every machine. On the right is this
-// chapter's raw map with eleven samples too. It is noisy, but there is shade in it.
+// Let the last chapter's points reach three times as far, with as many of them as this one will need, eleven. The first
+// picture is what they make of it. A point can only say yes or no, and eleven votes have twelve outcomes. They also fall
+// all over the screen, each read of the depth map far from the one before, which is slow on every machine. The second
+// picture is this chapter's raw map, with eleven samples too. It is noisy, but there is shade in it.
 
 // %% start
 const JudgedView view = house_front(book, "sao", book.size());

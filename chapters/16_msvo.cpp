@@ -47,7 +47,7 @@ void msvo_chapter(Notebook& book) {
 // %% question [markdown]
 // # Balls in the depth map: multi-scale volumetric obscurance
 //
-// Every method so far needs a normal at each pixel. Look at the truth on the left, and at the columns in it. They are prisms
+// Every method so far needs a normal at each pixel. Look at the truth, the first picture, and at the columns in it. They are prisms
 // of twenty flat sides, whose normals are smoothed so that light makes them look round. The normals lie about the shape,
 // and rays around them show it as stripes. Besides, a picture may come without normals: from a depth camera, or from a
 // renderer that makes none before it lights. What can be said from depth alone?
@@ -59,7 +59,7 @@ const MsvoSettings settings = shown.settings.ao.as<MsvoSettings>();
 const AoInputs& inputs = shown.raw.inputs;
 const Truth truth = judged.truth(judged.question_of(small));
 book.number("rays", std::to_string(kJudgedRays));
-book.show_row({{"truth", ao_picture(truth.image.mean), "Truth: {rays} rays a pixel around the smoothed normals."},
+book.show_row({{"truth", ao_picture(truth.image.mean), "Truth: {rays} rays a pixel around the smoothed normals; white is open, black is occluded."},
                {"msvo", ao_picture(shown.raw.ao),
                 "This chapter's method, from the depth map alone. It has no noise and needs no blur."}});
 
@@ -108,14 +108,19 @@ book.draw(
 //
 // $$ A = \frac{\sum_j h_j \min(1,\ o_j + o_j')}{\sum_j h_j} $$
 //
-// There are eighteen pairs, placed like half the squares of a chessboard within five steps. If one surface of a pair is so
-// far in front that it cannot belong to what is around $p$, its chord should say nothing, instead of "closed". How far that
-// is, is the *thickness* $T$. With $s = \mathrm{saturate}(-o / T)$, which grows from 0 when the surface leaves the ball,
-// the pair becomes
+// There are eighteen pairs. They stand on the squares of one colour of a chessboard around $p$, on which the radius of the
+// ball is five squares.
+//
+// A surface far in front of the ball does not belong to what is around $p$. Its chord should say nothing, but the cut at 0
+// makes it say "closed". So we do not cut, and let $o$ go on below 0 as the surface moves towards the eye. At $o = -T$ the
+// chord shall be silent: the *thickness* $T$ says how many chords in front of the ball a surface still counts. Let
+// $s = \mathrm{saturate}(-o / T)$ be the silence of a chord and $s'$ that of the other one. Then the pair is
 //
 // $$ \mathrm{clamp}(o, s', 1) + \mathrm{clamp}(o', s, 1) - s\,s' $$
 //
-// so the other chord is taken for open, too, and both together for a plane.
+// Try it. With both surfaces in the ball, $s = s' = 0$ and the pair is $o + o'$ as before. Where one chord is silent,
+// $s = 1$, its own term is 0 and the other's is raised to 1: together a plane. With both silent it is $1 + 1 - 1$, a plane
+// again.
 
 // %% pairs
 book.draw(
@@ -167,8 +172,7 @@ book.listing("ssao/methods/msvo_scales.cpp", "upsampled_texel",
 // %% strip_text [markdown]
 // ## Turning the knobs
 //
-// The radius is that of the largest ball. The *thickness* says how many chords in front of the ball a surface still takes
-// light: a larger one is darker.
+// The radius is that of the largest ball. The larger the thickness, the more takes light, and the darker is the map.
 
 // %% strips
 for (const char* thickness : {"1", "4"}) {

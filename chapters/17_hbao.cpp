@@ -64,7 +64,7 @@ void hbao_chapter(Notebook& book) {
 //
 // The samples of chapters 05 to 15 fall somewhere into the surroundings of a point, and each of them votes. Two of them may
 // look at the same piece of wall, and then it counts twice; none may look at the gap beside it, and then the gap counts
-// nothing. On the left is such a vote by fourteen samples, on the right what rays through the scene say. How can every
+// nothing. The first picture is such a vote by fourteen samples, the second what rays through the scene say. How can every
 // sample contribute something that no other sample has said before?
 
 // %% start
@@ -75,7 +75,8 @@ const HbaoSettings settings = shown.settings.ao.as<HbaoSettings>();
 const MethodLimit limit = judged.limit("hbao");
 const Truth truth = judged.truth(limit.question);
 book.number("rays", std::to_string(kJudgedRays));
-book.show_row({{"votes", ao_picture(around_foot(votes.raw.ao)), "X_Jun's fourteen samples a texel, around the foot of the column."},
+book.show_row({{"votes", ao_picture(around_foot(votes.raw.ao)), "The fourteen samples of chapter 07 (X_Jun's tutorial), around the foot of the column; white is open, black is "
+                "occluded."},
                {"truth", ao_picture(around_foot(truth.image.mean)),
                 "Truth: {rays} rays a pixel, every direction counting the same. The fine stripes on the column belong to it: its "
                 "triangles are flat, and rays that start below them are blocked."}});
@@ -362,7 +363,7 @@ bool all_show = true;
 const std::pair<const char*, const char*> switches[] = {
     {"table=listed", "of its directions, three lie at 120 degrees, all further ones point up"},
     {"turns=unorm8", "the turn is stored in eight bits without a sign: negative cosines become 0"},
-    {"projected_by=width", "the radius in pixels is computed from the width: 1.78 times too long"},
+    {"projected_by=width", "the radius in pixels is computed from the picture's width instead of its height, so it is too long"},
     {"near_samples=clamped", "squared distances below 0.01 are raised to it: near things fade"}};
 for (const auto& [word, fault] : switches) {
     const MethodMap one = view.map("hbao_plus", {word});
@@ -387,8 +388,8 @@ book.check("Each of the four alone changes the map.", all_show);
 // %% exercises [markdown]
 // ## Exercises
 //
-// 1. Run `crevice chapter 17 --cell maps --param radius=2`, and then with `--param samples=96 --param steps=16`. Which of the two
-//    takes away more of the pattern, and why?
+// 1. Run `crevice chapter 17 --cell maps --param radius=2`, then `crevice chapter 17 --cell maps --param samples=96 --param
+//    steps=16`. Which of the two makes the pattern before the filter weaker, and why does the other not?
 // 2. An endless wall stands on an endless floor; a point of the floor is very near to it. Take $W = 1$. What does HBAO with the
 //    bias $b$ give, and what is right?
 // 3. The walk starts with $\sin h = \sin t$. What would an open floor look like if it started with $-1$?
@@ -398,7 +399,8 @@ book.check("Each of the four alone changes the map.", all_show);
 //
 // <details><summary>Answers</summary>
 //
-// 1. The samples. A larger radius spreads the same steps over a longer way, so more lies between them.
+// 1. The second: with more samples less lies between two of them. The larger radius spreads the same steps over a longer way,
+//    so more lies between them.
 // 2. The half of the directions that looks away from the wall loses nothing. The other half loses $1 - \sin b$. Hence
 //    $1 - \frac12(1 - \sin b)$; right is $\frac12$, which $b = 0$ gives.
 // 3. It would occlude itself: every plane that is seen at a slant rises on one side above the elevation $-90°$, and all of

@@ -9,10 +9,12 @@
 
 #include "chapters/diagrams/slice_section.h"
 #include "chapters/notebook/chapter.h"
+#include "chapters/props/crops.h"
 #include "chapters/props/judged_view.h"
 #include "chapters/props/surface_mean.h"
 #include "chapters/terminal/number_text.h"
 #include "ssao/light/multi_bounce.h"
+#include "ssao/light/shade.h"
 #include "ssao/methods/slices.h"
 
 namespace crevice {
@@ -102,6 +104,18 @@ double unevenness(const MethodMap& map) {
     return most;
 }
 
+Image3 lit_with(const JudgedView& view, const Image<float>& ao, MultiBounce bounces) {
+    AmbientUse use;
+    use.settings.multi_bounce = bounces;
+    return shade(view.scene(), view.camera(), view.gbuffer().depth, ao, {}, {}, nullptr, use);
+}
+
+// Where a square room is in a wide picture.
+Image3 middle_square(const Image3& image) {
+    const Size size = image.size();
+    return cropped(image, {(size.width - size.height) / 2, 0, (size.width + size.height) / 2, size.height});
+}
+
 // Cells stand at the margin, where notebooks look for them.
 // clang-format off
 void gtao_chapter(Notebook& book) {
@@ -141,8 +155,8 @@ book.check("The two questions are up to {questions_apart} apart. GTAO is at most
 //
 // The method is called *ground-truth ambient occlusion* (GTAO, Jimenez and others 2016), because what it computes from ever
 // more slices is the same integral that a path tracer estimates from ever more rays, as long as the depth map is all there
-// is. A *slice* is a half-plane through the eye's ray $v$ and its opposite: on the screen it is a straight line through the
-// texel, and the walk of chapter 17 goes along it to both sides.
+// is. A *slice* is what a plane through the eye's ray $v$ cuts out of the hemisphere, from one side of $v$ to the other. On the
+// screen it is a straight line through the texel, and the walk of chapter 17 goes along it to both sides.
 
 // %% numbers_of_one_texel
 const JudgedView view = judged_column_foot(book, "gtao", book.size());
@@ -261,7 +275,7 @@ book.check("Together they lose {sum}. One minus that over {slices} is {ao}, the 
 
 // %% maps
 book.show_row({{"raw", ao_picture(around_foot(shown.raw.ao)), "GTAO, {slices} slices, before the filter."},
-               {"denoised", ao_picture(around_foot(shown.denoised)), "After it. " + view.command("gtao")}});
+               {"denoised", ao_picture(around_foot(shown.denoised)), "After it: the grain is gone, the outline of the column is sharp. " + view.command("gtao")}});
 
 // %% how_wrong [markdown]
 // ## How wrong it is
@@ -383,7 +397,7 @@ for (int y = 0; y < turned.size.height; ++y) {
                           inputs.normal.z.at(x, y) * bent.z.at(x, y);
     }
 }
-book.show_row({{"normals", normal_picture(inputs.normal), "The normals."},
+book.show_row({{"normals", normal_picture(inputs.normal), "The normals: one green for all of the floor."},
                {"bent", normal_picture(bent), "The bent normals: beside the column they lean away from it."},
                {"turned", grey_picture(around_foot(turned), 0.9f, 1), "The cosine between the two around the foot, from 0.9 black to 1 white."}});
 book.number("most_bent", degrees(std::acos(std::clamp(buffer_statistics(turned).min, -1.0f, 1.0f))));
@@ -391,10 +405,18 @@ book.check("A bent normal lies up to {most_bent} off its normal, and never below
 
 // %% bounce_text [markdown]
 // **Light that bounces.** An occluder is not black: it is lit, and sends light back. The paper fits a cubic in $A$ to path-traced
-// scenes, with coefficients that depend on the albedo $\rho$, so that white corners are less dark than black ones. Run
-// `crevice render columns --ao gtao --param multi_bounce=paper` to see it in a lit picture.
+// scenes, with coefficients that depend on the *albedo* $\rho$, the share of light that a surface sends back. White corners
+// are less dark than black ones then.
 
 // %% bounce
+const Words wide_radius = {"radius=2"}, bounces = {wide_radius[0], "multi_bounce=paper"};
+const JudgedView room(book, "cornell", "gtao");
+const Image<float> room_ao = room.map("gtao", wide_radius).picture;
+const Image3 without = lit_with(room, room_ao, MultiBounce::none), with = lit_with(room, room_ao, MultiBounce::paper);
+book.compare({"bounce_none", lit_picture(middle_square(without)), "Accessibility as it is: all corners of the white room are grey (" +
+              room.command("gtao", wide_radius) + ")."},
+             {"bounce_paper", lit_picture(middle_square(with)), "With the paper's fit: the white corners are nearly as light as the walls, the red and the green ones keep "
+              "a little of their shade (" + room.command("gtao", bounces) + ")."});
 book.plot("bounce",
           {"Accessibility with bounced light", {"accessibility A"}, {"with bounces"},
            {bounce_curve("albedo 0.2", 0.2f, kPaperFit), bounce_curve("albedo 0.5", 0.5f, kPaperFit),
@@ -416,8 +438,8 @@ book.check("Rounding the coefficients, as the Unity notes do, takes up to {round
 //
 // 1. Run `crevice chapter 18 --cell maps --param samples=54 --param radius=1`. Which artifact goes, which stays?
 // 2. Show that an open slice keeps $\cos\gamma + \gamma\sin\gamma$ times $|n_p|$.
-// 3. A point has $\gamma = 0$ in a slice, and a wall closes its positive side completely ($h_2 = 0$). What does the slice keep? And
-//    when the wall is seen only up to 45 degrees from $v$, $h_2 = \pi/4$?
+// 3. In a slice with $\gamma = 0$ a wall closes the whole positive side, $h_2 = 0$. What does the slice keep? And what, when the wall
+//    closes only what is more than 45 degrees away from $v$, $h_2 = \pi/4$?
 // 4. Why does one multiply by $|n_p|$, and what happens to a slice with $|n_p| = 0$? Find the line of `slice_of` that guards it.
 // 5. HBAO starts every direction anew, GTAO shares a slice between two. What would two-sided HBAO be able to share?
 // 6. (Open) All slices contain $v$. Could one cut along $n$ instead? What would a walk along such a slice look like on the screen?
@@ -428,7 +450,7 @@ book.check("Rounding the coefficients, as the Unity notes do, takes up to {round
 // 2. Put $h_{1,2} = \gamma \mp \pi/2$ into $\hat a$. $-\cos(2h-\gamma) = -\cos(\gamma \mp \pi) = \cos\gamma$ for both, so the sum is
 //    $\frac14(4\cos\gamma + 2(h_1 + h_2)\sin\gamma)$, and $h_1 + h_2 = 2\gamma$.
 // 3. The negative side keeps $\hat a(-\pi/2, 0) = \frac14(1 + 1) = \frac12$, the positive nothing: one half. With $h_2 = \pi/4$ it
-//    keeps $\frac14(0 + 1)$ more: three quarters. Half of the angle is a half of the light here.
+//    keeps $\frac14(0 + 1)$ more: three quarters. Half of the angles of that side bring half of its light here.
 // 4. The less of the normal lies in a slice, the more all of its directions graze the surface. Where it is 0 there is no $\gamma$: 0/0.
 //    `usable` replaces the length by 1 before the division and by 0 after it.
 // 5. The plane of $v$ and $t$, and the normal's part in it: everything in `ray_along` but the sign.

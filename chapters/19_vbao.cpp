@@ -111,6 +111,20 @@ bool same_question(const AoQuestion& a, const AoQuestion& b) {
            a.cosine_weighted == b.cosine_weighted;
 }
 
+// The texel that the chapters follow; where a seed closes nothing there, the darkest one near it.
+Texel shaded_texel(const Image<float>& ao) {
+    constexpr int kNear = 4;
+    const Texel followed = followed_texel(ao.size);
+    Texel darkest = followed;
+    if (ao.at(followed.x, followed.y) < 1) return followed;
+    for (int y = followed.y - kNear; y <= followed.y + kNear; ++y) {
+        for (int x = followed.x - kNear; x <= followed.x + kNear; ++x) {
+            if (ao.at(x, y) < ao.at(darkest.x, darkest.y)) darkest = {x, y};
+        }
+    }
+    return darkest;
+}
+
 // Cells stand at the margin, where notebooks look for them.
 // clang-format off
 void vbao_chapter(Notebook& book) {
@@ -119,7 +133,7 @@ void vbao_chapter(Notebook& book) {
 // # Things have backs: the visibility bitmask
 //
 // A row of thin bars stands a unit in front of a wall. Light reaches the wall between the bars and past them, so rays through the
-// scene, on the right, find it hardly shaded. GTAO, on the left, draws a dark band beside each bar. Its horizon is the bar, and a horizon
+// scene, the second picture, find it hardly shaded. GTAO, the first, draws a dark band beside each bar. Its horizon is the bar, and a horizon
 // closes everything below it, as if the bar were the edge of a plate that reaches back to the wall.
 
 // %% start
@@ -150,7 +164,7 @@ const JudgedView judged = judged_column_foot(book, "vbao", kJudgedSize);
 const MethodMap shown = view.map("vbao");
 const VbaoSettings settings = shown.settings.ao.as<VbaoSettings>();
 const AoInputs& inputs = shown.raw.inputs;
-const Texel at = followed_texel(inputs.size());
+const Texel at = shaded_texel(shown.raw.ao);
 const Explanation texel = view.explanation(shown, at.x, at.y);
 const int slices = slice_plan(settings.samples).slices;
 std::vector<SliceSectors> found;
@@ -282,12 +296,13 @@ for (const char* thickness : {"0.03", "0.06", "0.25", "1e30"}) {
     by_thickness.push_back({"thickness_" + std::to_string(by_thickness.size()), ao_picture(around_foot(m.raw.ao)),
                             std::string("thickness ") + thickness});
 }
-book.show_row(by_thickness, "From foil to things without end.");
+book.show_row(by_thickness, "Everything is taken to be so thick, in scene units: at first like foil, at last without end. The shade at the foot grows with it.");
 for (const char* samples : {"4", "8", "18", "54"}) {
     by_samples.push_back({std::string("samples_") + samples, ao_picture(around_foot(view.map("vbao", {std::string("samples=") + samples}).raw.ao)),
                           std::string("samples = ") + samples});
 }
-book.show_row(by_samples, "The same slices and steps as GTAO: what lies between two steps is missed, and here nothing below a sample makes up for it.");
+book.show_row(by_samples, "With the slices and steps of GTAO. What lies between two steps is missed by both; but GTAO takes all below its highest sample for closed, "
+              "and here the gap stays open.");
 const MethodMap nothing = view.map("vbao", {"thickness=0"});
 book.number("thickness_thin", thickness_means.front(), 4);
 book.number("thickness_all", thickness_means.back(), 4);
@@ -312,8 +327,9 @@ book.check("The mean over the surfaces is {mean_touched} against {mean_middle}."
            mean_over_surfaces(touched.raw.ao, touched.raw.inputs) < mean_over_surfaces(shown.raw.ao, shown.raw.inputs));
 
 // %% angles_text [markdown]
-// **Equal angles forget the cosine.** With 32 sectors of the same angle, and slices averaged as they are, a sector near the
-// plane takes as much as one near the normal. It is faster by the arc of the integral, and it is a different question.
+// **Equal angles forget the cosine.** Divide each slice into 32 sectors of the same angle, as the paper does, and count. Then a sector near the plane
+// is worth as much as one near the normal, although it brings next to no light. That saves the integral and its arc functions, so
+// it is faster; but it answers another question.
 
 // %% angles
 const MethodLimit angles = judged.limit("vbao", {"radius=2", "thickness=0.5", "sectors=angle"});
@@ -327,14 +343,14 @@ book.check("Judged by the light, equal angles err by {angle_rmse}, equal light b
 // %% own [markdown]
 // ## Leaving the screen: the lab's own method
 //
-// All methods so far read a depth map, and all have its faults. What is hidden, what is beyond the rim of the picture, what a thing is
-// like behind its first surface: no estimator knows, however clever. Chapter 11 shows it, and the tables above hold it as the error that no number of samples takes away.
+// All methods so far read a depth map. What is hidden, what is beyond the rim of the picture, what a thing is like behind its first
+// surface (chapter 11), no estimator knows, and no number of samples takes that error away.
 //
 // **Then ask the scene, but only twice.** On a CPU a ray through a tree of triangles (chapter 02) costs about as much as a walk
-// over the screen. Two rays a pixel are next to nothing for one pixel; for a square of eight by eight they are 128. So these 64 pixels share one
-// set of 128 well-spread directions, and each pixel casts two of them: *interleaved sampling* (Keller and Heidrich 2001). On a plane, where all 64
-// pixels see nearly the same, a mean over such a square is the mean of 128 rays, and the filter that follows does that: along planes, with
-// weights that even out a pattern of exactly eight by eight. The method is called `crevice`, like the lab.
+// over the screen. Two rays a pixel are next to nothing; for a square of eight by eight pixels they are 128. So these 64 pixels share one set of 128
+// well-spread directions, and each pixel casts two of them: *interleaved sampling* (Keller and Heidrich 2001). On a plane all 64 pixels see nearly the
+// same, and the mean over such a square is the mean of 128 rays. The filter that follows takes it: along planes, with weights that even out a pattern of
+// exactly eight by eight. The method is called `crevice`, like the lab.
 
 // %% own_code tags=["setup"]
 book.listing("ssao/rows/ray_rows.cpp", "crevice_row",
@@ -362,10 +378,10 @@ book.check("With two rays a pixel the map is {own_rmse} from the truth, GTAO wit
 // %% table_text [markdown]
 // ## All methods in one table
 //
-// Here is each method with the settings of its source. *Its question* says how it weighs directions and what distance counts. The error after it is
-// that of what the method tends to, at the foot of the column, against rays that ask this very question; then comes the noise of one map, which a
-// filter has to remove. The next column puts all to one and the same question, that of ambient light: cosine-weighted rays of length 0.5.
-// A method may answer a strange question well or the right one badly, so look at both. The last number is the error of light at the bars, with a radius of 2 for all.
+// Here is each method with the settings of its source. *Its question* says how it weighs directions and what distance counts; then come, at the foot of
+// the column, the error of what it tends to against rays that ask this very question, the noise of one map, which a filter has to remove, and the error
+// against one question for all, that of ambient light: cosine-weighted rays of length 0.5. A method may answer a strange question well or the right one
+// badly, so look at both. The last number is the error of light at the bars, with a radius of 2 for all.
 
 // %% all_methods
 std::vector<std::pair<AoQuestion, Truth>> truths = {{{0.5f, 0.5f, 0.5f, true}, light}};
@@ -397,7 +413,7 @@ book.check("As an answer to the question of ambient light, rays apart, {nearest}
 // hand, and rays affordable?* Then cast two of them: nothing on the screen comes near. Everything else reads normals and depth, and is chosen by what you
 // must not get wrong.
 //
-// - **The look of a given engine or tutorial.** Take its method with its numbers, faults included, and do not call it accurate. X_Jun and Luna make strong, dark contacts by an exponent of 4 or 6.
+// - **The look of a given engine or tutorial.** Take its method with its numbers, faults included, and do not call it accurate. X_Jun's and Luna's (chapters 03 to 09) make strong, dark contacts by an exponent of 4 or 6.
 // - **Ambient light that adds up with the rest.** GTAO: it asks the right question, and gives bent normals and a fit for bounces. Cut it at the radius
 //   if you measure, keep its fade if you look.
 // - **Fences, leaves, hair, cables.** The visibility bitmask, with a thickness set to the thinnest thing that matters. On solid things it will be too light; measure how much.
@@ -406,8 +422,7 @@ book.check("As an answer to the question of ambient light, rays apart, {nearest}
 //
 // Then defend it with four numbers, none of which replaces another: the error of what it tends to *against its own question*; the same *against
 // ambient light*; its noise at your number of samples; and its time on your machine, from `crevice bench` or, with the error beside it, chapter 21. And
-// show the picture of its worst case: a thin thing before a wall, the rim of the screen, a slope seen at a slant. Whoever shows only a good
-// picture has not chosen.
+// show the picture of its worst case: a thin thing before a wall, the rim of the screen, a slope seen at a slant.
 //
 // What it costs: GTAO and the bitmask read the depth map once a sample, with about 60 and 70 to 130 operations, and 120 and 60 for each
 // slice. The bitmask needs a second direction for each sample that stands above the plane. A ray costs 20 to 100 nanoseconds of one core, and the tree must be built, again when

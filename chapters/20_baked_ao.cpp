@@ -118,22 +118,21 @@ book.draw("from_vertex", edge.svg, "Of as many from near its vertex at the wall,
 // %% vertices_text [markdown]
 // ## At the vertices
 //
-// Luna's program takes each triangle, casts 32 rays from its middle, and calls the share that meets nothing the *accessibility* of the triangle.
-// A vertex gets the mean of the $T$ triangles that use it:
+// The program of Luna's tutorial (for Direct3D 12) takes each triangle, casts 32 rays from its middle, and calls the share that meets nothing the
+// *accessibility* of the triangle. A vertex gets the mean of the $T$ triangles that use it:
 //
 // $$ A_{vertex} = \frac1T \sum_{t=1}^{T} \frac{\mathrm{open}_t}{32} $$
 //
-// The figures show what is wrong with that. The rays start where the triangle is, and the number is used where the vertex is. On a head of sixty thousand
-// triangles the two are close together. On a wall of two they are metres apart, and what is stored is a mean over everything that the
-// triangle reaches. Chapter 02 bakes that head; here are the walls.
+// The figures show what is wrong with that. The rays start in the middle of the triangle, but the number is used at its vertices. On a head of sixty
+// thousand triangles (chapter 02) the two are close together. On a wall of two triangles they are metres apart.
 //
-// The cure costs nothing: let the rays start at the corners of the triangles, a thirty-second of the way inwards, about the vertex's normal, and
-// weigh triangles by their area. The vertex itself is no place to start, for in a concave corner a ray that is lifted off one wall begins on the
-// other and goes through it unseen.
+// The cure costs nothing. The rays start where the number is used: in each triangle near each of its three corners, a thirty-second of the way
+// inwards. A vertex takes the mean over the corners that meet in it, each weighed by the area of its triangle. Why not from the vertex itself? Where
+// two walls meet, it lies on both. A start that is lifted off one wall then lies on the other or behind it, and rays from there miss that wall.
 //
-// Do not expect a better picture of this room from it. Every vertex of a wall lies in a dark corner of the room. Now that each of them says so,
-// the triangles between them paint the whole wall dark; Luna's means were wrong at the vertices and milder in the middle. Right numbers in too
-// few places are no help. Where triangles are as small as the shade, as on the head of chapter 02, the corners win.
+// Do not expect a better picture of this room from it. A wall has vertices in the corners of the room only, where it is dark. Luna's rule gave them
+// a number that was too light for the corner, but not so wrong for the middle of the wall. Now the corners are right, and between them the rasterizer mixes dark with dark
+// all over the wall. Right numbers in too few places do not help. Where triangles are as small as the shade, as on the head, starting at the corners wins.
 
 // %% the_code tags=["setup"]
 book.listing("ssao/bakes/vertex_ao.cpp", "means_of_triangles", "Luna's rule: every triangle counts the same, whatever its size. `open` holds one share of rays a triangle.");
@@ -264,9 +263,9 @@ book.check("Once the box has moved the error is {stale_rmse}, more than twice th
 // %% exercises [markdown]
 // ## Exercises
 //
-// 1. In the cell `map`, set `side = 64` in `chapters/20_baked_ao.cpp`. Where do lines appear, and how wide are they?
-// 2. In the cell `vertices`, set `tutorial.rays = 1024`. Does Luna's rule get better?
-// 3. In the cell `start`, set `.radius = 100`. Which of the ways to store gains most?
+// 1. In `chapters/20_baked_ao.cpp`, set `side = 64`. Where do lines appear, and how wide are they?
+// 2. After `tutorial.radius` of the same file, set `tutorial.rays = 1024`, too. Does Luna's rule get better?
+// 3. In its `settings`, set `.radius = 100`, so that rays end nowhere in the room. Which of the ways to store gains most?
 // 4. Bake a scene of your own: `crevice bake columns --vertex` and `crevice bake columns --lightmap`. Which of its meshes would you rather bake to vertices?
 // 5. Why must no two surfaces share a texel of a lightmap, although they may share one of a brick texture?
 // 6. (Open) A door opens and closes. What could you store so that both are right, and half open nearly?
@@ -275,7 +274,8 @@ book.check("Once the box has moved the error is {stale_rmse}, more than twice th
 //
 // 1. At the feet of the blocks, as wide as a texel: shade of the floor and light of the block's side fall into one.
 // 2. No. It is the mean over whole triangles that errs, and not the noise of 32 rays.
-// 3. The vertices at corners: shade with a long reach is smooth, and a smooth function is well kept in few places.
+// 3. The vertices whose rays start at the corners. With a long reach shade changes slowly along a wall, and what changes slowly is well
+//    mixed from a few numbers.
 // 4. The head, the spheres, the columns: what has many small triangles. The ground plane has too few.
 // 5. The brick is the same wherever it is; the light at it is not.
 // 6. Two maps, one for each, mixed by how far the door is open. It is right at both ends.

@@ -6,7 +6,8 @@
 #include <cmath>
 
 #include "chapters/notebook/chapter.h"
-#include "chapters/notebook/svg.h"
+#include "chapters/props/cost_curves.h"
+#include "chapters/props/error_walk.h"
 #include "chapters/props/switched_ao.h"
 #include "chapters/study/error_study.h"
 #include "chapters/study/method_view.h"
@@ -14,147 +15,6 @@
 
 namespace crevice {
 namespace {
-
-constexpr int kSampleCounts[] = {1, 2, 4, 7, 10, 14}, kRayCounts[] = {1, 2, 4, 8, 16, 32};
-
-// Of half the chapter's size each way: rays for a picture are many.
-ErrorPlan chapter_plan(Size size, int seeds) {
-    constexpr Size kSmallest = {160, 90};
-    ErrorPlan plan;
-    plan.size = {std::max(size.width / 2, kSmallest.width), std::max(size.height / 2, kSmallest.height)};
-    for (const auto& [scale, blurs] : {std::pair{1.0f, 0}, std::pair{1.0f, 4}, std::pair{0.5f, 4}}) {
-        for (const int samples : kSampleCounts) plan.settings.push_back({samples, scale, blurs, false});
-    }
-    plan.cast_rays.assign(std::begin(kRayCounts), std::end(kRayCounts));
-    plan.seeds = seeds;
-    plan.reference_rays = 128;
-    plan.limit_seeds = 64;
-    return plan;
-}
-
-// RMSE against T over what a picture's pixel asks on average: samples, or rays.
-PlotCurve curve_of_method(const ErrorStudy& study, const std::string& name, float scale, int blurs) {
-    PlotCurve curve{name, {}, {}};
-    for (const StudyPoint& p : study.points) {
-        if (!p.of || p.of->ao_scale != scale || p.of->blur_iterations != blurs) continue;
-        curve.x.push_back(p.of->samples * static_cast<double>(scale) * static_cast<double>(scale));
-        curve.y.push_back(p.truth.rmse);
-        curve.y_low.push_back(p.truth.lowest);
-        curve.y_high.push_back(p.truth.highest);
-    }
-    return curve;
-}
-PlotCurve curve_of_rays(const ErrorStudy& study) {
-    PlotCurve curve{"ray cast", {}, {}};
-    for (const StudyPoint& p : study.points) {
-        if (p.of) continue;
-        curve.x.push_back(kRayCounts[curve.x.size()]);
-        curve.y.push_back(p.truth.rmse);
-    }
-    return curve;
-}
-
-struct Curves {
-    PlotCurve raw, blurred, half, cast;
-};
-Curves curves_of(const ErrorStudy& study) {
-    return {curve_of_method(study, "raw", 1, 0), curve_of_method(study, "blurred", 1, 4),
-            curve_of_method(study, "half size, blurred", 0.5f, 4), curve_of_rays(study)};
-}
-
-// The points that no other beats: none asks less and errs less.
-PlotCurve front_of(const std::vector<PlotCurve>& curves) {
-    std::vector<std::pair<double, double>> points;
-    for (const PlotCurve& curve : curves) {
-        for (std::size_t i = 0; i < curve.x.size(); ++i) points.push_back({curve.x[i], curve.y[i]});
-    }
-    std::sort(points.begin(), points.end());
-    PlotCurve front{"Pareto front", {}, {}, {}, {}, PlotStyle::front};
-    for (const auto& [x, y] : points) {
-        if (!front.y.empty() && y >= front.y.back()) continue;
-        front.x.push_back(x);
-        front.y.push_back(y);
-    }
-    return front;
-}
-
-// The steps from truth to the frame, one below the other: what each adds to the squared error, or takes away.
-std::string error_steps(const ErrorParts& parts, const std::string& title) {
-    constexpr double kLeft = 150, kWidth = 360, kRow = 30, kTop = 40, kBarHeight = 18;
-    double reached = 0, low = 0, high = 0;
-    for (const ErrorPart& part : parts.parts) {
-        reached += part.share;
-        low = std::min(low, reached);
-        high = std::max(high, reached);
-    }
-    const auto x = [&](double mse) { return kLeft + kWidth * (mse - low) / (high - low); };
-    const auto millionths = [](double mse) { return decimal_text(1e6 * mse, 0); };
-    std::string svg;
-    double y = kTop;
-    reached = 0;
-    const auto row = [&](const std::string& name, double from, double to, std::string_view colour) {
-        svg += svg_text({kLeft - 10, y + 13}, name, TextAnchor::end);
-        svg += svg_box({x(from), y}, {x(to), y + kBarHeight}, colour, millionths(to - from));
-        svg +=
-            svg_text({x(std::max(from, to)) + 6, y + 13}, millionths(to - from), TextAnchor::start, kSvgSoft);
-        y += kRow;
-    };
-    for (const ErrorPart& part : parts.parts) {
-        row(part.step, reached, reached + part.share, part.share > 0 ? kSvgOccluded : kSvgOpen);
-        reached += part.share;
-    }
-    row("all of it", 0, parts.total.share, kSvgInk);
-    svg += svg_line({x(0), kTop - 4}, {x(0), y}, kSvgSoft);
-    return svg_picture(title, kLeft + kWidth + 70, y + 6, svg);
-}
-
-std::vector<std::vector<std::string>> part_rows(const ErrorParts& parts) {
-    std::vector<std::vector<std::string>> rows;
-    const auto add = [&](const std::string& name, const ErrorPart& part) {
-        rows.push_back({name, decimal_text(part.bias, 5), decimal_text(part.rmse, 4),
-                        decimal_text(1e6 * part.share, 1)});
-    };
-    for (const ErrorPart& part : parts.parts) add(part.step, part);
-    add("all of it", parts.total);
-    return rows;
-}
-
-bool parts_add_up(const ErrorParts& parts) {
-    double bias = 0, share = 0;
-    for (const ErrorPart& part : parts.parts) bias += part.bias, share += part.share;
-    return std::fabs(bias - parts.total.bias) < 1e-12 && std::fabs(share - parts.total.share) < 1e-12;
-}
-
-// What a part's picture says, by the name of its step.
-std::string caption_of(const std::string& step) {
-    if (step == "depth buffer")
-        return "S - T, the depth buffer: red where an occluder is hidden or outside of the picture, blue "
-               "where the space behind "
-               "a front edge is taken for solid.";
-    if (step == "definition")
-        return "C - S, the definition: the method asks 14 points near the surface, not rays.";
-    if (step == "half size") return "Half size: edges are stretched over two pixels.";
-    if (step == "sampling") return "Sampling: the noise of 14 samples with one random turn.";
-    if (step == "float16")
-        return "Storage in 16-bit floats: a few pixels of slanted surfaces, where one step of depth is too "
-               "coarse.";
-    if (step == "blur, bias") return "What the blur does wrong: it also smooths what was no noise.";
-    return "What the blur does right: it takes the noise away again, so it is the sampling picture turned "
-           "round.";
-}
-
-std::vector<Notebook::Named> part_pictures(const ErrorParts& parts) {
-    std::vector<Notebook::Named> pictures;
-    constexpr double kSeen = 0.002;  // RMSE; a picture of less is white
-    for (const ErrorPart& part : parts.parts) {
-        if (part.rmse < kSeen) continue;
-        std::string name = "part_" + part.step;
-        std::replace_if(
-            name.begin(), name.end(), [](char c) { return c == ' ' || c == ','; }, '_');
-        pictures.push_back({name, difference_picture(part.difference), caption_of(part.step)});
-    }
-    return pictures;
-}
 
 std::vector<std::string> reference_row(const char* name, const char* what, const Reference& r) {
     return {name, what, std::to_string(r.rays), decimal_text(r.mean, 4), decimal_text(r.mean_error, 4)};
@@ -190,20 +50,19 @@ void error_against_time(Notebook& book) {
 // %% question [markdown]
 // # Error against run time
 //
-// Move the slider: on one side is the AO that X_Jun's chapter makes, on the other what rays through the scene say. They
-// differ, and the obvious cure is more samples. The tutorials stop at fourteen. Would 28 be twice as good? Or is the money
-// better spent on a wider blur, on full size, on real rays? To answer that we need two numbers for every way of making the
-// picture: how wrong it is, and how long it took. The second is easy. The first is not, because *wrong* has several
-// meanings.
+// Here is the AO that X_Jun's tutorial (for Direct3D 11) makes, and what rays through the scene say. They differ, and the
+// obvious cure is more samples. The tutorials stop at fourteen. Would 28 be twice as good? Or is the time better spent on a
+// wider blur, on full size, on real rays? To answer that we need two numbers for every way of making the picture: how long
+// it took, which is easy, and how wrong it is, which is not, because *wrong* has several meanings.
 
 // %% study tags=["setup"]
 const SwitchedView shown(book, "columns");
 const Scene& scene = shown.scene();
 const Method& xjun_method = find_method("xjun");
 const ErrorStudy xjun =
-    error_study(scene, scene.camera, xjun_method, chapter_plan(book.size(), 4), std::nullopt, false, {});
+    error_study(scene, scene.camera, xjun_method, cost_plan(book.size(), 4), std::nullopt, false, {});
 const ErrorStudy luna = error_study(scene, scene.camera, find_method("luna"),
-                                    chapter_plan(book.size(), 2), std::nullopt, false, {});
+                                    cost_plan(book.size(), 2), std::nullopt, false, {});
 const References& r = xjun.references;
 const Image<float> frame =
     ao_picture_of(method_view(scene, scene.camera, xjun.plan.size, xjun_method, {}),
@@ -212,7 +71,7 @@ const Image<float> frame =
 // %% start
 book.compare({"frame", ao_picture(frame),
               "The frame's AO: 14 samples at half size, blurred four times, contrast 4."},
-             {"truth", ao_picture(r.soft.image.mean), "Rays through the scene."});
+             {"truth", ao_picture(r.soft.image.mean), "Rays through the scene: paler, and every line of roof and windows is there."});
 
 // %% idea [markdown]
 // ## The idea
@@ -232,15 +91,15 @@ book.compare({"frame", ao_picture(frame),
 // From T to S we lose what the depth buffer does not hold. From S to C we lose what the method does not ask for. From C to
 // the frame there is noise, half size, storage and blur. Only the noise can be bought off with samples.
 //
-// The pictures of this chapter are half as wide and half as high as those of the others, because rays for every pixel are
-// many. Blur counts its reach in texels, so it does more harm here than in a large picture.
+// The pictures here are half as wide and high as those of other chapters, because rays for every pixel are many. Blur
+// counts its reach in texels, so it does more harm than in a large picture.
 
 // %% references
 book.show_row({{"t", ao_picture(r.soft.image.mean), "T: rays through the scene."},
                {"s", ao_picture(r.screen.image.mean),
                 "S: the same rays against the depth buffer. The shade in the lower corners is gone: what "
                 "throws it stands outside of the picture."},
-               {"c", ao_picture(r.limit.image.mean), "C: the method without noise."}});
+               {"c", ao_picture(r.limit.image.mean), "C: the method without noise, darker than T in every corner, for it adds contrast."}});
 book.table({"", "what", "rays or turns", "mean", "mean standard error of a pixel"},
            {reference_row("T", "truth", r.soft), reference_row("S", "screen", r.screen),
             reference_row("C", "limit", r.limit)});
@@ -277,21 +136,21 @@ book.table({"step", "changes the pixel by"}, steps_of_pixel,
 // sign: is the picture too light on the whole? The *root mean square error* $\mathrm{RMSE} = \sqrt{\overline{D^2}}$ forgets
 // the sign and counts large errors more. (The bar is the mean over all pixels that show a surface.)
 //
-// Biases of steps add up to the bias of the whole. Squares do not: two steps may cancel each other, as noise and blur do.
-// But the products do:
+// Biases of steps add up to the bias of the whole. Squares do not, since two steps may cancel each other, as noise and blur
+// do. But products with the whole error do:
 //
 // $$ \overline{D^2} = \overline{D \cdot (d_1 + \dots + d_k)} = \overline{D d_1} + \overline{D d_2} + \dots + \overline{D d_k} $$
 //
 // $\overline{D d_i}$ is the *share* of step $i$ in the squared error. It is negative for a step that takes error away.
 //
-// One thing is left. The reference is noisy too: it is a mean of {rays} rays, and its own noise would count as error of the
-// method. If $r$ has noise of variance $\sigma^2$ around the truth, then $\overline{(a - r)^2}$ is too large by $\sigma^2$.
-// So we keep two independent halves $r_1$ and $r_2$ of the rays, and multiply:
+// One thing is left. The reference is a mean of {rays} rays and noisy, too: with a noise of variance $\sigma^2$ around the
+// truth, it makes the squared error of every method too large by $\sigma^2$. So we keep two independent halves $r_1$ and
+// $r_2$ of the rays, and for an image $a$ we multiply:
 //
 // $$ \overline{(a - r_1)(a - r_2)} = \overline{(a - t)^2} - \overline{(a-t)(n_1 + n_2)} + \overline{n_1 n_2}, \qquad r_j = t + n_j $$
 //
-// The noises $n_1$ and $n_2$ have mean 0 and know nothing of each other nor of $a$, so the last two means vanish, and what
-// is left is the error against the truth $t$ itself. Such an error is called *debiased*.
+// The noises $n_1$ and $n_2$ have mean 0 and know nothing of each other nor of $a$, so the last two means vanish. What is
+// left is the error against the truth $t$ itself. It is called *debiased*.
 
 // %% the_code tags=["setup"]
 book.listing("ssao/judge/reference_error.cpp", "PixelValues",
@@ -363,17 +222,15 @@ book.check("No pixel of the pictures is NaN or infinite.", !limit_error.failed()
 // %% curves_text [markdown]
 // ## What would less error cost?
 //
-// Now to the price. The time of a pass depends on the machine, and this book holds the same numbers on every machine, so we
-// count what the time is spent on: how many samples, or rays, one pixel of the picture asks on average. Half size asks a
-// quarter. Error over cost is drawn on two logarithmic axes: noise alone would be a straight line downwards. A line that
-// bends and goes flat has met an error that samples cannot buy.
+// The time of a pass depends on the machine, and this book holds the same numbers on every machine. So we count what the
+// time is spent on: how many samples, or rays, one pixel of the picture asks on average; half size asks a quarter. On two
+// logarithmic axes noise alone is a straight line downwards. A line that goes flat has met an error that samples cannot buy.
 //
-// The rings mark the *Pareto front*: the points that no other point beats, which is to say, that none is cheaper and also
-// better. Whatever is not on the front is a bad bargain. Mind that a ray costs many times what a sample does: on an axis of
-// time, its line lies further to the right.
+// The rings mark the *Pareto front*: the points for which no other is both cheaper and better. Mind that a ray costs many
+// times what a sample does: on an axis of time, its line lies further to the right.
 
 // %% curves
-const Curves of_xjun = curves_of(xjun), of_luna = curves_of(luna);
+const CostCurves of_xjun = cost_curves(xjun), of_luna = cost_curves(luna);
 const std::vector<PlotCurve> methods_and_rays = {of_xjun.raw, of_xjun.blurred, of_xjun.half,
                                                  of_xjun.cast};
 std::vector<PlotCurve> drawn = methods_and_rays;
@@ -385,7 +242,7 @@ book.plot("curves", {"X_Jun: error over cost", cost, error, drawn},
 book.plot(
     "curves_luna",
     {"Luna: error over cost", cost, error, {of_luna.raw, of_luna.blurred, of_luna.half, of_luna.cast}},
-    "Luna shows the same.");
+    "Luna (a tutorial for Direct3D 12) shows the same.");
 
 // %% curve_checks
 const auto gain = [](const PlotCurve& curve) { return curve.y.front() / curve.y.back(); };
@@ -409,15 +266,13 @@ book.check(
     of_xjun.blurred.y.front() < of_xjun.raw.y[2] && of_luna.blurred.y.front() < of_luna.raw.y[2]);
 
 // %% time_text [markdown]
-// Times themselves come from `crevice bench --error columns`. It lets all settings take turns, so that each meets the
-// machine in the same moods, repeats them at least 15 times, and reports medians; the page it writes has these curves over
-// milliseconds.
+// Times themselves come from `crevice bench --error columns`, whose page has these curves over milliseconds.
 
 // %% traps_text [markdown]
 // ## What can go wrong
 //
-// **The reference is too noisy.** The error of one and the same picture, C, against T from ever more rays. Taken plainly,
-// the error falls as the *reference* gets better, and the method seems to improve. Debiased, it stays where it is.
+// **The reference is too noisy.** The table has the error of one and the same picture, C, against T from ever more rays.
+// Taken plainly, it falls as the *reference* gets better, and the method seems to improve. Debiased, it stays where it is.
 
 // %% noisy_reference
 const Image<SurfaceKind> kinds = surface_kinds(r.gbuffer, xjun.camera);
@@ -437,7 +292,7 @@ for (const Reference& reference : fewer) {
 book.table({"rays of the reference", "RMSE, plain", "RMSE, debiased"}, noise_rows);
 book.compare({"t_8", ao_picture(fewer.front().image.mean),
               "T from 8 rays a pixel: grain that no method can match."},
-             {"t_all", ao_picture(r.soft.image.mean), "T from {rays} rays a pixel."});
+             {"t_all", ao_picture(r.soft.image.mean), "T from {rays} rays a pixel: smooth."});
 book.number("plain_8", plain.front(), 4);
 book.number("plain_all", plain.back(), 4);
 book.number("debiased_8", debiased.front(), 4);
@@ -449,9 +304,10 @@ book.check(
         std::fabs(debiased.front() - debiased.back()) < plain.front() - plain.back());
 
 // %% dilution_text [markdown]
-// **The sky is counted.** It is 1 in every picture of every method, so it has no error, and the more of it there is, the
-// better all methods look. **Another question is asked.** Occluders that fade out with distance are judged by rays whose
-// occluders do not: the difference is then booked as an error, although the method never meant to say that.
+// **The sky is counted.** It is 1 in every picture, without error, and the more of it there is, the better all methods look.
+//
+// **Another question is asked.** If occluders that fade out with distance are judged by rays whose occluders do not, the
+// difference is booked as an error, although the method never meant to say that.
 
 // %% dilution
 const double surface = limit_error.over(Region::surface).rmse(),

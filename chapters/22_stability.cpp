@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 
-#include "chapters/frame/frame.h"
 #include "chapters/notebook/chapter.h"
+#include "chapters/props/crops.h"
 #include "chapters/props/stiff_faults.h"
-#include "chapters/props/switched_ao.h"
+#include "chapters/props/stiff_frames.h"
 #include "chapters/stability/rounding.h"
 #include "chapters/stability/stability.h"
 #include "chapters/stability/stiff_scenes.h"
@@ -26,56 +26,6 @@ namespace {
 
 std::string short_text(double value) { return significant_text(value, 3); }
 
-Frame drawn(const Scene& scene, const Camera& camera, Size size, const std::string& method,
-            const Words& words = {}) {
-    FrameRequest request;
-    request.size = size;
-    request.method = &find_method(method);
-    request.settings = settings_of(*request.method, words, scene.length_unit);
-    return render_frame(scene, camera, request);
-}
-Frame drawn(const StiffView& view, Size size, const std::string& method = "xjun", const Words& words = {}) {
-    return drawn(view.scene, view.camera, size, method, words);
-}
-
-std::string first_warning(const Frame& frame) {
-    for (const PrecisionLoss& loss : frame.precision) {
-        if (!loss.warning.empty()) return loss.warning;
-    }
-    return "nothing to say";
-}
-std::size_t lost(const Frame& frame, const std::string& name) {
-    for (const PrecisionLoss& loss : frame.precision) {
-        if (loss.name == name) return loss.count;
-    }
-    return 0;
-}
-
-double largest_difference(const Image<float>& a, const Image<float>& b) {
-    double largest = 0;
-    for (int y = 0; y < a.size.height; ++y) {
-        for (int x = 0; x < a.size.width; ++x)
-            largest = std::max(largest,
-                               std::fabs(static_cast<double>(a.at(x, y)) - static_cast<double>(b.at(x, y))));
-    }
-    return largest;
-}
-int texels_below(const Image<float>& ao, float limit) {
-    int count = 0;
-    for (int y = 0; y < ao.size.height; ++y) {
-        for (int x = 0; x < ao.size.width; ++x) count += ao.at(x, y) < limit ? 1 : 0;
-    }
-    return count;
-}
-double covered_share(const Frame& frame) {
-    double count = 0;
-    const Image<std::int32_t>& seen = frame.gbuffer.triangle;
-    for (int y = 0; y < seen.size.height; ++y) {
-        for (int x = 0; x < seen.size.width; ++x) count += seen.at(x, y) >= 0 ? 1 : 0;
-    }
-    return count / (static_cast<double>(seen.size.width) * seen.size.height);
-}
-
 PlotCurve step_curve(const std::string& name, Camera camera, DepthFormat format, bool reversed) {
     camera.reversed_z = reversed;
     PlotCurve curve{name, {}, {}, {}, {}, PlotStyle::smooth};
@@ -91,41 +41,12 @@ StiffView between_far_planes(StiffView view) {
     return view;
 }
 
-std::string ulps_text(const std::optional<AoRounding>& rounding) {
-    return rounding ? short_text(rounding->off.p99 / kAoUlp) : "";
-}
-
 Scene without_last_instance(Scene scene) {
     scene.instances.pop_back();
     return scene;
 }
 
 const std::vector<std::string> kShownMethods = {"xjun", "luna", "hbao", "gtao", "ray_cast"};
-
-struct FormatRow {
-    const char* word;
-    DepthFormat format;
-    bool reversed;
-};
-constexpr FormatRow kFormats[] = {{"d16", DepthFormat::d16, false},
-                                  {"d24", DepthFormat::d24, false},
-                                  {"d32f", DepthFormat::d32f, false},
-                                  {"d32f_reversed", DepthFormat::d32f, true}};
-
-// Luna reads the depth buffer, and shows what a format costs.
-std::vector<std::string> format_row(const FormatRow& row, double near_plane, double far_plane) {
-    StiffView view = tilted_plane_view(60);
-    view.camera = with_planes(view.camera, near_plane, far_plane);
-    const Frame frame = drawn(view, view.size, "luna", {std::string("depth_format=") + row.word});
-    Camera camera = view.camera;
-    camera.reversed_z = row.reversed;
-    return {row.word,
-            short_text(near_plane) + " .. " + short_text(far_plane),
-            short_text(depth_step(camera, row.format, 5)),
-            std::to_string(lost(frame, "pixels_lost_to_clear_depth")),
-            std::to_string(lost(frame, "texels_of_coarse_depth")),
-            short_text(1 - buffer_statistics(frame.ao_raw).mean)};
-}
 
 // From where on a half-float's step is larger than `length`.
 double half_float_limit(double length) {
@@ -141,9 +62,9 @@ void stability_chapter(Notebook& book) {
 // %% question [markdown]
 // # Numbers that hold
 //
-// The slider compares two pictures of one scene by one method. Most programs say nothing about either. One number is not
-// the same: the distance of the near plane, behind which nothing is drawn anyway. Nothing in the scene is nearer than
-// several units, so 0.0001 should be as good as 1. And yet the columns are covered with dirt.
+// Here are two pictures of one scene by one method. They differ in the near and the far plane of the camera alone, before
+// and behind which nothing is drawn. All that there is lies between several units and a few dozen, so either pair should be
+// good. And yet the columns of the first picture are covered with dirt, and most programs would not say a word.
 
 // %% start
 const Scene columns = columns_luna_scene();
@@ -153,8 +74,9 @@ const Frame fine =
     drawn(columns, with_planes(columns.camera, 1, 1000), book.size(), "luna", {"depth_format=d24"});
 book.number("first_warning", first_warning(coarse));
 book.compare({"coarse", ao_picture(coarse.ao_raw),
-              "Near plane at 0.0001, far plane at 10,000,000, depths in 24 bits."},
-             {"fine", ao_picture(fine.ao_raw), "Near plane at 1, far plane at 1,000."});
+              "Near plane at 0.0001, far plane at 10,000,000, depths in 24 bits: specks all over columns and skull."},
+             {"fine", ao_picture(fine.ao_raw),
+              "Near plane at 1, far plane at 1,000: shade only where things touch."});
 
 // %% idea [markdown]
 // ## The idea
@@ -162,10 +84,10 @@ book.compare({"coarse", ao_picture(coarse.ao_raw),
 // **Rounding is tiny until two nearly equal numbers are subtracted; so find the subtractions, and compare each difference
 // with what rounding can make of it.**
 //
-// A computer's number keeps about seven digits. Every operation throws away the eighth, an error that nobody will ever see.
-// But take 1000.004 minus 1000.001: of the seven digits the first six cancel, and the result 0.003 has one digit left. This
-// is *cancellation*. It makes no new error; it removes what hid the old one. An AO pass is made of such subtractions: *is
-// this depth a little smaller than that one?*
+// A float keeps about seven digits. Every operation throws away the eighth, an error that nobody will ever see. But take
+// 1000.004 minus 1000.001: of the seven digits the first six cancel, and the result 0.003 has one digit left. This is
+// *cancellation*. It makes no new error; it removes what hid the old one. An AO pass is made of such subtractions: *is this
+// depth a little smaller than that one?*
 
 // %% stairs
 const auto epsilon = static_cast<double>(kLunaSettings.epsilon);
@@ -194,12 +116,12 @@ book.draw("stairs", stairs(epsilon),
 // **Depth against depth.** $dz = p_z - r_z$ with both near $z$: the error is up to $2uz$, and a few times more after the
 // depth map's filter. Epsilon keeps its meaning as long as that is much less.
 //
-// **View depth from the depth buffer.** It is $z = B / (d - A)$, where $d$ is the stored number, $A = \frac{f}{f-n}$ and
-// $B = -\frac{nf}{f-n}$. Far away $d$ and $A$ are both nearly 1: cancellation. With a step $\Delta d$ of the format,
+// **View depth from the depth buffer.** It is $z = B / (d - A)$ (chapter 03), where $d$ is the stored number. Far away $d$
+// and $A$ are both nearly 1: cancellation. With a step $\Delta d$ of the format and the near plane at $z_n$,
 //
-// $$ \Delta z = \left|\frac{\partial z}{\partial d}\right| \Delta d = \frac{z^2}{|B|}\,\Delta d \approx \frac{z^2}{n}\,\Delta d $$
+// $$ \Delta z = \left|\frac{\partial z}{\partial d}\right| \Delta d = \frac{z^2}{|B|}\,\Delta d \approx \frac{z^2}{z_n}\,\Delta d $$
 //
-// The near plane stands in the denominator. Moving it from 1 to 0.0001 makes every step ten thousand times as coarse. With
+// The near plane stands in the denominator: moving it from 1 to 0.0001 makes every step ten thousand times as coarse. With
 // *reversed* depths, 1 at the near and 0 at the far plane, $A$ is nearly 0: nothing cancels, and a float keeps its digits.
 //
 // **Position against eye.** A vertex at 100,000.25 minus an eye at 100,000.3: floats near 100,000 are 0.0078 apart. If the
@@ -241,34 +163,23 @@ book.listing_part(
 // ## Losses are said
 //
 // Some losses cannot be cured by code: 24 bits are 24 bits. But a program can know that they happen. This one counts in
-// every frame, and has a line for each kind of loss with what to do about it. To the first picture of this chapter it says:
+// every frame, and has a line for each kind of loss with what to do about it. To the first picture it says:
 //
 // > warning: {first_warning}
 
 // %% formats
-std::vector<std::vector<std::string>> format_rows;
-std::size_t coarse_formats = 0;
-double worst_silent = 0;
-for (const auto& [near_plane, far_plane] :
-     {std::pair(1.0, 1e3), std::pair(1e-2, 1e5), std::pair(1e-4, 1e7)}) {
-    for (const FormatRow& format : kFormats) {
-        format_rows.push_back(format_row(format, near_plane, far_plane));
-        const bool said = format_rows.back()[3] != "0" || format_rows.back()[4] != "0";
-        coarse_formats += said ? 1 : 0;
-        if (!said) worst_silent = std::max(worst_silent, std::stod(format_rows.back()[5]));
-    }
-}
+const FormatLosses formats = format_losses();
 book.table(
     {"format", "near .. far", "step at z = 5", "pixels that became sky", "texels of coarse depth",
      "AO lost, mean"},
-    format_rows,
+    formats.rows,
     "A plane tilted by 60 degrees, five units away. Its AO is 1, so whatever is lost is rounding.");
-book.number("worst_silent", short_text(worst_silent));
-book.number("coarse_formats", std::to_string(coarse_formats));
+book.number("worst_silent", short_text(formats.worst_silent));
+book.number("warned_formats", std::to_string(formats.warned));
 book.check(
-    "Where nothing is said, no more than {worst_silent} of the AO is lost; in {coarse_formats} of the "
+    "Where nothing is said, no more than {worst_silent} of the AO is lost; in {warned_formats} of the "
     "twelve cases something is said.",
-    worst_silent < kStatedBias && coarse_formats > 0);
+    formats.worst_silent < kStatedBias && formats.warned > 0);
 
 // %% where [markdown]
 // ## Where cancellation sits
@@ -276,26 +187,21 @@ book.check(
 // | where | the subtraction | lost | cure |
 // |---|---|---|---|
 // | vertex | world position - eye | far from the origin | in double, rounded once |
-// | clipping | $A w + B$ against 0 | the near plane, when $w > 2^{24} n$ | compare $w$ itself |
+// | clipping | $A w + B$ against 0 | the near plane, when $w > 2^{24} z_n$ | compare $w$ itself |
 // | depth buffer | $d - A$ | far away, near plane close | reversed float depths |
 // | AO | $p_z - r_z$ | far away | a floor of $2^{-20} z$ under epsilon |
 // | AO | $r - p$, then squared | radius below $10^{-12}$ | lengths scaled before squaring, or a warning |
 // | half size | the mean of two surfaces' depths | at every edge | the nearest surface, on its own plane |
 // | framing | largest - smallest coordinate | everything, by one stray vertex | say which one |
-//
-// The section after the next shows each of them, the fault on one side of a slider and the cure on the other.
 
 // %% judge_text [markdown]
 // ## Pass by pass
 //
 // How much does each pass lose? To tell, we need a *judge* that makes none of these errors. Ours takes from the rasterizer
-// only which triangle a pixel shows. All else it works out in double and from the scene itself: the eye's ray through the
-// pixel's centre, the point where it meets the triangle's plane, the normal there. Then it runs the same text of each
-// kernel, in double, on its own depths and normals. So it also sees errors that were made before a pass.
-//
-// Errors are counted in *ulps*: one is the step from a float to the next. A number rounded once is off by half an ulp at
-// most. The table has two views of one block: one as it is, one with the near plane at 0.0001 and the far plane at
-// 10,000,000.
+// only which triangle a pixel shows. All else it computes in double, from the scene itself, with the same text of each
+// kernel. Errors are counted in *ulps*: one is the step from a float to the next, and a number rounded once is off by half
+// an ulp at most. The table has one block twice: as it is, and *strained*, with the near plane at 0.0001 and the far plane
+// at 10,000,000.
 
 // %% passes_against_judge
 const RoundingView at_ease = rounding_view(block_view(), {}),
@@ -316,52 +222,33 @@ book.check(
     passes[1].off.max < 2 && passes_strained[1].off.max < 2);
 
 // %% methods_text [markdown]
-// The depth buffer's number is as good as its format allows in both views; what a step of it *means* is not. That shows in
-// the method that reads it. The next table has each method's AO in ulps of 1: what the roundings of its own arithmetic
-// change (*kernel*), what those of the depths and of the normals that it reads change, and all together. Here *decided
-// otherwise* is the share of texels for which a comparison came out differently, so that a whole sample was gained or lost.
-// That is no longer rounding, and no number of digits makes it small: somewhere there is always a sample on the edge.
+// The number in the depth buffer is as good as its format allows in both views. What a step of it *means* is not, and that
+// shows in the method that reads it. (`crevice stability` has the kernels of all methods.)
 
 // %% methods_against_judge
-std::vector<std::vector<std::string>> method_rows;
-std::array<double, 2> luna_depth{};
-for (const RoundingView* const seen : {&at_ease, &strained}) {
-    for (const char* name : {"xjun", "luna", "hbao", "gtao"}) {
-        const MethodRounding rounding = method_rounding(*seen, find_method(name), {});
-        std::vector<std::string> row = {std::string(name) + (seen == &strained ? ", strained" : "")};
-        for (const RoundingCause cause :
-             {RoundingCause::kernel, RoundingCause::depth, RoundingCause::normal, RoundingCause::all})
-            row.push_back(ulps_text(rounding.of(cause)));
-        row.push_back(
-            percent_text(rounding.of(RoundingCause::all).value_or(AoRounding{}).decided_otherwise));
-        method_rows.push_back(row);
-        if (name == std::string("luna"))
-            luna_depth[seen == &strained ? 1 : 0] =
-                rounding.of(RoundingCause::depth).value_or(AoRounding{}).off.mean;
-    }
-}
-book.table({"method", "kernel", "depth", "normal", "all", "decided otherwise"}, method_rows,
-           "Errors of AO in ulps of 1, of which 99 % of the texels have less.");
-book.number("luna_ease", short_text(luna_depth[0]));
-book.number("luna_strain", short_text(luna_depth[1]));
+const auto cost_of_depth = [](const RoundingView& seen) {
+    const MethodRounding rounding = method_rounding(seen, find_method("luna"), {});
+    return rounding.of(RoundingCause::depth).value_or(AoRounding{}).off.mean;
+};
+const double luna_ease = cost_of_depth(at_ease), luna_strain = cost_of_depth(strained);
+book.number("luna_ease", short_text(luna_ease));
+book.number("luna_strain", short_text(luna_strain));
 book.check(
-    "Luna reads the depth buffer: what its rounding costs goes from {luna_ease} of AO to {luna_strain}, "
-    "in the mean.",
-    luna_depth[1] > 10 * luna_depth[0]);
+    "Luna's method reads the depth buffer: what its rounding costs goes from {luna_ease} of AO to "
+    "{luna_strain}, in the mean.",
+    luna_strain > 10 * luna_ease);
 
 // %% judge_end [markdown]
-// Kernels subtract points that lie close together, $r - p$: of a difference as long as the radius they keep the ulps of the
-// depth, a share that is larger by depth over radius. All screen-space methods have this, and it is why tolerances must
-// grow with the distance. X_Jun's and Luna's kernels lose more than the others for a reason of their own: they look their
-// random vectors up at a coordinate that runs 1,024 times across the picture, so ten bits of the float count whole vectors,
-// and only what is left places the samples.
+// Kernels also subtract points that lie close together, $r - p$. The difference keeps the ulps of the depth, although it is
+// only as long as the radius: measured by its own length, its error is larger by depth over radius. So tolerances must grow
+// with the distance.
 
 // %% eye_plane_text [markdown]
 // ## What can go wrong
 //
-// **A ground that goes on behind the eye vanishes.** Clipping cuts it at the near plane. In float, the sum $A w + B$ for a
-// vertex 10,000 units away no longer contains the near plane's 0.0001, so the cut falls not on the near plane but on the
-// eye plane, $w = 0$, where there is no projection. The triangle is thrown away, and with it half of the picture.
+// **A ground that goes on behind the eye vanishes.** Clipping cuts it at the near plane, where $A w + B = 0$. For a vertex
+// 10,000 units away this sum, in float, no longer contains the near plane's 0.0001. So the cut falls on the plane of the
+// eye, $w = 0$, where there is no projection. The triangle is thrown away, and with it half of the picture.
 
 // %% eye_plane
 const StiffView ground = ground_view();
@@ -383,9 +270,9 @@ book.check(
         std::fabs(covered_share(half) - 0.5) < 0.02);
 
 // %% origin_text [markdown]
-// **Far from the origin, everything trembles.** Here the block and its eye have been moved by a million units. One matrix
-// from object to clip space contains the eye's million in its last column, rounded to float; floats are 0.06 apart there.
-// Subtracting the eye first, in double, leaves small numbers to all that follows.
+// **Far from the origin, everything trembles.** The block and its eye have been moved by a million units. One matrix from
+// object to clip space holds that million in its last column, rounded to float, and floats are 0.06 apart there. Subtracting
+// the eye first, in double, leaves small numbers to all that follows.
 
 // %% origin
 const StiffView at_home = block_view(), far_away = moved(at_home, 1e6);
@@ -393,8 +280,8 @@ const Frame home = drawn(at_home, book.size());
 const Frame trembling = drawn(far_away, book.size(), "xjun", {"depth_position=premultiplied"}),
             steady = drawn(far_away, book.size());
 book.compare({"far_premultiplied", ao_picture(trembling.ao_blurred),
-              "One matrix for all, a million units from the origin."},
-             {"far_relative", ao_picture(steady.ao_blurred), "The eye subtracted first, in double."});
+              "One matrix for all, a million units from the origin: the block is bent, and its shade lies elsewhere."},
+             {"far_relative", ao_picture(steady.ao_blurred), "The eye subtracted first, in double: as at home."});
 book.number("trembling", largest_difference(trembling.ao_raw, home.ao_raw), 3);
 book.check(
     "Moved by a million units, the AO has the same bits as at home; with one matrix it is off by up to "
@@ -403,10 +290,11 @@ book.check(
         largest_difference(trembling.ao_raw, home.ao_raw) > 0.1);
 
 // %% far_plane_text [markdown]
-// **Rounding is taken for an occluder.** A wall at a million units, seen through a very long lens. Floats are 0.06 apart
-// there, more than epsilon, so every texel finds neighbours that seem to stand in front of it. The floor under epsilon
-// grows with the distance; here it is larger than the radius, and nothing counts as an occluder any more. The wall is open,
-// as it should be. So would be a crack in it, and that is why the frame has something to say.
+// **Rounding is taken for an occluder.** A bare wall stands a million units away, seen through a very long lens. Floats are
+// 0.06 apart there, more than epsilon: of two neighbours on the wall one lies a step in front of the other, and occludes it.
+// The kernel therefore never counts a difference below $2^{-20} z$, which is nearly one unit here. That is more than the
+// radius, so nothing occludes any more. For a bare wall this is right; a crack in it would be lost as well, and the frame
+// says so.
 
 // %% far_plane
 const StiffView wall = far_plane_view(1e6);
@@ -418,15 +306,15 @@ book.number("dirty", std::to_string(texels_below(without_floor, 0.99f)));
 book.number("clean", std::to_string(texels_below(with_floor, 0.99f)));
 book.number("wall_warning", first_warning(drawn(wall, book.size())));
 book.compare({"wall_dirty", ao_picture(without_floor), "Epsilon alone: {dirty} texels are darkened."},
-             {"wall_clean", ao_picture(with_floor), "With a floor: {clean}."});
+             {"wall_clean", ao_picture(with_floor), "With a floor under epsilon: {clean}."});
 book.check("The floor leaves {clean} of {dirty} dirty texels. The frame says: {wall_warning}.",
            texels_below(with_floor, 0.99f) * 10 < texels_below(without_floor, 0.99f) &&
                lost(drawn(wall, book.size()), "texels_of_coarse_positions") > 0);
 
 // %% edge_text [markdown]
-// **The mean of two surfaces is none.** Half-size AO needs one point for four pixels. At an edge, the mean of a near and a
-// far depth hangs in the air between them, and everything around occludes it. The test for this is a radius that goes to 0:
-// then nothing is within reach, and whatever is still dark is a mistake.
+// **The mean of two surfaces is none.** At an edge the mean of a near and a far depth (chapter 07) hangs in the air, and
+// everything around occludes it. To find such texels, let the radius go to 0: then nothing is within reach, and whatever is
+// still dark is a mistake.
 
 // %% edges
 const Words tiny = {"radius=0.01"}, tiny_mixed = {"radius=0.01", "edge_texels=mixed"};
@@ -442,9 +330,9 @@ book.check("With a radius of 0.01 the means darken {mixed} texels, the nearest s
            texels_below(nearest.ao_raw, 0.9f) < texels_below(mixed.ao_raw, 0.9f));
 
 // %% outlier_text [markdown]
-// **One stray vertex rules everything.** A file without a camera is framed by its bounds, and one vertex that somebody has
-// lost far away is part of them. Largest minus smallest coordinate is then all about that vertex. No arithmetic helps; but
-// the program can look for it, and name it.
+// **One stray vertex rules everything.** A file without a camera is framed by its bounds, largest minus smallest coordinate.
+// One vertex that somebody has lost far away decides them alone. No arithmetic helps; but the program can look for it, and
+// name it.
 
 // %% outlier
 const Scene stretched = with_lost_vertex(), whole = without_last_instance(stretched);
@@ -455,35 +343,35 @@ book.number("outlier_x", outlier.p_world.x, 1);
 book.number("stretch", outlier.stretch, 0);
 book.compare(
     {"framed_by_outlier", normal_picture(drawn(stretched, too_far, book.size(), "xjun").gbuffer.normal),
-     "Framed by all vertices: where is the block?"},
+     "Framed by all vertices: the block is a speck, if it is seen at all."},
     {"framed", normal_picture(drawn(whole, framed, book.size(), "xjun").gbuffer.normal),
-     "Framed without the stray one."});
+     "Framed without the stray one: the block fills the picture."});
 book.check(
     "The stray vertex at x = {outlier_x} is found and named: it makes the scene {stretch} times as large "
     "as all others do.",
     outlier.stretch > kOutlierStretch && outlier.p_world.x > 300);
 
 // %% winding_text [markdown]
-// **A normal that looks away is not wrong.** On the rim of a ball made of few triangles the interpolated normal points
-// slightly away from the eye, although the surface is seen from its front. Whoever turns such normals round, because they
-// must be reversed, dents the rim. Front and back are a matter of the triangle's winding on the screen, not of its normals.
+// **A normal that looks away is not wrong.** On the rim of a ball of few triangles the interpolated normal points slightly
+// away from the eye, although the surface is seen from its front. To turn such normals round dents the rim. Front and back
+// are a matter of the triangle's winding on the screen.
 
 // %% winding
 const Scene ball = coarse_ball();
 const GBuffer ball_buffers = normal_depth(ball, ball.camera, book.size());
 const TurnedNormals dented = turned_to_eye(ball_buffers, ball.camera);
 book.number("turned", std::to_string(dented.turned));
-book.compare({"normals_turned", normal_picture(dented.normals),
-              "Turned towards the eye: {turned} pixels at rims are reversed."},
-             {"normals_kept", normal_picture(ball_buffers.normal), "Kept."});
+const PixelRect rim = {book.size().width * 9 / 32, book.size().height / 2, book.size().width / 2, book.size().height * 7 / 8};
+book.compare({"normals_turned", normal_picture(cropped(dented.normals, rim)),
+              "The lower left of the ball, normals turned towards the eye: single pixels of the rim have other colours."},
+             {"normals_kept", normal_picture(cropped(ball_buffers.normal, rim)), "Normals kept: the colours run smoothly to the rim."});
 book.check("{turned} pixels show a surface from its front whose normal looks away from the eye.",
            dented.turned > 0);
 
 // %% scale_text [markdown]
 // **The unit of length must not matter.** The AO of a room is the same in metres and in miles, if the radius is.
-// Multiplying by a power of two is exact in floats, so here *the same* means the same bits. A hidden constant, an absolute
-// 0.2 in a blur or a $10^{-6}$ in a division, shows at once. Beyond the range whose squares a float can hold there is a
-// warning.
+// Multiplying by a power of two is exact in floats, so *the same* means the same bits here. A hidden constant, an absolute
+// 0.2 in a blur or a $10^{-6}$ in a division, shows at once.
 
 // %% scales
 std::vector<std::vector<std::string>> scale_rows;
@@ -495,7 +383,7 @@ for (const int k : {-40, -20, 20, 40, -60, 60}) {
     scale_rows.push_back({"2^" + std::to_string(k), short_text(off), first_warning(frame)});
     if (std::abs(k) <= 40) scales_agree = scales_agree && off == 0;
     if (std::abs(k) > 40)
-        beyond_is_said = beyond_is_said && (off == 0 || first_warning(frame) != "nothing to say");
+        beyond_is_said = beyond_is_said && (off == 0 || first_warning(frame) != kNoWarning);
 }
 book.table({"all lengths times", "AO differs by", "the frame says"}, scale_rows);
 book.check(
@@ -506,10 +394,10 @@ book.check(
 // %% suite_text [markdown]
 // ## All methods, all cases
 //
-// For each stiff case mathematics knows an answer, and it is written down *before* anything is measured: an open plane has
-// AO 1, a scene that was moved or scaled has the bits that it had before, and where there is no closed form the values must
-// at least be numbers from 0 to 1. A cell is then *exact*, or *within* the error that the method states (a hundredth in the
-// mean), or *warned*: further off, but the frame says so. Further off in silence is *wrong*.
+// For each case like these mathematics knows an answer, and it is written down *before* anything is measured: an open plane
+// has AO 1, a scene that was moved or scaled has the bits that it had before, and where there is no closed form the values
+// must at least be numbers from 0 to 1. A cell is then *exact*, or *within* the error that the method states (a hundredth in
+// the mean), or *warned*: further off, but the frame says so. Further off in silence is *wrong*.
 
 // %% suite
 const std::vector<StiffCase> cases = stiff_cases(true);
@@ -535,49 +423,20 @@ book.check(
     "Of {cells} cells {exact} are exact, {within} within what is stated, {warned} warned, and none is "
     "wrong in silence.",
     verdicts[3] == 0);
-std::vector<std::vector<std::string>> grazing_rows;
-bool grazing_holds = true;
-for (const double degrees : {0.0, 60.0, 85.0, 89.0, 89.9, 89.99}) {
-    std::vector<std::string> row = {significant_text(degrees, 4)};
-    for (const std::string& method : kShownMethods) {
-        const double below =
-            1 - buffer_statistics(drawn(tilted_plane_view(degrees), {96, 64}, method).ao_raw).mean;
-        row.push_back(below == 0 ? "0" : short_text(below));
-        grazing_holds = grazing_holds && below < kStatedBias;
-    }
-    grazing_rows.push_back(row);
-}
-book.table({"plane tilted by, degrees", "xjun", "luna", "hbao", "gtao", "ray_cast"}, grazing_rows,
-           "How much of an open plane's AO is lost, mean.");
-book.check("Up to a tilt of 89.99 degrees no method loses a hundredth of an open plane.", grazing_holds);
-
-// %% radius_text [markdown]
-// The last kind of extreme is the radius. As it goes to 0 nothing is within reach, and every method must go to 1; as it
-// grows beyond the scene, values must stay numbers from 0 to 1.
-
-// %% radii
-std::vector<std::vector<std::string>> radius_rows;
-bool radii_hold = true;
-for (const char* radius : {"0", "1e-06", "0.001", "1000", "1e+06"}) {
-    std::vector<std::string> row = {radius};
-    for (const std::string& method : kShownMethods) {
-        const BufferStatistics ao = buffer_statistics(
-            drawn(at_home, at_home.size, method, {std::string("radius=") + radius}).ao_raw);
-        row.push_back(decimal_text(ao.mean, 4));
-        radii_hold = radii_hold && ao.nan == 0 && ao.inf == 0 && ao.min >= 0 && ao.max <= 1;
-        if (std::stod(radius) < 0.01) radii_hold = radii_hold && 1 - ao.mean < kStatedBias;
-    }
-    radius_rows.push_back(row);
-}
-book.table({"radius", "xjun", "luna", "hbao", "gtao", "ray_cast"}, radius_rows,
-           "Mean AO of the block, for radii from nothing to a thousand times the scene.");
+const double grazing = worst_grazing_loss(kShownMethods);
+const RadiusExtremes radii = radius_extremes(kShownMethods);
+book.number("grazing", short_text(grazing));
+book.check("Up to a tilt of 89.99 degrees, no method loses more than {grazing} of an open plane.",
+           grazing < kStatedBias);
+book.check(
+    "From a radius of 0 to one of a million units, all values are numbers from 0 to 1; radii below a "
+    "hundredth leave everything open.",
+    radii.in_range && radii.worst_tiny < kStatedBias);
 book.number("half_limit", half_float_limit(epsilon), 0);
 book.number("luna_step",
             short_text(depth_step(with_planes(columns.camera, 1, 1000), DepthFormat::d24, 1000)));
 book.number("luna_limit",
             depth_of_step(with_planes(columns.camera, 0.1, 1000), DepthFormat::d24, epsilon), 0);
-book.check("All values are numbers from 0 to 1, and radii below a hundredth leave everything open.",
-           radii_hold);
 
 // %% exercises [markdown]
 // ## Exercises
@@ -588,8 +447,8 @@ book.check("All values are numbers from 0 to 1, and radii below a hundredth leav
 // 3. The far plane at 1,000 or at 1,000,000: how much coarser are the steps of a 24-bit buffer at $z = 50$? Use the formula
 //    for $\Delta z$ with the exact $B$.
 // 4. Why does reversing the depths help floats, but not integers of 24 bits?
-// 5. Run `crevice stability --quick` and open the page. Take a cell that is *within*, draw it by its command, and find the
-//    texels that are off.
+// 5. Run `crevice stability --quick` and open the page that it writes. Take a cell that is marked *within*, run the command
+//    that stands with it, and look at the AO map that it draws. Which texels are not what the case says?
 // 6. (Open) $\sqrt{x^2 + 1} - 1$ for small $x$ cancels. Rewrite it so that it does not, and look for a subtraction in
 //    chapters 03 to 09 that could be rewritten in the same way.
 //
@@ -599,11 +458,12 @@ book.check("All values are numbers from 0 to 1, and radii below a hundredth leav
 //    kernel's floor reaches epsilon earlier, at $0.05 \cdot 2^{20} = 52{,}429$, since a filtered depth is off by more than
 //    one step.
 // 2. A reversed float depth buffer: nothing in the picture moves. A larger near plane cuts away what is nearer.
-// 3. $B = -nf/(f-n)$ goes from $1.001\,n$ to $1.000001\,n$: by a thousandth. The far plane hardly matters; the near plane
-//    does.
+// 3. $|B| = z_n z_f/(z_f-z_n)$ goes from $1.001\,z_n$ to $1.000001\,z_n$: by a thousandth. The far plane hardly matters;
+//    the near plane does.
 // 4. A float's steps are fine near 0, and reversed depths put the distance there, where the formula needs them. An
 //    integer's steps are the same everywhere, so it does not matter which end is called 0.
-// 5. The planes are tilted, and a texel of the AO map takes its depth from a filter; the texels that are off lie in rows.
+// 5. With a tilted plane, for example, whole rows of texels are a little below 1. Along a row all depths are equal, so their
+//    filtered mean is rounded alike.
 // 6. $x^2 / (\sqrt{x^2 + 1} + 1)$. In chapter 04, $d - A$ is such a place: storing $1 - d$ rather than $d$, which is what
 //    reversing does, is the rewriting.
 //
@@ -612,11 +472,11 @@ book.check("All values are numbers from 0 to 1, and radii below a hundredth leav
 // %% errata [markdown]
 // <details><summary>Errata of the tutorials</summary>
 //
-// - *X_Jun, 2020* keeps view depth in a half-float. Its step at depth $z$ is about $z/1024$: from {half_limit} units on, a
-//   step is larger than its own epsilon.
-// - *Luna* does not say that near plane and epsilon belong together. With a near plane of 1 and 24 bits, a step at the far
-//   plane of 1,000 is {luna_step} units, more than epsilon already; with a near plane of 0.1 that begins at {luna_limit}
-//   units.
+// - *X_Jun's* text of 2020 keeps view depth in a 16-bit float, whose step at the depth $z$ is about $z/1024$. From
+//   $z$ = {half_limit} on one step is longer than {epsilon}, the epsilon of the same text.
+// - *Luna* chooses near plane and epsilon without a word that they depend on each other. In 24 bits between 1 and 1,000 the
+//   step at the far plane is {luna_step} units long, more than epsilon already. With the near plane at 0.1 the steps are
+//   longer than epsilon from $z$ = {luna_limit} on.
 //
 // </details>
 //

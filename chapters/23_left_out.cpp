@@ -90,7 +90,7 @@ void left_out(Notebook& book) {
 // %% question [markdown]
 // # What a scene does not need
 //
-// On the left is the AO map of the columns, on the right the picture that it shades. Chapter 06 spent fourteen samples on
+// Here are the AO map of the columns and the picture that it shades. Chapter 06 spent fourteen samples on
 // every texel of that map, and most of them for nothing: there is no stone within reach, all fourteen answer "open", and
 // the result is the 1 that we could have written down at once. Other passes do the same. They draw triangles that end up
 // behind a wall, blur white with white, and light the floor a second time although nothing has changed since the first.
@@ -275,7 +275,7 @@ book.table({"left out", "because"}, reasons);
 // ## What can go wrong
 //
 // **The bound forgets the neighbours.** It is tempting to look at a tile's own depths only: a flat tile cannot occlude
-// itself. But its samples leave the tile. The picture on the left calls every tile open whose own texels lie within
+// itself. But its samples leave the tile. The first picture calls every tile open whose own texels lie within
 // epsilon; squares of contact shadow are cut out of it, and in a film they flicker as the tiles move over the scene.
 
 // %% own_depths
@@ -347,7 +347,7 @@ book.compare(
 // %% errata [markdown]
 // <details><summary>Errata of the tutorials</summary>
 //
-// - *X_Jun and Luna* run AO over the sky as over any surface and rely on the result being 1 there, but do not say why it
+// - *X_Jun and Luna* (tutorials for Direct3D 11 and 12) run AO over the sky as over any surface and rely on the result being 1 there, but do not say why it
 //   is. Luna clears normals to $(0, 0, 1)$, away from the eye, so that dp is 0 for everything in front of the far plane.
 //   X_Jun clears them to $(0, 0, -1)$, towards the eye; there the fade alone keeps the sky white, since everything is too
 //   far in front of it to count.

@@ -426,7 +426,7 @@ book.listing_part("ssao/methods/luna_occlusion.h", "cell_at", "x = min_of", "flo
 // %% errata [markdown]
 // <details><summary>Errata of the tutorials</summary>
 //
-// - *X_Jun and Luna* take the lengths of the fourteen vectors and the random map from `rand()`, whose numbers are another
+// - *X_Jun and Luna* (tutorials for Direct3D 11 and 12) take the lengths of the fourteen vectors and the random map from `rand()`, whose numbers are another
 //   for each compiler's library: no two readers see the same grain. Here an integer hash makes them.
 // - *X_Jun and Luna* normalise with HLSL's `normalize`, which the shader compiler may turn into an estimated reciprocal
 //   root.

@@ -58,6 +58,8 @@ std::string contents_html(const std::vector<BookEntry>& chapters, const std::str
         if (begun != nullptr) html += "<li class=\"part\">" + escaped(begun->title) + "</li>\n";
         html += entry_html(chapter, here);
     }
+    html += "<li class=\"part\"></li>\n<li><a href=\"index.html#sources\"><span>" +
+            escaped({"The sources, by their names", "各个来源及其称呼"}) + "</span></a></li>\n";
     return html + "</ol></nav>\n";
 }
 
