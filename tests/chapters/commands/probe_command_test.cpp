@@ -21,7 +21,8 @@ json document_of(const std::string& arguments) {
     const Outcome outcome = crevice_says("probe " + arguments + " --json");
     CAPTURE(outcome.text);
     REQUIRE(outcome.code == 0);
-    return json::parse(outcome.text);
+    // Warnings on stderr come before it.
+    return json::parse(outcome.text.substr(outcome.text.find('{')));
 }
 
 }  // namespace
