@@ -52,7 +52,7 @@ require_web_packages() {
     missing=
     command -v em++ >/dev/null 2>&1 || missing=emscripten
     [ -d /usr/share/nodejs/acorn ] || missing="$missing node-acorn"
-    [ -z "$missing" ] || { say "missing: $missing; apt-get install --no-install-recommends emscripten node-acorn"; exit 2; }
+    [ -z "$missing" ] || { say "missing: ${missing# }; apt-get install --no-install-recommends emscripten node-acorn"; exit 2; }
 }
 
 if [ "${1-}" = --no-install ]; then

@@ -4,6 +4,8 @@ import { Viewer } from "./viewer.js";
 
 // So long after the last change a picture is taken to stay.
 const kRest_ms = 250;
+// A frame that takes longer is told to be on its way.
+const kSlow_ms = 400;
 // Frames that a rate is told over.
 const kRateFrames = 8;
 
@@ -15,6 +17,7 @@ export class Frames {
   #state;
   #all;
   #drawn;
+  #slow;
   #refused;
   #busy = false;
   #wanted = false;
@@ -23,13 +26,14 @@ export class Frames {
   #shown_ms = [];
   #key = "";
 
-  // `all()`: the names of all buffers that the method has. `drawn()` is called with each frame, `refused(message)` where
-  // there is none.
-  constructor(engine, state, { all, drawn, refused }) {
+  // `all()`: the names of all buffers that the method has. `drawn()` is called with each frame, `slow()` where one
+  // takes long, `refused(message)` where there is none.
+  constructor(engine, state, { all, drawn, slow, refused }) {
     this.#engine = engine;
     this.#state = state;
     this.#all = all;
     this.#drawn = drawn;
+    this.#slow = slow;
     this.#refused = refused;
   }
 
@@ -69,7 +73,8 @@ export class Frames {
     const request = frameRequest(this.#state, rests ? all : wanted.filter((name) => all.includes(name)), rests);
     const key = JSON.stringify({ ...request, only: [], hashes: false });
     if (key === this.#key && this.settled) return this.#drawn();
-    const { reply, buffers } = await this.#engine.ask(request);
+    const slow = setTimeout(this.#slow, kSlow_ms);
+    const { reply, buffers } = await this.#engine.ask(request).finally(() => clearTimeout(slow));
     if (reply.error !== undefined) {
       this.#key = "";
       return this.#refused(reply.error);

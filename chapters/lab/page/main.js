@@ -109,7 +109,9 @@ const say = (text) => { byId("said").textContent = text; };
 function refuse(message) {
   byId("refused").textContent = message;
   byId("refused").hidden = message === "";
-  if (message !== "") document.documentElement.dataset.settled = "refused";
+  if (message === "") return;
+  say("");
+  document.documentElement.dataset.settled = "refused";
 }
 
 // ---- what changes the state -------------------------------------------------------------------------------------------
@@ -228,7 +230,7 @@ async function start() {
   engine = new Engine(byId("worker_text").textContent);
   await engine.start(byId("module_bytes").textContent);
   catalogue = (await engine.ask({ ask: "catalogue" })).reply;
-  frames = new Frames(engine, state, { all: buffersOfMethod, drawn: showFrame, refused: refuse });
+  frames = new Frames(engine, state, { all: buffersOfMethod, drawn: showFrame, slow: () => say(translated("drawing")), refused: refuse });
   truth = new TruthPanel(engine, frames, byId("truth_told"), showPicture);
   truth.on = state.truth === "on";
   setUpFields();

@@ -7,7 +7,6 @@ const kTexts = {
     "帧中的每个 pass 都在本页计算，与 <code>crevice render</code> 逐位相同。拖动以旋转，滚轮缩放，点击像素查问其值的由来。"],
   scene: ["scene", "场景"],
   preset: ["preset", "预设"],
-  no_preset: ["none", "无"],
   size: ["size", "尺寸"],
   method: ["method", "方法"],
   show: ["shows", "显示"],
