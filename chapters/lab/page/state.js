@@ -38,12 +38,28 @@ export function hashOf(state) {
   return "#" + words.toString().replace(/%2C/g, ",").replace(/%3D/g, "=");
 }
 
+function setParam(state, word) {
+  const equals = word.indexOf("=");
+  if (equals > 0) state.params[word.slice(0, equals)] = word.slice(equals + 1);
+}
+
+// Empty where somebody has cut an address short.
+function decoded(text) {
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    return "";
+  }
+}
+
+// The address of a picture; or, as the book's pages link here, a command of the terminal.
 export function stateOfHash(hash) {
   const state = firstState();
+  const command = decoded(hash.replace(/^#/, ""));
+  if (command.startsWith("crevice render ")) return stateOfCommand(command);
   for (const [key, word] of new URLSearchParams(hash.replace(/^#/, ""))) {
     if (key === "param") {
-      const equals = word.indexOf("=");
-      if (equals > 0) state.params[word.slice(0, equals)] = word.slice(equals + 1);
+      setParam(state, word);
     } else if (key in kCameraFlags) {
       state.camera[key] = word;
     } else if (key in kChoices) {
@@ -51,6 +67,27 @@ export function stateOfHash(hash) {
     } else if (typeof state[key] === "string") {
       state[key] = word;
     }
+  }
+  return state;
+}
+
+// "crevice render SCENE --flag word --flag=word ..."; flags that mean nothing to the lab, such as --out, are passed over.
+function stateOfCommand(command) {
+  const state = firstState();
+  const [, , ...words] = command.trim().split(/\s+/);
+  while (words.length > 0) {
+    const [flag, joined] = words.shift().split(/=(.*)/s);
+    if (!flag.startsWith("--")) {
+      state.scene = flag;
+      continue;
+    }
+    const word = joined ?? words.shift() ?? "";
+    const camera = Object.keys(kCameraFlags).find((name) => kCameraFlags[name] === flag);
+    if (camera !== undefined) state.camera[camera] = word;
+    else if (flag === "--param") setParam(state, word);
+    else if (flag === "--ao-scale") state.params.ao_scale = word;
+    else if (flag === "--only") [state.show] = word.split(",");
+    else if (flag === "--size" || flag === "--ao") state[flag.slice(2)] = word;
   }
   return state;
 }

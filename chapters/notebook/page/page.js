@@ -37,6 +37,20 @@ function colourCode() {
   for (const element of document.querySelectorAll("code.language-cpp")) hljs.highlightBlock(element);
 }
 
+// ---- the lab ---------------------------------------------------------------------------------------------------------
+
+// What a command draws in a terminal the lab draws in the browser. `./crevice.sh web` puts it beside these pages.
+function linkCommandsToLab() {
+  for (const code of document.querySelectorAll("code")) {
+    if (!code.textContent.startsWith("crevice render ") || code.closest("pre, a") !== null) continue;
+    const link = document.createElement("a");
+    link.href = "lab.html#" + encodeURIComponent(code.textContent);
+    link.title = "in the lab: ./crevice.sh web";
+    code.replaceWith(link);
+    link.append(code);
+  }
+}
+
 // ---- values under the pointer ------------------------------------------------------------------------------------
 
 // The floats of a picture travel as a grey PNG four times as high for each component: the bytes of all values of one
@@ -207,5 +221,6 @@ function setUpPairs() {
 setUpLanguages();
 setMathematics();
 colourCode();
+linkCommandsToLab();
 setUpPictures();
 setUpPairs();

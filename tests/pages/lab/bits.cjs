@@ -2,7 +2,7 @@
 "use strict";
 const fs = require("node:fs");
 const path = require("node:path");
-const { scratch, expect, expectEqual, rendered, said, floatOf, openLab, rest, after, go, hashOf, addressOf, placeOf, drag } = require("./page.cjs");
+const { lab_page, scratch, expect, expectEqual, rendered, said, floatOf, openLab, openPage, rest, after, go, hashOf, addressOf, placeOf, drag } = require("./page.cjs");
 
 async function checkHashes(browser) {
   const page = await openLab(browser, "#size=64x36");
@@ -87,6 +87,20 @@ async function checkLink(browser) {
   expectEqual("a copied link makes the same bits", await hashOf(again, "ao_raw"), await hashOf(page, "ao_raw"));
 }
 
+// A chapter's commands lead to the lab, which draws their bits.
+async function checkBook(browser) {
+  said(["chapter", "06", "--size", "160x90", "--quiet", "--out", scratch]);
+  fs.copyFileSync(lab_page, path.join(scratch, "lab.html"));
+  const page = await openPage(browser, path.join(scratch, "06_occlusion_test.html"));
+  const link = page.locator("a:has(code)", { hasText: "crevice render" }).first();
+  const command = await link.textContent();
+  await link.click();
+  await rest(page);
+  const { buffers } = rendered([...command.split(" ").slice(2), "--size", "640x360"]);
+  for (const name of ["normal", "ao_raw", "lit"])
+    expectEqual(`${name} of ${command}, linked by a chapter, has the program's hash`, await hashOf(page, name), buffers[name].hash);
+}
+
 // A square before a wall, with a texture; and files that are none.
 function writeScenes() {
   rendered(["cornell", "--size", "32x32", "--only", "ao_raw"]);
@@ -142,4 +156,4 @@ async function checkFiles(browser) {
   expect("files without an OBJ are refused", (await page.locator("#refused").textContent()).includes("OBJ"));
 }
 
-module.exports = { hashes: checkHashes, value: checkValue, parameters: checkParameters, presets: checkPresets, link: checkLink, files: checkFiles };
+module.exports = { hashes: checkHashes, value: checkValue, parameters: checkParameters, presets: checkPresets, link: checkLink, book: checkBook, files: checkFiles };

@@ -38,7 +38,8 @@ function floatOf(name, x, y, width) {
 
 // ---- the page -----------------------------------------------------------------------------------------------------------
 
-async function openLab(browser, hash = "", options = {}) {
+// A page of the disk that must neither complain nor ask anything of a network.
+async function openPage(browser, file, hash = "", options = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, locale: "en-GB", ...options });
   await context.grantPermissions(["clipboard-read", "clipboard-write"]);
   const page = await context.newPage();
@@ -49,9 +50,11 @@ async function openLab(browser, hash = "", options = {}) {
   page.on("request", (request) => {
     if (!/^(file|data|blob):/.test(request.url())) expect("the page asks nothing of a network", false, request.url());
   });
-  await page.goto(`file://${lab_page}${hash}`);
+  await page.goto(`file://${file}${hash}`);
   return page;
 }
+
+const openLab = (browser, hash, options) => openPage(browser, lab_page, hash, options);
 
 // Until all buffers of the present state are there, or it was refused.
 async function rest(page) {
@@ -94,6 +97,6 @@ async function drag(page, dx, dy) {
 }
 
 module.exports = {
-  lab_page, program, scratch, failures, expect, expectEqual, rendered, said, floatOf, openLab, rest, after, go, hashOf, addressOf,
+  lab_page, program, scratch, failures, expect, expectEqual, rendered, said, floatOf, openPage, openLab, rest, after, go, hashOf, addressOf,
   colourAt, placeOf, drag,
 };
