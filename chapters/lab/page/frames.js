@@ -25,6 +25,7 @@ export class Frames {
   #timer = 0;
   #shown_ms = [];
   #key = "";
+  #painting = 0;
 
   // `all()`: the names of all buffers that the method has. `drawn()` is called with each frame, `slow()` where one
   // takes long, `refused(message)` where there is none.
@@ -72,11 +73,12 @@ export class Frames {
     const all = this.#all();
     const request = frameRequest(this.#state, rests ? all : wanted.filter((name) => all.includes(name)), rests);
     const key = JSON.stringify({ ...request, only: [], hashes: false });
-    if (key === this.#key && this.settled) return this.#drawn();
+    if (key === this.#key && this.settled) return this.#paint();
     const slow = setTimeout(this.#slow, kSlow_ms);
     const { reply, buffers } = await this.#engine.ask(request).finally(() => clearTimeout(slow));
     if (reply.error !== undefined) {
       this.#key = "";
+      cancelAnimationFrame(this.#painting);
       return this.#refused(reply.error);
     }
     // Another view of the same frame keeps the buffers that it has.
@@ -85,7 +87,13 @@ export class Frames {
     this.settled = rests;
     this.#key = key;
     this.#shown_ms = rests ? [] : [...this.#shown_ms, performance.now()].slice(-kRateFrames);
-    this.#drawn();
+    this.#paint();
     if (!rests) this.#timer = setTimeout(() => { this.#wanted = true; if (!this.#busy) this.#run(); }, kRest_ms);
+  }
+
+  // With the next picture of the screen, so that the module begins the next frame meanwhile.
+  #paint() {
+    cancelAnimationFrame(this.#painting);
+    this.#painting = requestAnimationFrame(this.#drawn);
   }
 }

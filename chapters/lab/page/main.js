@@ -74,17 +74,22 @@ function showFrame() {
   refuse("");
   camera.see(reply.camera, reply.scene.from_obj);
   showPicture();
-  camera_fields.show(reply.camera);
-  controls.show(reply.parameters, state.params);
-  if (settled) showBuffers(byId("buffers"), reply.buffers);
   showPasses(byId("passes"), reply.passes);
-  showLines(byId("warnings"), reply.warnings);
   const frame_ms = reply.passes.at(-1).wall_ms;
   byId("rate").textContent = `${frame_ms.toFixed(1)} ms` + (frames.rate > 0 ? `, ${frames.rate.toFixed(0)}/s` : "");
+  if (settled) showRest(reply);
   const root = document.documentElement.dataset;
   root.settled = String(settled);
   root.firstPictureMs ??= performance.now().toFixed(0);
-  if (settled) askPixel();
+}
+
+// What is told of a frame as soon as nothing moves.
+function showRest(reply) {
+  camera_fields.show(reply.camera);
+  controls.show(reply.parameters, state.params);
+  showBuffers(byId("buffers"), reply.buffers);
+  showLines(byId("warnings"), reply.warnings);
+  askPixel();
   truth.goOn();
 }
 

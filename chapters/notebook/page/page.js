@@ -1,4 +1,4 @@
-// What the pages of the book do beyond standing there: languages, mathematics, colours of code, pictures that enlarge,
+// What the pages of the book do beyond standing there: languages, mathematics, colours of code, links to the lab, pictures that enlarge,
 // compare and tell their values. Everything works from the disk, and without any of it the text still reads.
 "use strict";
 
