@@ -2,6 +2,7 @@
 # Crevice in one command: sets up what is missing, builds, runs.
 #   ./crevice.sh demo              run every chapter; ends with the path of one index page
 #   ./crevice.sh test              build and run every test
+#   ./crevice.sh web               the lab as one page for a browser; ends with its path
 #   ./crevice.sh ANYTHING ELSE     passed on to the program, such as: ./crevice.sh render columns --out out
 # --no-install as the first argument leaves the packages alone.
 set -eu
@@ -28,11 +29,30 @@ install_packages() {
     $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >&2
 }
 
+# build CONFIGURE_PRESET [BUILD_PRESET]
 build() {
     cd "$here"
     cmake --preset "$1" >/dev/null
-    cmake --build --preset "$1" >&2
+    cmake --build --preset "${2-$1}" >&2
     cd "$start"
+}
+
+# The word after --out among the arguments, else "out".
+out_of() {
+    out=out previous=
+    for word in "$@"; do
+        [ "$previous" != --out ] || out=$word
+        previous=$word
+    done
+    printf '%s\n' "$out"
+}
+
+# Too large for packages.apt: only who wants the lab in a browser needs them.
+require_web_packages() {
+    missing=
+    command -v em++ >/dev/null 2>&1 || missing=emscripten
+    [ -d /usr/share/nodejs/acorn ] || missing="$missing node-acorn"
+    [ -z "$missing" ] || { say "missing: ${missing# }; apt-get install --no-install-recommends emscripten node-acorn"; exit 2; }
 }
 
 if [ "${1-}" = --no-install ]; then
@@ -44,17 +64,21 @@ case "${1-}" in
     demo)
         shift
         build demo
-        out=out previous=
-        for word in "$@"; do
-            [ "$previous" != --out ] || out=$word
-            previous=$word
-        done
-        "$program" bench --error columns --quick --out "$out"
+        "$program" bench --error columns --quick --out "$(out_of "$@")"
         exec "$program" chapter all "$@"
         ;;
     test)
         build test
         cd "$here" && exec ctest --preset test
+        ;;
+    web)
+        shift
+        require_web_packages
+        build wasm web
+        out=$(out_of "$@")
+        mkdir -p "$out"
+        cp "$here/build/wasm/lab.html" "$out/lab.html"
+        printf '%s\n' "$out/lab.html"
         ;;
     *)
         [ -x "$program" ] || build demo

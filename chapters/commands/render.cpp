@@ -9,13 +9,11 @@
 #include "chapters/bench/savings.h"
 #include "chapters/frame/buffer_writer.h"
 #include "chapters/frame/demo_view.h"
-#include "chapters/frame/parameter_words.h"
+#include "chapters/frame/frame_json.h"
 #include "chapters/terminal/json_text.h"
-#include "chapters/terminal/number_text.h"
 #include "chapters/terminal/output_directory.h"
 #include "chapters/terminal/parse.h"
 #include "rasterizer/base/write_file.h"
-#include "rasterizer/scene/outlier_vertex.h"
 
 namespace crevice {
 
@@ -51,16 +49,9 @@ const Saving* saving_of(Skip skip, const std::vector<Saving>& savings) {
     return at == savings.end() ? nullptr : &*at;
 }
 
-Json passes_json(const std::string& scene, const FrameRequest& request, const Frame& frame,
+Json report_json(const std::string& scene, const FrameRequest& request, const Frame& frame,
                  const std::vector<Saving>& savings, const std::vector<LoadStep>& load_steps, Json buffers) {
-    Json passes = Json::array(), left_out = Json::array();
-    for (const PassTime& pass : frame.passes) {
-        passes.push_back({{"name", pass.name},
-                          {"wall_ms", pass.wall_ms},
-                          {"cpu_ms", pass.cpu_ms},
-                          {"wall_ms_mad", pass.wall_ms_mad},
-                          {"runs", pass.runs}});
-    }
+    Json left_out = Json::array();
     for (const LeftOut& item : frame.left_out) left_out.push_back({{"what", item.what}, {"why", item.why}});
     for (const SkippedWork& work : frame.skipped) {
         if (work.count == 0) continue;
@@ -79,22 +70,17 @@ Json passes_json(const std::string& scene, const FrameRequest& request, const Fr
     Json loading = Json::array();
     for (const LoadStep& step : load_steps)
         loading.push_back({{"step", step.name}, {"wall_ms", step.wall_ms}});
-    Json precision = Json::object();
-    for (const PrecisionLoss& loss : frame.precision) precision[loss.name] = loss.count;
-    Json parameters = Json::object();
-    for (const Parameter<FrameSettings>& p : frame_parameters(*request.method))
-        parameters[p.name] = word_of(p, request.settings);
     return {{"scene", scene},
             {"size", {request.size.width, request.size.height}},
             {"method", request.method->name},
-            {"parameters", parameters},
+            {"parameters", parameters_json(request)},
             {"threads", thread_count(request.run)},
             {"lanes", lane_count(request.run)},
             {"isa", isa_name(isa_of(request.run))},
             {"loading", loading},
-            {"passes", passes},
+            {"passes", passes_json(frame.passes)},
             {"left_out", left_out},
-            {"precision", precision},
+            {"precision", precision_json(frame.precision)},
             {"buffers", std::move(buffers)}};
 }
 
@@ -123,16 +109,6 @@ void print_times(const Frame& frame, const std::vector<Saving>& savings,
     }
 }
 
-void warn_of(const OutlierVertex& outlier, const RenderOptions& options) {
-    const glm::dvec3& p = outlier.p_world;
-    std::cerr
-        << "warning: " << options.scene << ": the vertex at " << significant_text(p.x, 6) << ", "
-        << significant_text(p.y, 6) << ", " << significant_text(p.z, 6) << " makes the scene "
-        << significant_text(outlier.stretch, 3)
-        << " times as large as the others do, and framing, the unit of lengths and the shadow follow; remove "
-           "it, or give --eye, --target and --param radius\n";
-}
-
 }  // namespace
 
 PreparedRender prepared_render(const RenderOptions& options) {
@@ -148,10 +124,8 @@ PreparedRender prepared_render(const RenderOptions& options) {
              [&] { argument.scene.lights = lights_at(argument.scene, options.time_s); });
     const Camera camera = chosen_camera(argument, options.camera);
     request.settings = settings_of(*request.method, options.params, argument.scene.length_unit);
-    if (triangle_count(argument.scene) == 0)
-        std::cerr << options.scene << ": 0 triangles; only the sky will be seen\n";
-    if (const std::optional<OutlierVertex> outlier = outlier_vertex(argument.scene))
-        warn_of(*outlier, options);
+    for (const std::string& warning : scene_warnings(argument.scene, options.scene))
+        std::cerr << warning << "\n";
     return {std::move(argument), camera, std::move(request)};
 }
 
@@ -160,7 +134,7 @@ void write_frame(const RenderOptions& options, const FrameRequest& request, cons
     std::ostream quiet(nullptr);
     try_output_directory(out);
     Json buffers = described_buffers(frame, request, options.inset, out, quiet);
-    write_file_atomically(out / "passes.json", json_text(passes_json(options.scene, request, frame, {},
+    write_file_atomically(out / "passes.json", json_text(report_json(options.scene, request, frame, {},
                                                                      load_steps, std::move(buffers))));
 }
 
@@ -185,7 +159,7 @@ void render(const RenderOptions& options) {
         measure_savings(argument.scene, camera, request, found, std::min(request.repeats, kMostSavingPairs));
     Json buffers = described_buffers(frame, request, options.inset, options.out, std::cout);
     const std::filesystem::path report = options.out / "passes.json";
-    write_file_atomically(report, json_text(passes_json(options.scene, request, frame, savings,
+    write_file_atomically(report, json_text(report_json(options.scene, request, frame, savings,
                                                         argument.load_steps, std::move(buffers))));
     print_times(frame, savings, argument.load_steps);
     std::cout.flush();

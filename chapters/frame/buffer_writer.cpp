@@ -2,6 +2,7 @@
 
 #include <iostream>
 
+#include "chapters/frame/frame_json.h"
 #include "rasterizer/base/image_io.h"
 
 namespace crevice {
@@ -20,11 +21,8 @@ void BufferWriter::describe(const std::string& name, const Picture& picture, int
                             const std::string& hash) {
     const std::filesystem::path path = out_ / (name + ".png");
     write_picture(path, picture);
-    const BufferStatistics& s = picture.statistics;
-    nlohmann::ordered_json shape = {picture.size.height, picture.size.width};
-    if (components > 1) shape.push_back(components);
-    described_[name] = {{"shape", shape}, {"min", s.min}, {"max", s.max}, {"mean", s.mean},
-                        {"nan", s.nan},   {"inf", s.inf}, {"hash", hash}};
+    described_[name] = statistics_json(picture.size, components, picture.statistics);
+    described_[name]["hash"] = hash;
     told_ << path.string() << ": " << picture.mapping << "\n";
 }
 

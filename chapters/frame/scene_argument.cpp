@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <iostream>
 
+#include "chapters/terminal/number_text.h"
 #include "chapters/terminal/parse.h"
 #include "rasterizer/base/error.h"
 #include "rasterizer/lanes/approx_math.h"
+#include "rasterizer/scene/outlier_vertex.h"
 #include "scenes/builtin_scenes.h"
 
 namespace crevice {
@@ -31,6 +33,21 @@ SceneArgument load_scene(const std::string& name_or_path, const WantedOfScene& w
     LoadedObj loaded = load_obj(name_or_path, options);
     for (const std::string& warning : loaded.report.warnings) std::cerr << warning << "\n";
     return {std::move(loaded.scene), true, std::move(loaded.steps)};
+}
+
+std::vector<std::string> scene_warnings(const Scene& scene, const std::string& name_or_path) {
+    std::vector<std::string> warnings;
+    if (triangle_count(scene) == 0)
+        warnings.push_back(name_or_path + ": 0 triangles; only the sky will be seen");
+    if (const std::optional<OutlierVertex> outlier = outlier_vertex(scene)) {
+        const glm::dvec3& p = outlier->p_world;
+        warnings.push_back("warning: " + name_or_path + ": the vertex at " + significant_text(p.x, 6) + ", " +
+                           significant_text(p.y, 6) + ", " + significant_text(p.z, 6) + " makes the scene " +
+                           significant_text(outlier->stretch, 3) +
+                           " times as large as the others do, and framing, the unit of lengths and the "
+                           "shadow follow; remove it, or give --eye, --target and --param radius");
+    }
+    return warnings;
 }
 
 Camera chosen_camera(const SceneArgument& argument, const CameraFlags& flags) {

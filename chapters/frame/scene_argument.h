@@ -26,6 +26,9 @@ struct WantedOfScene {
 // Warnings of the OBJ loader go to stderr. Throws InputError.
 SceneArgument load_scene(const std::string& name_or_path, const WantedOfScene& wanted = {});
 
+// What to say of a scene that was loaded as `name_or_path`, a line each: that it is empty, or that one vertex stretches it.
+std::vector<std::string> scene_warnings(const Scene& scene, const std::string& name_or_path);
+
 // The camera flags, each as it was typed; nothing means: as the scene says.
 struct CameraFlags {
     std::optional<std::string> eye, target, fov_y, near_plane, far_plane, ortho;

@@ -1,4 +1,4 @@
-// What the pages of the book do beyond standing there: languages, mathematics, colours of code, pictures that enlarge,
+// What the pages of the book do beyond standing there: languages, mathematics, colours of code, links to the lab, pictures that enlarge,
 // compare and tell their values. Everything works from the disk, and without any of it the text still reads.
 "use strict";
 
@@ -35,6 +35,20 @@ function setMathematics() {
 function colourCode() {
   if (typeof hljs === "undefined") return;
   for (const element of document.querySelectorAll("code.language-cpp")) hljs.highlightBlock(element);
+}
+
+// ---- the lab ---------------------------------------------------------------------------------------------------------
+
+// What a command draws in a terminal the lab draws in the browser. `./crevice.sh web` puts it beside these pages.
+function linkCommandsToLab() {
+  for (const code of document.querySelectorAll("code")) {
+    if (!code.textContent.startsWith("crevice render ") || code.closest("pre, a") !== null) continue;
+    const link = document.createElement("a");
+    link.href = "lab.html#" + encodeURIComponent(code.textContent);
+    link.title = "in the lab: ./crevice.sh web";
+    code.replaceWith(link);
+    link.append(code);
+  }
 }
 
 // ---- values under the pointer ------------------------------------------------------------------------------------
@@ -207,5 +221,6 @@ function setUpPairs() {
 setUpLanguages();
 setMathematics();
 colourCode();
+linkCommandsToLab();
 setUpPictures();
 setUpPairs();

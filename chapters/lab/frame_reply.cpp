@@ -1,0 +1,168 @@
+#include "chapters/lab/frame_reply.h"
+
+#include <iostream>
+#include <sstream>
+#include <utility>
+
+#include "chapters/frame/frame_json.h"
+#include "chapters/probe/pixel_probe.h"
+#include "chapters/terminal/parse.h"
+#include "rasterizer/base/error.h"
+#include "rasterizer/lanes/approx_math.h"
+
+namespace crevice {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// What body() prints on stderr, line by line.
+template <class Body>
+std::vector<std::string> stderr_lines(const Body& body) {
+    std::ostringstream told;
+    struct Redirected {
+        std::streambuf* before;
+        ~Redirected() { std::cerr.rdbuf(before); }
+    } const redirected{std::cerr.rdbuf(told.rdbuf())};
+    body();
+    std::vector<std::string> lines;
+    std::istringstream in(told.str());
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+}
+
+const Method& method_of(const LabWords& words) {
+    return *named_as({{"method", "--ao"}}, [&] { return &find_method(words.ao); });
+}
+
+std::uintptr_t address_of(const Image<float>& plane) {
+    return reinterpret_cast<std::uintptr_t>(plane.pixels.data());
+}
+
+Json point_json(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
+
+Json camera_json(const SceneArgument& scene, const Camera& camera, Size size) {
+    // As chosen_camera() reads them, the other way round.
+    const auto own = [&](const glm::dvec3& p) {
+        const glm::dvec3 q = p + scene.scene.origin;
+        return point_json(scene.from_obj ? glm::dvec3(q.x, q.y, -q.z) : q);
+    };
+    const glm::vec2 ray_scale = camera_matrices(camera, size).ray_scale;
+    const bool ortho = camera.projection == Projection::orthographic;
+    return {{"eye", own(camera.eye)},
+            {"target", own(camera.target)},
+            {"up", point_json(camera.up)},
+            {"fov_y", camera.fov_y_rad * (180 / kPi)},
+            {"near", camera.near_plane},
+            {"far", camera.far_plane},
+            {"ortho", ortho ? Json(camera.ortho_height) : Json()},
+            {"ray_scale", {ray_scale.x, ray_scale.y}}};
+}
+
+Json buffers_json(const DrawnFrame& drawn) {
+    const Frame& frame = drawn.frame;
+    Json buffers = Json::object();
+    const auto tell = [&](const char* name, const auto& buffer) {
+        if (drawn.request.wanted.contains(name)) buffers[name] = buffer_json(buffer, drawn.words.hashes);
+    };
+    tell("normal", frame.gbuffer.normal);
+    tell("view_depth", frame.gbuffer.view_depth);
+    tell("ndc_depth", drawn.ndc_depth);
+    tell("ao_raw", frame.ao_raw);
+    tell("ao_blurred", frame.ao_blurred);
+    tell(kBentNormal, frame.bent_normal);
+    tell("lit", frame.lit);
+    return buffers;
+}
+
+}  // namespace
+
+LabWords lab_words(const nlohmann::json& request) {
+    LabWords words;
+    words.scene = request.at("scene");
+    words.ao = request.at("ao");
+    words.size = request.at("size");
+    words.hashes = request.value("hashes", false);
+    words.params = request.value("params", std::vector<std::string>{});
+    for (const std::string& name : request.at("only").get<std::vector<std::string>>())
+        words.only.insert(name);
+    const nlohmann::json camera = request.value("camera", nlohmann::json::object());
+    const std::pair<const char*, std::optional<std::string> CameraFlags::*> flags[] = {
+        {"eye", &CameraFlags::eye},         {"target", &CameraFlags::target}, {"fov_y", &CameraFlags::fov_y},
+        {"near", &CameraFlags::near_plane}, {"far", &CameraFlags::far_plane}, {"ortho", &CameraFlags::ortho}};
+    for (const auto& [name, flag] : flags) {
+        if (camera.contains(name)) words.camera.*flag = camera.at(name).get<std::string>();
+    }
+    return words;
+}
+
+bool wants_surfaces(const LabWords& words) {
+    // First, for a quick answer to a wrong word.
+    const FrameSettings asked = settings_of(method_of(words), words.params);
+    return words.only.contains("lit") || asked.buffers.mapped_normals;
+}
+
+LoadedScene loaded_scene(const std::string& name, bool surfaces, const Run& run) {
+    LoadedScene loaded{name, surfaces, {}, {}};
+    loaded.warnings =
+        stderr_lines([&] { loaded.argument = load_scene(name, {.surfaces = surfaces, .run = run}); });
+    for (std::string& warning : scene_warnings(loaded.argument.scene, name))
+        loaded.warnings.push_back(std::move(warning));
+    return loaded;
+}
+
+DrawnFrame drawn_frame(const LoadedScene& scene, const LabWords& words, const Run& run) {
+    DrawnFrame drawn{words, chosen_camera(scene.argument, words.camera), {}, {}, {}};
+    FrameRequest& request = drawn.request;
+    request.run = run;
+    request.size = parse_size("--size", words.size);
+    request.method = &method_of(words);
+    request.settings = settings_of(*request.method, words.params, scene.argument.scene.length_unit);
+    named_as({{"history", "--param history"}}, [&] { require_no_history(request); });
+    request.wanted = words.only;
+    drawn.frame = render_frame(scene.argument.scene, drawn.camera, request);
+    if (request.wanted.contains("ndc_depth")) drawn.ndc_depth = ndc_depth(drawn.frame.gbuffer.depth, run);
+    return drawn;
+}
+
+Json buffer_json(const Image<float>& buffer, bool hash) {
+    Json json = statistics_json(buffer.size, 1, buffer_statistics(buffer));
+    json["stride"] = buffer.stride;
+    json["planes"] = {address_of(buffer)};
+    if (hash) json["hash"] = content_hash(buffer);
+    return json;
+}
+
+Json buffer_json(const Image3& buffer, bool hash) {
+    Json json = statistics_json(buffer.size(), 3, buffer_statistics(buffer));
+    json["stride"] = buffer.x.stride;
+    json["planes"] = {address_of(buffer.x), address_of(buffer.y), address_of(buffer.z)};
+    if (hash) json["hash"] = content_hash(buffer);
+    return json;
+}
+
+Json frame_reply(const LoadedScene& scene, const DrawnFrame& drawn) {
+    const Frame& frame = drawn.frame;
+    double load_ms = 0;
+    for (const LoadStep& step : scene.argument.load_steps) load_ms += step.wall_ms;
+    Json warnings = scene.warnings, left_out = Json::array();
+    for (const PrecisionLoss& loss : frame.precision) {
+        if (!loss.warning.empty()) warnings.push_back("warning: " + loss.warning);
+    }
+    for (const LeftOut& item : frame.left_out) left_out.push_back({{"what", item.what}, {"why", item.why}});
+    return {{"scene",
+             {{"triangles", triangle_count(scene.argument.scene)},
+              {"from_obj", scene.argument.from_obj},
+              {"length_unit", scene.argument.scene.length_unit},
+              {"load_ms", load_ms}}},
+            {"camera", camera_json(scene.argument, drawn.camera, drawn.request.size)},
+            {"parameters", parameters_json(drawn.request)},
+            {"size", {drawn.request.size.width, drawn.request.size.height}},
+            {"passes", passes_json(frame.passes)},
+            {"precision", precision_json(frame.precision)},
+            {"warnings", warnings},
+            {"left_out", left_out},
+            {"buffers", buffers_json(drawn)}};
+}
+
+}  // namespace crevice

@@ -1,0 +1,58 @@
+// A frame of the lab: from the words of a request to buffers, and to what is told of them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "chapters/frame/frame.h"
+#include "chapters/frame/scene_argument.h"
+
+namespace crevice {
+
+// As they were typed, or as a link has them.
+struct LabWords {
+    std::string scene, ao, size;
+    CameraFlags camera;
+    std::vector<std::string> params;  // "name=value"
+    WantedBuffers only;
+    bool hashes = false;  // of the buffers: reading every byte takes a third of the time of a small frame
+};
+LabWords lab_words(const nlohmann::json& request);
+
+// Read or made once for all its frames.
+struct LoadedScene {
+    std::string name;
+    bool surfaces = false;  // WantedOfScene::surfaces
+    SceneArgument argument;
+    std::vector<std::string> warnings;  // the lines that the program prints
+};
+
+struct DrawnFrame {
+    LabWords words;
+    Camera camera;  // as asked for; Frame::camera is as drawn
+    FrameRequest request;
+    Frame frame;
+    Image<float> ndc_depth;  // empty when it was not asked for
+};
+
+// What a frame of these words needs of its scene. Throws UsageError.
+bool wants_surfaces(const LabWords& words);
+// Throws InputError.
+LoadedScene loaded_scene(const std::string& name, bool surfaces, const Run& run);
+// Throws UsageError, as `crevice render` does.
+DrawnFrame drawn_frame(const LoadedScene& scene, const LabWords& words, const Run& run);
+
+// {"scene": {"triangles", "from_obj", "length_unit", "load_ms"}, "camera": {"eye", "target", "up", "fov_y", "near", "far",
+//   "ortho" (null: perspective), "ray_scale"}, "parameters": {name: word}, "size": [width, height], "passes", "precision",
+//  "warnings": [line], "left_out": [{"what", "why"}], "buffers": {name: buffer}}
+// with eye and target in the scene's own coordinates, as --eye takes them, and a buffer as buffer_json() says.
+nlohmann::ordered_json frame_reply(const LoadedScene& scene, const DrawnFrame& drawn);
+
+// {"shape", "min", "max", "mean", "nan", "inf", "stride": floats from a row to the next, "planes": [address of the first
+// float of each component], "hash" where it is asked for}
+nlohmann::ordered_json buffer_json(const Image<float>& buffer, bool hash);
+nlohmann::ordered_json buffer_json(const Image3& buffer, bool hash);
+
+}  // namespace crevice

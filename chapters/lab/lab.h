@@ -1,0 +1,47 @@
+// The lab of the browser without the browser: a request as JSON in, a reply as JSON out, and buffers by their addresses.
+//
+// A request is an object; "ask" says for what:
+//   catalogue   {}                                        what there is (catalogue.h)
+//   frame       {"scene", "ao", "params": ["name=value"], "size": "WxH",
+//                "camera": {"eye", "target", "fov_y", "near", "far", "ortho"}: words as after the flags of `crevice render`,
+//                each may be left out;
+//                "only": [buffer], "hashes": bool}        draws a frame (frame_reply.h)
+//   probe       {"x", "y"}                                what `crevice probe --json` tells of a pixel of the last frame
+//   truth       {}                                        casts some rays more for the last frame that was drawn
+//   forget      {}                                        starts anew: files have changed
+// A reply is the object that is told with each, or {"error": what the program would say, "exit_code": as it would end}.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "chapters/frame/worked_frame.h"
+#include "chapters/lab/frame_reply.h"
+#include "chapters/lab/progressive_truth.h"
+
+namespace crevice {
+
+class Lab {
+ public:
+    // Never throws. Addresses in a reply hold until the next request.
+    std::string reply(const std::string& request);
+
+ private:
+    nlohmann::ordered_json answer(const nlohmann::json& request);
+    nlohmann::ordered_json frame(const LabWords& words);
+    nlohmann::ordered_json probe(int x, int y);
+    nlohmann::ordered_json truth();
+    void use_scene(const std::string& name, bool surfaces);
+    const WorkedFrame& worked();
+
+    std::optional<LoadedScene> scene_;
+    std::optional<DrawnFrame> drawn_;
+    std::optional<WorkedFrame> worked_;      // the same with all buffers, as soon as somebody asks about it
+    std::optional<ProgressiveTruth> truth_;  // of what was drawn
+    ReferenceImage reference_;               // as it was told last
+    Image<float> ao_, ao_error_;             // the AO that is judged, picture size, and how far it is off
+};
+
+}  // namespace crevice
