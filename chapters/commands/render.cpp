@@ -14,6 +14,7 @@
 #include "chapters/terminal/number_text.h"
 #include "chapters/terminal/output_directory.h"
 #include "chapters/terminal/parse.h"
+#include "chapters/terminal/program_version.h"
 #include "rasterizer/base/write_file.h"
 #include "rasterizer/scene/outlier_vertex.h"
 
@@ -84,7 +85,9 @@ Json passes_json(const std::string& scene, const FrameRequest& request, const Fr
     Json parameters = Json::object();
     for (const Parameter<FrameSettings>& p : frame_parameters(*request.method))
         parameters[p.name] = word_of(p, request.settings);
-    return {{"scene", scene},
+    const ProgramVersion version = program_version();
+    return {{"program", {{"version", version.number}, {"commit", version.commit}}},
+            {"scene", scene},
             {"size", {request.size.width, request.size.height}},
             {"method", request.method->name},
             {"parameters", parameters},

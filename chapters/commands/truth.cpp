@@ -11,6 +11,7 @@
 #include "chapters/frame/frame_settings.h"
 #include "chapters/terminal/json_text.h"
 #include "chapters/terminal/output_directory.h"
+#include "chapters/terminal/program_version.h"
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/float_text.h"
 #include "rasterizer/base/write_file.h"
@@ -83,7 +84,9 @@ Json report(const TruthOptions& options, const ReferenceRequest& request, const 
     }
     const RayAoSettings& rays = request.rays;
     const AoQuestion question = request.method->question(request.settings.ao);
-    return {{"scene", options.scene},
+    const ProgramVersion version = program_version();
+    return {{"program", {{"version", version.number}, {"commit", version.commit}}},
+            {"scene", options.scene},
             {"size", {request.size.width, request.size.height}},
             {"method", request.method->name},
             {"radius", std::isinf(rays.radius) ? Json("inf") : Json(rays.radius)},
