@@ -174,7 +174,7 @@ LoadedObj loaded_from(const std::filesystem::path& path, const ObjOptions& optio
     scene.origin = {prescan.vertices.origin.x, prescan.vertices.origin.y, -prescan.vertices.origin.z};
     add_light(scene);
     const Bounds bounds = world_bounds(scene);
-    scene.camera = framing_camera(bounds);
+    scene.camera = framing_camera(scene);
     scene.length_unit = length_unit_of(bounds);
     return loaded;
 }
