@@ -79,7 +79,8 @@ std::string zsh_script(const Words& words) {
 std::string fish_script(const Words& words) {
     std::string script;
     for (std::size_t i = 1; i < words.size(); ++i) {
-        const std::string seen = "complete -c crevice -n '__fish_seen_subcommand_from " + words[i].name + "' ";
+        const std::string seen =
+            "complete -c crevice -n '__fish_seen_subcommand_from " + words[i].name + "' ";
         script += "complete -c crevice -n __fish_use_subcommand -a " + words[i].name + "\n";
         for (const std::string& flag : words[i].flags) {
             script += seen + "-l " + flag.substr(2);

@@ -150,6 +150,7 @@ PreparedRender prepared_render(const RenderOptions& options) {
     named_as({{"time", "--time"}},
              [&] { argument.scene.lights = lights_at(argument.scene, options.time_s); });
     const Camera camera = chosen_camera(argument, options.camera);
+    if (options.params.empty()) require_fit(argument, options.scene, *request.method);
     request.settings = settings_of(*request.method, options.params, argument.scene.length_unit);
     if (triangle_count(argument.scene) == 0)
         std::cerr << options.scene << ": 0 triangles; only the sky will be seen\n";

@@ -13,11 +13,11 @@ namespace crevice {
 
 // Of one pair. What is not set is not asked; with nothing set the two must have the same bits.
 struct CompareLimits {
-    std::optional<double> max_abs;        // [0, ~] ImageError::max_abs at most
-    std::optional<double> rmse;           // [0, ~] ImageError::rmse at most
-    std::optional<double> flip;           // [0, 1] mean FLIP at most
-    std::optional<double> ssim;           // [-1, 1] ImageError::ssim at least
-    std::optional<long long> max_pixels;  // [0, ~] ImageError::differing_pixels at most
+    std::optional<double> max_abs = {};        // [0, ~] ImageError::max_abs at most
+    std::optional<double> rmse = {};           // [0, ~] ImageError::rmse at most
+    std::optional<double> flip = {};           // [0, 1] mean FLIP at most
+    std::optional<double> ssim = {};           // [-1, 1] ImageError::ssim at least
+    std::optional<long long> max_pixels = {};  // [0, ~] ImageError::differing_pixels at most
 
     bool any() const { return max_abs || rmse || flip || ssim || max_pixels; }
 };

@@ -1,6 +1,7 @@
 #include "chapters/compare/compared_files.h"
 
 #include <algorithm>
+#include <cctype>
 #include <ostream>
 #include <set>
 #include <string>
@@ -26,8 +27,15 @@ struct ComparedFile {
 
 constexpr std::uintmax_t kMaxFile = std::uintmax_t{1} << 34;
 
+// In small letters, whatever the disk says.
+std::string extension_of(const fs::path& path) {
+    std::string extension = path.extension().string();
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return extension;
+}
+
 ComparedFile read_image(const fs::path& path, std::ostream& warnings) {
-    const std::string extension = path.extension().string();
+    const std::string extension = extension_of(path);
     if (extension == ".npy") {
         NpyImage image = read_npy_image(path);
         if (image.rounded > 0)
@@ -45,7 +53,7 @@ ComparedFile read_image(const fs::path& path, std::ostream& warnings) {
 }
 
 bool is_image(const fs::path& path) {
-    const std::string extension = path.extension().string();
+    const std::string extension = extension_of(path);
     return extension == ".npy" || extension == ".pfm" || extension == ".png";
 }
 
@@ -93,17 +101,20 @@ std::vector<DifferenceEntry> file_entries(const fs::path& path_a, const fs::path
 }
 
 // Of all names that either directory has.
-std::set<std::string> paired_names(const std::vector<std::string>& in_a,
-                                   const std::vector<std::string>& in_b) {
+std::set<std::string> paired_names(const std::vector<std::string>& in_a, const std::vector<std::string>& in_b,
+                                   std::ostream& warnings) {
     std::set<std::string> names(in_a.begin(), in_a.end());
     names.insert(in_b.begin(), in_b.end());
     const auto holds = [](const std::vector<std::string>& all, const std::string& name) {
         return std::ranges::binary_search(all, name);
     };
-    std::erase_if(names, [&](const std::string& name) {
+    const std::size_t left_out = std::erase_if(names, [&](const std::string& name) {
         const std::string npy = fs::path(name).replace_extension(".npy").string();
         return name != npy && holds(in_a, npy) && holds(in_b, npy);
     });
+    if (left_out > 0)
+        warnings << "note: " << left_out
+                 << " pictures are not compared: both directories have a .npy of the same name\n";
     return names;
 }
 
@@ -114,7 +125,7 @@ std::vector<DifferenceEntry> directory_entries(const fs::path& a, const fs::path
                          " holds a .npy, a .pfm or a .png; give two directories that do");
     }
     std::vector<DifferenceEntry> entries;
-    for (const std::string& name : paired_names(in_a, in_b)) {
+    for (const std::string& name : paired_names(in_a, in_b, warnings)) {
         const bool has_a = std::ranges::binary_search(in_a, name),
                    has_b = std::ranges::binary_search(in_b, name);
         ComparedFile of_a = has_a ? read_image(a / name, warnings) : ComparedFile(),

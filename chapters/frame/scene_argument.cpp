@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "chapters/terminal/parse.h"
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/base/no_such.h"
 #include "rasterizer/lanes/approx_math.h"
 #include "scenes/builtin_scenes.h"
@@ -73,6 +74,18 @@ Camera chosen_camera(const SceneArgument& argument, const CameraFlags& flags) {
               {"ortho_height", "--ortho"}},
              [&] { validate(camera); });
     return camera;
+}
+
+void require_fit(const SceneArgument& scene, const std::string& name, const Method& method) {
+    const float unit = scene.scene.length_unit;
+    try {
+        validate(method, defaults_of(method, unit));
+    } catch (const UsageError& error) {
+        throw InputError(name + ": its coordinates are too large for " + method.name + ", whose " +
+                         error.what() + " for what is about " +
+                         shortest_text(unit * static_cast<float>(kTutorialRadius)) +
+                         " units large; or scale the model down");
+    }
 }
 
 }  // namespace crevice

@@ -68,6 +68,14 @@ TEST_CASE("compared files: a PFM and a .npy of the same floats are the same imag
     CHECK(warnings.str() == "");
 }
 
+TEST_CASE("compared files: endings count in capitals, too") {
+    const ScratchDirectory scratch;
+    write_npy(scratch / "A.NPY", Image<float>({2, 1}, 0.5f));
+    std::ostringstream warnings;
+    CHECK(compared_entries(scratch / "A.NPY", scratch / "A.NPY", warnings).size() == 1);
+    CHECK(image_names(scratch.path()) == std::vector<std::string>{"A.NPY"});
+}
+
 TEST_CASE("compared files: lost precision and unlike encodings are said") {
     const ScratchDirectory scratch;
     const std::string header = "{'descr': '<f8', 'fortran_order': False, 'shape': (1, 2), }\n";
@@ -95,6 +103,7 @@ TEST_CASE("compared files: of directories a picture is left out where both have 
     write_npy(scratch / "a" / "lit.npy", Image<float>({3, 3}, 1.0f));
     std::ostringstream warnings;
     const auto entries = compared_entries(scratch / "a", scratch / "b", warnings);
+    CHECK(contains(warnings.str(), "1 pictures are not compared"));
     REQUIRE(entries.size() == 3);
     CHECK(entries[0].title() == "ao.npy");
     CHECK(entries[1].title() == "lit.npy");
