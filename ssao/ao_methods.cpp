@@ -1,6 +1,6 @@
 #include "ssao/ao_methods.h"
 
-#include "rasterizer/base/error.h"
+#include "rasterizer/base/no_such.h"
 #include "ssao/rows/rows.h"
 
 namespace crevice {
@@ -14,12 +14,12 @@ std::span<const Method> ao_methods() {
 }
 
 const Method& find_method(const std::string& name) {
-    std::string known;
+    std::vector<std::string> known;
     for (const Method& method : ao_methods()) {
         if (name == method.name) return method;
-        known += std::string(known.empty() ? "" : ", ") + method.name;
+        known.push_back(method.name);
     }
-    throw UsageError("method: there is no such method (" + name + "); give one of " + known);
+    throw no_such("method", "method", name, known);
 }
 
 }  // namespace crevice

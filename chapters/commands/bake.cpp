@@ -13,9 +13,11 @@ RayScene centred_ray_scene(const Scene& scene, const std::string& name, const Ru
     const bool finite = std::isfinite(middle.x) && std::isfinite(middle.y) && std::isfinite(middle.z);
     RayScene rays = ray_scene(scene, finite ? middle : glm::dvec3(0), run);
     if (rays.triangles.empty())
-        throw InputError(name + ": there is no triangle to bake (" + std::to_string(triangle_count(scene)) +
-                         " in the scene, " + std::to_string(rays.degenerate) + " without area, " +
-                         std::to_string(rays.not_finite) + " not finite); give a scene that has some");
+        throw InputError(
+            name + ": there is no triangle to bake (" + std::to_string(triangle_count(scene)) +
+            " in the scene, " + std::to_string(rays.degenerate) + " without area, " +
+            std::to_string(rays.not_finite) +
+            " not finite or more than 2^36 units away); give a scene that has some, or scale it");
     return rays;
 }
 

@@ -24,5 +24,6 @@ Command add_scenes_command(CommandLine& program);
 Command add_methods_command(CommandLine& program);
 Command add_params_command(CommandLine& program);
 Command add_stability_command(CommandLine& program);
+Command add_completion_command(CommandLine& program);
 
 }  // namespace crevice

@@ -3,6 +3,7 @@
 
 #include "chapters/commands/commands.h"
 #include "chapters/terminal/exit_code.h"
+#include "chapters/terminal/program_version.h"
 #include "rasterizer/base/error.h"
 
 namespace {
@@ -17,8 +18,10 @@ int run(int argc, char** argv) {
         add_render_command(program),  add_probe_command(program),     add_truth_command(program),
         add_bake_command(program),    add_compare_command(program),   add_bench_command(program),
         add_chapter_command(program), add_scenes_command(program),    add_methods_command(program),
-        add_params_command(program),  add_stability_command(program),
+        add_params_command(program),  add_stability_command(program), add_completion_command(program),
     };
+    const ProgramVersion version = program_version();
+    program.version("crevice " + version.number + " (commit " + version.commit + ")");
     if (!program.parse(argc, argv)) return static_cast<int>(ExitCode::done);
     for (const Command& command : commands) {
         if (command.words.chosen()) return command.run();

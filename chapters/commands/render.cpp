@@ -13,6 +13,7 @@
 #include "chapters/terminal/json_text.h"
 #include "chapters/terminal/output_directory.h"
 #include "chapters/terminal/parse.h"
+#include "chapters/terminal/program_version.h"
 #include "rasterizer/base/write_file.h"
 
 namespace crevice {
@@ -70,7 +71,9 @@ Json report_json(const std::string& scene, const FrameRequest& request, const Fr
     Json loading = Json::array();
     for (const LoadStep& step : load_steps)
         loading.push_back({{"step", step.name}, {"wall_ms", step.wall_ms}});
-    return {{"scene", scene},
+    const ProgramVersion version = program_version();
+    return {{"program", {{"version", version.number}, {"commit", version.commit}}},
+            {"scene", scene},
             {"size", {request.size.width, request.size.height}},
             {"method", request.method->name},
             {"parameters", parameters_json(request)},
@@ -123,6 +126,7 @@ PreparedRender prepared_render(const RenderOptions& options) {
     named_as({{"time", "--time"}},
              [&] { argument.scene.lights = lights_at(argument.scene, options.time_s); });
     const Camera camera = chosen_camera(argument, options.camera);
+    if (options.params.empty()) require_fit(argument, options.scene, *request.method);
     request.settings = settings_of(*request.method, options.params, argument.scene.length_unit);
     for (const std::string& warning : scene_warnings(argument.scene, options.scene))
         std::cerr << warning << "\n";

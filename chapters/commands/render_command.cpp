@@ -8,7 +8,7 @@
 #include "chapters/commands/render.h"
 #include "chapters/commands/step_pixel.h"
 #include "chapters/terminal/parse.h"
-#include "rasterizer/base/error.h"
+#include "rasterizer/base/no_such.h"
 
 namespace crevice {
 
@@ -23,14 +23,13 @@ struct RenderWords : FrameWords {
 
 // Throws UsageError for a name that is no buffer, or none of the method's.
 void require_buffer(const std::string& name, const Method& method) {
-    std::string known;
+    std::vector<std::string> known;
     for (const char* buffer : kBufferNames) {
         if (name == buffer) return;
-        known += std::string(buffer) + ", ";
+        known.push_back(buffer);
     }
-    if (name != kBentNormal)
-        throw UsageError("--only: there is no such buffer (" + name + "); give some of " + known +
-                         kBentNormal);
+    known.push_back(kBentNormal);
+    if (name != kBentNormal) throw no_such("--only", "buffer", name, known);
     if (method.bent_normals) return;
     std::string knowing;
     for (const Method& other : ao_methods()) {

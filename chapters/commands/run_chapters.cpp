@@ -9,7 +9,7 @@
 
 #include "chapters/notebook/book_index.h"
 #include "chapters/notebook/chapter_page.h"
-#include "rasterizer/base/error.h"
+#include "rasterizer/base/no_such.h"
 #include "rasterizer/base/write_file.h"
 
 namespace crevice {
@@ -98,13 +98,13 @@ int run_chapter(const Chapter& chapter, NotebookOptions options, std::span<const
 std::vector<const Chapter*> chosen_chapters(const std::string& which) {
     const std::vector<const Chapter*> chapters = all_chapters();
     if (which == "all") return chapters;
-    std::string known;
+    std::vector<std::string> known = {"all"};
     for (const Chapter* chapter : chapters) {
         const bool by_number = which == chapter->number || "0" + which == chapter->number;
         if (by_number || which == chapter->topic || which == chapter->name()) return {chapter};
-        known += " " + chapter->name();
+        known.push_back(chapter->name());
     }
-    throw UsageError("chapter: there is no such chapter (" + which + "); give all or one of" + known);
+    throw no_such("chapter", "chapter", which, known);
 }
 
 int run_chapters(std::span<const Chapter* const> chapters, const NotebookOptions& options) {

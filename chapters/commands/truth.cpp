@@ -9,8 +9,10 @@
 
 #include "chapters/frame/buffer_writer.h"
 #include "chapters/frame/frame_settings.h"
+#include "chapters/study/tutorial_units.h"
 #include "chapters/terminal/json_text.h"
 #include "chapters/terminal/output_directory.h"
+#include "chapters/terminal/program_version.h"
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/float_text.h"
 #include "rasterizer/base/write_file.h"
@@ -64,9 +66,10 @@ std::vector<std::string> warnings_of(const References& references, float radius)
                            shortest_text(radius) + "); bring the camera nearer or take a larger --radius");
     }
     if (references.dropped_triangles > 0) {
-        warnings.push_back(
-            "not-finite: " + std::to_string(references.dropped_triangles) +
-            " triangles have a corner that is no finite number and are left out; mend the file");
+        warnings.push_back("not-finite: " + std::to_string(references.dropped_triangles) +
+                           " triangles have a corner that is no finite number, or are too far from all "
+                           "others for rays, and are left out; "
+                           "mend the file");
     }
     return warnings;
 }
@@ -83,7 +86,9 @@ Json report(const TruthOptions& options, const ReferenceRequest& request, const 
     }
     const RayAoSettings& rays = request.rays;
     const AoQuestion question = request.method->question(request.settings.ao);
-    return {{"scene", options.scene},
+    const ProgramVersion version = program_version();
+    return {{"program", {{"version", version.number}, {"commit", version.commit}}},
+            {"scene", options.scene},
             {"size", {request.size.width, request.size.height}},
             {"method", request.method->name},
             {"radius", std::isinf(rays.radius) ? Json("inf") : Json(rays.radius)},
@@ -136,12 +141,14 @@ void write_truth(const TruthOptions& options) {
     if (triangle_count(argument.scene) == 0)
         std::cerr << options.scene << ": 0 triangles; everything is open\n";
     const Camera camera = chosen_camera(argument, options.camera);
+    if (options.params.empty()) require_fit(argument, options.scene, *request.method);
     request.settings = settings_of(*request.method, options.params, argument.scene.length_unit).method;
     request.rays.radius = options.radius.value_or(request.method->question(request.settings.ao).radius);
     validate(request.rays);
     try_output_directory(options.out);
 
-    const References references = make_references(argument.scene, camera, request);
+    const ViewInUnits view = in_tutorial_units(argument.scene, camera, request);
+    const References references = make_references(view.scene, view.camera, view.request);
     const std::vector<std::string> warnings = warnings_of(references, request.rays.radius);
     for (const std::string& warning : warnings) std::cerr << options.scene << ": " << warning << "\n";
     BufferWriter writer(options.out, std::cout);

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "chapters/frame/parameter_words.h"
-#include "rasterizer/base/error.h"
+#include "rasterizer/base/no_such.h"
 
 namespace crevice {
 
@@ -30,16 +30,14 @@ FrameSettings settings_of(const Method& method, const std::vector<std::string>& 
         if (equals == std::string::npos)
             throw UsageError("--param: no value (" + assignment + "); write name=value");
         const std::string name = assignment.substr(0, equals);
-        std::string known;
+        std::vector<std::string> known;
         const Parameter<FrameSettings>* found = nullptr;
         for (const Parameter<FrameSettings>& parameter : parameters) {
-            known += (known.empty() ? "" : ", ") + parameter.name;
+            known.push_back(parameter.name);
             if (name == parameter.name) found = &parameter;
         }
-        if (found == nullptr) {
-            throw UsageError(std::string("--param: ") + method.name + " has no such parameter (" + name +
-                             "); it has " + known);
-        }
+        if (found == nullptr)
+            throw no_such("--param", std::string("parameter of ") + method.name, name, known);
         set_from_word(*found, settings, assignment.substr(equals + 1));
     }
     validate(method, settings.method);

@@ -22,14 +22,20 @@ namespace {
 // Of the radius: a method without a tolerance of its own sees nothing wrong in less.
 constexpr double kHarmlessShare = 1.0 / 64;
 
-// Kernels square lengths, and shares of a millionth of them. Within these bounds no square leaves the range
-// of a float (every_method_test: all lengths times 2^-40 to 2^40 give the same bits).
+// Of the view depth: surfaces nearer to each other are not told apart by eye, where no method asks for more.
+constexpr double kSeenApart = 0x1p-9;
+// Of the tolerance: steps of the depth buffer that a method reads must be this much finer, since a sample's depth is off by one
+// step and the depth that it is compared with by another.
+constexpr double kFinerSteps = 0.5;
+
+// Kernels square lengths, and shares of a millionth of them. Within these bounds no square leaves the range of a float
+// (every_method_test: all lengths times 2^-40 to 2^40 give the same bits).
 constexpr double kShortestSquared = 0x1p-42, kLongestSquared = 0x1p42;
 
 // What a distance may be off before the method takes it for an occluder, scene units.
 struct Tolerance {
     std::string name;
-    double length;
+    double length = 0;   // 0: there is none
     std::string larger;  // what makes it larger
 };
 Tolerance tolerance_of(const Method& method, const MethodSettings& settings) {
@@ -76,6 +82,45 @@ std::size_t texels_beyond(const AoInputs& inputs, double depth) {
             count += row[x] < std::numeric_limits<float>::infinity() && static_cast<double>(row[x]) > depth
                          ? 1
                          : 0;
+    }
+    return count;
+}
+
+// Pixels that show a surface which lies more than a length behind another one: the steps of the depth buffer were too
+// coarse to tell. Drawn once more with the finest depths there are, where they may have been.
+std::size_t pixels_in_wrong_order(const Scene& scene, const Camera& camera, const GBuffer& gbuffer,
+                                  double tolerated, const FrameSettings& settings, const Run& run) {
+    const Size size = gbuffer.view_depth.size;
+    const DepthFormat format = gbuffer.depth.format;
+    if (camera.projection == Projection::orthographic || (camera.reversed_z && format == DepthFormat::d32f))
+        return 0;
+    const auto seen_apart = [&](double depth) { return tolerated > 0 ? tolerated : depth * kSeenApart; };
+    double farthest = 0;
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+            const auto depth = static_cast<double>(gbuffer.view_depth.at(x, y));
+            if (depth < std::numeric_limits<double>::infinity()) farthest = std::max(farthest, depth);
+        }
+    }
+    if (farthest == 0 ||
+        depth_step(camera, format, std::min(farthest, camera.far_plane)) <= seen_apart(farthest))
+        return 0;
+    Camera finest = camera;
+    finest.reversed_z = true;
+    const ScreenGeometry again =
+        screen_geometry(scene, finest, size, geometry_settings(settings.buffers), run);
+    const Image<float> ndc =
+        ndc_depth(visibility(again, DepthFormat::d32f, true, alpha_holes(scene, again, run), run).depth, run);
+    const CameraMatrices m = camera_matrices(finest, size);
+    std::size_t count = 0;
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+            const auto shown = static_cast<double>(gbuffer.view_depth.at(x, y));
+            if (gbuffer.triangle.at(x, y) < 0 || !(ndc.at(x, y) > 0)) continue;
+            const double nearest = static_cast<double>(m.depth_b) /
+                                   (static_cast<double>(ndc.at(x, y)) - static_cast<double>(m.depth_a));
+            count += shown - nearest > seen_apart(shown) ? 1 : 0;
+        }
     }
     return count;
 }
@@ -192,6 +237,12 @@ std::vector<PrecisionLoss> precision_account(const Scene& scene, const Camera& c
     };
     add("pixels_lost_to_clear_depth", lost_to_clear_code(scene, geometry, gbuffer, camera.reversed_z, run),
         "pixels of surfaces became sky, their depth is that of the cleared buffer", finer_depth);
+    const Tolerance tolerance = method.computes_ao() ? tolerance_of(method, settings.method) : Tolerance{};
+    add("pixels_in_wrong_order",
+        pixels_in_wrong_order(scene, camera, gbuffer, tolerance.length, settings, run),
+        "pixels show a surface that lies behind another one, the depth buffer's steps are larger than the "
+        "distance between them",
+        finer_depth);
     const std::size_t unseen = shows_something(gbuffer) ? 0 : geometry.submitted_triangles;
     add("triangles_of_an_empty_picture", unseen, "triangles, and none is seen",
         "give another --eye and --target, or --near and --far");
@@ -211,14 +262,13 @@ std::vector<PrecisionLoss> precision_account(const Scene& scene, const Camera& c
                  : "the radius (" + significant_text(radius, 3) +
                        " scene units) is out of the range whose squares floats hold, 2e-13 to 4e12, "
                        "and occlusion may be lost: scale the scene"});
-    const Tolerance tolerance = tolerance_of(method, settings.method);
     if (!(tolerance.length > 0)) return account;
     const bool reads_depth_buffer = inputs.fetch.depth == DepthSource::ndc_depth;
     add("texels_of_coarse_depth",
-        reads_depth_buffer
-            ? texels_beyond(inputs, depth_of_step(camera, gbuffer.depth.format, tolerance.length))
-            : 0,
-        "AO texels see steps of the depth buffer larger than " + in_brackets(tolerance), finer_depth);
+        reads_depth_buffer ? texels_beyond(inputs, depth_of_step(camera, gbuffer.depth.format,
+                                                                 kFinerSteps * tolerance.length))
+                           : 0,
+        "AO texels see steps of the depth buffer larger than half of " + in_brackets(tolerance), finer_depth);
     add("texels_of_coarse_positions",
         texels_beyond(inputs, tolerance.length / static_cast<double>(kViewDepthRounding)),
         "AO texels see rounding larger than " + in_brackets(tolerance),

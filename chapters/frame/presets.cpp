@@ -1,6 +1,6 @@
 #include "chapters/frame/presets.h"
 
-#include "rasterizer/base/error.h"
+#include "rasterizer/base/no_such.h"
 
 namespace crevice {
 
@@ -32,12 +32,12 @@ const Preset kPresets[] = {
 std::span<const Preset> presets() { return kPresets; }
 
 const Preset& find_preset(const std::string& name) {
-    std::string known;
+    std::vector<std::string> known;
     for (const Preset& preset : kPresets) {
         if (name == preset.name) return preset;
-        known += std::string(known.empty() ? "" : ", ") + preset.name;
+        known.push_back(preset.name);
     }
-    throw UsageError("--preset: there is no such preset (" + name + "); give one of " + known);
+    throw no_such("--preset", "preset", name, known);
 }
 
 }  // namespace crevice

@@ -11,8 +11,8 @@ namespace crevice {
 struct Preset {
     const char* name;
     const char* title;
-    const char* scene;   // a built-in scene
-    const char* method;  // of ao_methods.h; its defaults are the tutorial's parameters
+    const char* scene;                    // a built-in scene
+    const char* method;                   // of ao_methods.h; its defaults are the tutorial's parameters
     std::vector<std::string> words = {};  // name=value, where the tutorial's numerics are not the defaults
 };
 

@@ -6,12 +6,23 @@
 
 #include "chapters/terminal/number_text.h"
 #include "chapters/terminal/parse.h"
-#include "rasterizer/base/error.h"
+#include "rasterizer/base/float_text.h"
+#include "rasterizer/base/no_such.h"
 #include "rasterizer/lanes/approx_math.h"
 #include "rasterizer/scene/outlier_vertex.h"
 #include "scenes/builtin_scenes.h"
 
 namespace crevice {
+
+namespace {
+
+// Whether a word that names no file was meant as one.
+bool is_path(const std::string& word) {
+    const std::filesystem::path path(word);
+    return path.has_extension() || path.has_parent_path();
+}
+
+}  // namespace
 
 SceneArgument load_scene(const std::string& name_or_path, const WantedOfScene& wanted) {
     if (const BuiltinScene* builtin = find_builtin_scene(name_or_path)) {
@@ -23,8 +34,10 @@ SceneArgument load_scene(const std::string& name_or_path, const WantedOfScene& w
     }
     std::error_code ignored;
     if (!std::filesystem::exists(name_or_path, ignored)) {
-        throw InputError(name_or_path +
-                         ": neither a built-in scene nor a file; `crevice scenes` lists the scenes");
+        if (is_path(name_or_path)) throw InputError(name_or_path + ": there is no such file; check the path");
+        std::vector<std::string> known;
+        for (const BuiltinScene& scene : builtin_scenes()) known.push_back(scene.name);
+        throw no_such("SCENE", "scene and no such file", name_or_path, known);
     }
     ObjOptions options;
     options.want_textures = wanted.surfaces;
@@ -78,6 +91,18 @@ Camera chosen_camera(const SceneArgument& argument, const CameraFlags& flags) {
               {"ortho_height", "--ortho"}},
              [&] { validate(camera); });
     return camera;
+}
+
+void require_fit(const SceneArgument& scene, const std::string& name, const Method& method) {
+    const float unit = scene.scene.length_unit;
+    try {
+        validate(method, defaults_of(method, unit));
+    } catch (const UsageError& error) {
+        throw InputError(name + ": its coordinates are too large for " + method.name + ", whose " +
+                         error.what() + " for what is about " +
+                         shortest_text(unit * static_cast<float>(kTutorialRadius)) +
+                         " units large; or scale the model down");
+    }
 }
 
 }  // namespace crevice

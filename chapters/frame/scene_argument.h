@@ -5,6 +5,7 @@
 #include <string>
 
 #include "rasterizer/obj/obj_load.h"
+#include "ssao/methods/method.h"
 
 namespace crevice {
 
@@ -37,5 +38,9 @@ struct CameraFlags {
 // The scene's camera with the flags applied. --eye and --target are in the scene's own coordinates. A given
 // eye looks at the middle of the scene unless a target is given too. Throws UsageError.
 Camera chosen_camera(const SceneArgument& scene, const CameraFlags& flags);
+
+// Throws InputError where the scene's units are so small that the method's own defaults, lengths in them, are out of range.
+// `name` is the word that named the scene.
+void require_fit(const SceneArgument& scene, const std::string& name, const Method& method);
 
 }  // namespace crevice

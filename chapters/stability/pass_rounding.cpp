@@ -6,6 +6,7 @@
 
 #include "chapters/stability/rounding.h"
 #include "rasterizer/draw/depth_precision.h"
+#include "ssao/inputs/double_inputs.h"
 #include "ssao/judge/double_judge.h"
 #include "ssao/judge/percentile.h"
 
@@ -80,6 +81,25 @@ void add_pixels(const RoundingView& view, std::vector<PassRounding>& rows) {
     rows.push_back({"normal", "ulps of 1", rounding_figures(off_normal)});
 }
 
+// What a texel of half size takes from its four pixels.
+void add_texels(const RoundingView& view, std::vector<PassRounding>& rows) {
+    const AoInputs inputs = in_double(ao_inputs(view.gbuffer, view.camera, AoFetch{}), &view.judged);
+    const DoubleInputs& judged = *inputs.in_double;
+    std::vector<double> off_view_depth, off_normal;
+    for (int y = 0; y < inputs.size().height; ++y) {
+        for (int x = 0; x < inputs.size().width; ++x) {
+            const double z = judged.view_depth.at(x, y);
+            if (!(z < std::numeric_limits<double>::infinity())) continue;
+            off_view_depth.push_back(apart(static_cast<double>(inputs.view_depth.at(x, y)), z) / ulp_of(z));
+            const glm::dvec3 right(judged.normal[0].at(x, y), judged.normal[1].at(x, y),
+                                   judged.normal[2].at(x, y));
+            off_normal.push_back(glm::length(glm::dvec3(inputs.normal.at(x, y)) - right) / kAoUlp);
+        }
+    }
+    rows.push_back({"half-size texel: view depth", "ulps", rounding_figures(off_view_depth)});
+    rows.push_back({"half-size texel: normal", "ulps of 1", rounding_figures(off_normal)});
+}
+
 }  // namespace
 
 RoundingFigures rounding_figures(std::vector<double> off) {
@@ -108,6 +128,7 @@ std::vector<PassRounding> pass_rounding(const RoundingView& view) {
     std::vector<PassRounding> rows;
     add_vertices(view, rows);
     add_pixels(view, rows);
+    add_texels(view, rows);
     return rows;
 }
 

@@ -68,7 +68,7 @@ struct RoundingView {
 };
 RoundingView rounding_view(StiffView view, const Run& run);
 
-// Of the vertex transform, the depth buffer, view depth and normals.
+// Of the vertex transform, the depth buffer, view depth and normals, and of what a texel of half size makes of these.
 std::vector<PassRounding> pass_rounding(const RoundingView& view);
 MethodRounding method_rounding(const RoundingView& view, const Method& method, const Run& run);
 

@@ -54,7 +54,8 @@ constexpr const char* kExplanation = R"html(<h2 id="rounding">Rounding against a
 <p>The judge works in double from the scene itself: it sends the eye's ray through each pixel's centre onto the plane of the
 triangle that the pixel shows, and interpolates the vertex normals there. The rasterizer tells it only which triangle that
 is. Then it runs the same text of each method's kernel in double on its own depths and normals. So it sees errors that were
-made before a pass as well as the pass's own. Maps are of the picture's size. Settings, the tables of random numbers and the
+made before a pass as well as the pass's own. Maps are of the picture's size; what a texel of half size takes from its four
+pixels is a pass of its own, its kernel in double as well. Settings, the tables of random numbers and the
 scale of the eye's rays are floats and taken as given. Blurs run in float, because what they keep from one iteration to the
 next are maps of floats; each adds less than 0.00001 of its own, which the tests hold against references in double.</p>
 <p>An ulp is the step from a float to the next; of accessibility it is 2<sup>-24</sup>. Columns that are named after a cause

@@ -12,7 +12,7 @@
 #include "chapters/terminal/exit_code.h"
 #include "chapters/terminal/output_directory.h"
 #include "chapters/terminal/progress.h"
-#include "rasterizer/base/error.h"
+#include "rasterizer/base/no_such.h"
 #include "rasterizer/base/write_file.h"
 
 namespace crevice {
@@ -58,9 +58,7 @@ std::vector<Case> chosen_of(std::vector<Case> cases, const std::string& name) {
     std::set<std::string> names;
     for (const StiffCase& one : stiff_cases(options.quick)) names.insert(one.name);
     for (const RoundingCase& one : rounding_cases(options.quick)) names.insert(one.name);
-    std::string known;
-    for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
-    throw UsageError("--case: there is no such case (" + options.only_case + "); give one of " + known);
+    throw no_such("--case", "case", options.only_case, {names.begin(), names.end()});
 }
 
 }  // namespace

@@ -1,10 +1,11 @@
 #include "chapters/terminal/command_line.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include <CLI/CLI.hpp>
 
-#include "rasterizer/base/error.h"
+#include "rasterizer/base/no_such.h"
 
 namespace crevice {
 
@@ -24,12 +25,39 @@ std::string name_of(const CLI::App& program, const char* path) {
     return name;
 }
 
+std::vector<std::string> commands_of(const CLI::App& program) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : program.get_subcommands(nullptr)) names.push_back(command->get_name());
+    return names;
+}
+
+std::vector<std::string> flags_of(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options()) {
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+    return names;
+}
+
 // CLI11 would name the word that follows a wrong command, not the command.
 void require_known_command(const CLI::App& program, const std::string& name, const std::string& first) {
-    const auto is_first = [&](const CLI::App* command) { return command->get_name() == first; };
-    if (program.get_require_subcommand_min() == 0 || first.empty() || first[0] == '-') return;
-    if (program.get_subcommands(is_first).empty())
-        throw UsageError(name + ": there is no such command (" + first + "); " + name + " --help lists them");
+    const std::vector<std::string> known = commands_of(program);
+    if (known.empty() || first.empty() || first[0] == '-' || std::ranges::count(known, first) > 0) return;
+    throw UsageError(name + ": there is no such command (" + first + "); " + did_you_mean(first, known) +
+                     name + " --help lists them");
+}
+
+// CLI11 names the words that a wrong flag leaves over, the last one first. The flag itself, and the nearest one there is.
+void require_known_flags(const CLI::App& command, const std::string& name,
+                         const std::vector<std::string>& words) {
+    const std::vector<std::string> known = flags_of(command);
+    for (const std::string& word : words) {
+        const std::string flag = word.substr(0, word.find('='));
+        if (word == "--") return;
+        if (!word.starts_with("--") || std::ranges::count(known, flag) > 0) continue;
+        throw UsageError(name + ": there is no such flag (" + flag + "); " + did_you_mean(flag, known) +
+                         name + " --help lists them");
+    }
 }
 
 }  // namespace
@@ -71,15 +99,34 @@ CommandLine CommandLine::subcommand(const std::string& name, const std::string& 
 }
 
 bool CommandLine::parse(int argc, const char* const* argv) const {
-    require_known_command(*app_, name_of(*app_, argv[0]), argc > 1 ? argv[1] : "");
+    std::vector<std::string> words(argv + 1, argv + argc);
+    // `help` and `help COMMAND` are --help.
+    if (!words.empty() && words[0] == "help" && !commands_of(*app_).empty()) {
+        words.erase(words.begin());
+        words.resize(std::min<std::size_t>(words.size(), 1));
+        words.push_back("--help");
+    }
+    require_known_command(*app_, name_of(*app_, argv[0]), words.empty() ? "" : words[0]);
+    app_->name(std::filesystem::path(argv[0]).filename().string());
     try {
-        app_->parse(argc, argv);
+        app_->parse(std::vector<std::string>(words.rbegin(), words.rend()));
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app_->exit(error) != 0;
         const std::string name = name_of(*app_, argv[0]);
+        const auto chosen = app_->get_subcommands();
+        require_known_flags(chosen.empty() ? *app_ : *chosen.front(), name, words);
         throw UsageError(name + ": " + error.what() + "; " + name + " --help tells more");
     }
     return true;
+}
+
+void CommandLine::version(const std::string& text) { app_->set_version_flag("--version", text); }
+
+std::vector<CommandLine::CommandWords> CommandLine::all_words() const {
+    std::vector<CommandWords> all = {{"", app_->get_description(), flags_of(*app_)}};
+    for (const CLI::App* command : app_->get_subcommands(nullptr))
+        all.push_back({command->get_name(), command->get_description(), flags_of(*command)});
+    return all;
 }
 
 bool CommandLine::chosen() const { return app_->parsed(); }

@@ -36,7 +36,18 @@ class CommandLine {
     // A part of the program with words of its own. One of them must be chosen.
     CommandLine subcommand(const std::string& name, const std::string& about);
 
-    // Reads the words of a program. False if they asked for --help, which it has printed. Throws UsageError.
+    // What --version prints.
+    void version(const std::string& text);
+
+    // What can be typed after a program's name and, in the first entry, before any subcommand.
+    struct CommandWords {
+        std::string name, about;
+        std::vector<std::string> flags;  // "--size"; those that --help is silent about, too
+    };
+    std::vector<CommandWords> all_words() const;
+
+    // Reads the words of a program; `help` and `help COMMAND` are --help. False if they asked for help or the version, which
+    // it has printed. Throws UsageError, with the nearest command or flag there is.
     bool parse(int argc, const char* const* argv) const;
 
     // Whether it was this subcommand.

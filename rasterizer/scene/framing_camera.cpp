@@ -1,7 +1,9 @@
 #include "rasterizer/scene/framing_camera.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 
 #include <glm/geometric.hpp>
 
@@ -13,9 +15,11 @@ namespace {
 constexpr double kFovY_rad = radians(45);
 constexpr double kMargin = 1.05;  // the sphere is framed and clipped as if it were this much larger
 
-}  // namespace
+// Towards the eye, not of unit length: from the front, from the right, from above. Each slightly to both other sides.
+constexpr glm::dvec3 kTowardsEye[] = {{0.45, 0.35, -1}, {1, 0.35, -0.45}, {0.45, 1, -0.35}};
+constexpr double kMuchMore = 1.5;  // times what the front shows
 
-Camera framing_camera(const Bounds& bounds) {
+Camera camera_from(const Bounds& bounds, const glm::dvec3& direction) {
     Camera camera;
     if (bounds.empty) return camera;
     const glm::dvec3 half = 0.5 * bounds.high - 0.5 * bounds.low;
@@ -23,13 +27,48 @@ Camera framing_camera(const Bounds& bounds) {
     const double radius = diagonal > 0 ? diagonal : 1;  // a single point is framed as a unit sphere
     // The planes of the field of view touch the sphere.
     const double distance = kMargin * radius / sine_cosine(kFovY_rad / 2).sine;
-    const glm::dvec3 towards_eye = glm::dvec3(0.45, 0.35, -1) / std::sqrt(0.45 * 0.45 + 0.35 * 0.35 + 1);
+    const glm::dvec3 towards_eye = direction / std::sqrt(glm::dot(direction, direction));
     camera.target = 0.5 * bounds.low + 0.5 * bounds.high;
     camera.eye = camera.target + distance * towards_eye;
     camera.fov_y_rad = kFovY_rad;
     camera.near_plane = std::max(distance - kMargin * radius, distance / 100);
     camera.far_plane = distance + 2 * radius;
     return camera;
+}
+
+// Twice the area of all surfaces as each of kTowardsEye sees them from far away, over one unit that all share.
+std::array<double, std::size(kTowardsEye)> seen_areas(const Scene& scene, const Bounds& bounds) {
+    std::array<double, std::size(kTowardsEye)> areas{};
+    const glm::dvec3 extent = bounds.high - bounds.low;
+    const double largest = std::max({extent.x, extent.y, extent.z});
+    if (!(largest > 0)) return areas;
+    for (const Instance& instance : scene.instances) {
+        const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+        const glm::dmat3 world_from_object(instance.world_from_object);
+        for (const auto& triangle : mesh.triangles) {
+            const auto side = [&](int corner) {
+                const glm::dvec3 from(mesh.positions[triangle[0]]),
+                    to(mesh.positions[triangle[static_cast<std::size_t>(corner)]]);
+                return world_from_object * (to - from) / largest;
+            };
+            const glm::dvec3 normal = glm::cross(side(1), side(2));
+            for (std::size_t i = 0; i < areas.size(); ++i)
+                areas[i] += std::fabs(glm::dot(normal, kTowardsEye[i]));
+        }
+    }
+    return areas;
+}
+
+}  // namespace
+
+Camera framing_camera(const Bounds& bounds) { return camera_from(bounds, kTowardsEye[0]); }
+
+Camera framing_camera(const Scene& scene) {
+    const Bounds bounds = world_bounds(scene);
+    if (bounds.empty) return camera_from(bounds, kTowardsEye[0]);
+    const auto areas = seen_areas(scene, bounds);
+    const auto most = static_cast<std::size_t>(std::ranges::max_element(areas) - areas.begin());
+    return camera_from(bounds, kTowardsEye[areas[most] > kMuchMore * areas[0] ? most : 0]);
 }
 
 }  // namespace crevice

@@ -13,4 +13,8 @@ namespace crevice {
 // the default camera.
 Camera framing_camera(const Bounds& bounds);
 
+// The same of a scene's bounds, but from its right side or from above where the surfaces as seen from there are one and a
+// half times as large as from the front: of flat models, which would be seen edge-on. What hides what is not asked.
+Camera framing_camera(const Scene& scene);
+
 }  // namespace crevice

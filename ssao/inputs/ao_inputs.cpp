@@ -9,7 +9,7 @@
 #include "rasterizer/base/float_text.h"
 #include "rasterizer/base/parallel.h"
 #include "rasterizer/base/run.h"
-#include "ssao/inputs/texel_fetch.h"
+#include "ssao/inputs/texel_row.h"
 
 namespace crevice {
 
@@ -90,101 +90,6 @@ Image<float> bordered_depth(const GBuffer& gbuffer, const AoInputs& inputs, cons
     return map;
 }
 
-// What a group of texels may read beyond the last pixel or texel.
-constexpr int kRayPadding = 2 * kRowAlignment;
-
-TexelAxis texel_axis(int texels, int pixels, const ViewRays& rays, float Vec3<float>::*axis) {
-    const auto through_centres = [&](int count) {
-        std::vector<float> result;
-        for (int i = 0; i < count + kRayPadding; ++i) {
-            const float at = (static_cast<float>(i) + 0.5f) / static_cast<float>(count);
-            result.push_back(rays.p_view(at, at, 1.0f).*axis);
-        }
-        return result;
-    };
-    return {LinearTaps(texels, pixels), through_centres(pixels), through_centres(texels)};
-}
-
-// The texels of one row of the AO map.
-class TexelRow {
- public:
-    TexelRow(const GBuffer& gbuffer, const TexelAxis& columns, const TexelAxis& rows, int y)
-        : gbuffer_(gbuffer),
-          columns_(columns),
-          y_(static_cast<std::size_t>(y)),
-          row0_(rows.taps.first[y_]),
-          row1_(rows.taps.second[y_]),
-          fy_(rows.taps.weight_of_second[y_]),
-          rows_(rows) {}
-
-    template <class F>
-    CREVICE_INLINE void fetch(AoInputs& inputs, int x, bool skip_background) const {
-        const ColumnPair<F> columns = columns_at<F>(inputs, x);
-        TexelFetch<F> texel(inputs, load<F>(columns_.texel_rays.data() + x), F(rows_.texel_rays[y_]));
-        texel.read_depths(gbuffer_, columns, row0_, 0);
-        texel.read_depths(gbuffer_, columns, row1_, 2);
-        Vec3<F> normal = {F(0), F(0), F(0)};
-        F z = F(kInfinity);
-        const bool mixes = inputs.fetch.edge_texels == EdgeTexels::mixed;
-        if (mixes || !skip_background || texel.any_surface()) {
-            const auto rays_x = columns.from(columns_.pixel_rays.data());
-            texel.read_surfaces(gbuffer_, columns, row0_, rays_x, row_ray(row0_), 0);
-            texel.read_surfaces(gbuffer_, columns, row1_, rays_x, row_ray(row1_), 2);
-            const F fx = load<F>(columns_.taps.weight_of_second.data() + x);
-            texel.weigh(fx, F(fy_));
-            const bool one_pixel = inputs.fetch.texel_centre == TexelCentre::off;
-            Tap<F> pixel;
-            if (one_pixel || inputs.fetch.point_normals) pixel = texel.pixel_under_centre(fx, fy_);
-            const F stored = one_pixel ? pixel.stored : texel.mean_stored();
-            z = inputs.fetch.depth == DepthSource::ndc_depth ? inputs.view_from_ndc(stored) : stored;
-            if (inputs.fetch.point_normals)
-                normal = texel.unit_normal(pixel);
-            else
-                normal = one_pixel ? pixel.n : texel.mean_normal();
-            auto surface = z < F(kInfinity);
-            if (!mixes && one_pixel) surface = pixel.surface;
-            if (!mixes && !one_pixel) {
-                const Tap<F> nearest = texel.nearest();
-                const auto other = !texel.one_surface(nearest);
-                surface = nearest.surface;
-                if (any(other & surface)) {
-                    // Not behind what the depth map shows there: samples near the texel would find that in front.
-                    z = select(other & surface, min_of(texel.carried_depth(nearest), z), z);
-                    normal = select<F>(other & surface, nearest.n, normal);
-                }
-            }
-            normal = select<F>(surface, normal, {F(0), F(0), F(0)});
-            z = select(surface, z, F(kInfinity));
-        }
-        const auto y = static_cast<int>(y_);
-        store(inputs.normal.x.row(y) + x, normal.x);
-        store(inputs.normal.y.row(y) + x, normal.y);
-        store(inputs.normal.z.row(y) + x, normal.z);
-        store(inputs.view_depth.row(y) + x, z);
-    }
-
- private:
-    float row_ray(int row) const { return rows_.pixel_rays[static_cast<std::size_t>(row)]; }
-
-    // Contiguous loads where they stay inside the row of pixels, gathers at its end and for other sizes.
-    template <class F>
-    CREVICE_INLINE ColumnPair<F> columns_at(const AoInputs& inputs, int x) const {
-        const int width = inputs.picture.width, texels = inputs.size().width;
-        ColumnSpacing spacing = ColumnSpacing::any;
-        if (width == 2 * texels && 2 * (x + kLanes<F>) <= width) spacing = ColumnSpacing::every_second;
-        if (width == texels && x + kLanes<F> < width) spacing = ColumnSpacing::every;
-        return {spacing, x, load<F>(columns_.taps.first.data() + x),
-                load<F>(columns_.taps.second.data() + x)};
-    }
-
-    const GBuffer& gbuffer_;
-    const TexelAxis& columns_;
-    std::size_t y_;
-    int row0_, row1_;  // of pixels
-    float fy_;         // weight of the second one
-    const TexelAxis& rows_;
-};
-
 }  // namespace
 
 Size ao_map_size(Size picture, float scale) {
@@ -209,15 +114,21 @@ AoInputs ao_inputs(const GBuffer& gbuffer, const Camera& camera, const AoFetch& 
                     {matrices.ray_scale, picture, camera.projection == Projection::perspective},
                     static_cast<float>(camera.near_plane)};
     inputs.depth_map = bordered_depth(gbuffer, inputs, camera, run);
-    const TexelAxis columns = texel_axis(size.width, picture.width, inputs.rays, &Vec3<float>::x),
-                    rows = texel_axis(size.height, picture.height, inputs.rays, &Vec3<float>::y);
+    const auto columns = texel_axis<float>(size.width, picture.width, inputs.rays, &Vec3<float>::x),
+               rows = texel_axis<float>(size.height, picture.height, inputs.rays, &Vec3<float>::y);
+    const FloatPixels pixels{gbuffer, inputs.depth_map};
     const bool skip_background = run.leaves_out(Skip::background_pixels);
     parallel_rows(size.height, run, [&](int first_row, int end_row) {
         run_kernel(run, [&]<class F>(Lanes<F>) {
             for (int y = first_row; y < end_row; ++y) {
-                const TexelRow row(gbuffer, columns, rows, y);
-                for (int x = 0; x < inputs.view_depth.stride; x += kLanes<F>)
-                    row.fetch<F>(inputs, x, skip_background);
+                const TexelRow row(pixels, columns, rows, y);
+                for (int x = 0; x < inputs.view_depth.stride; x += kLanes<F>) {
+                    const Texel<F> texel = row.template fetch<F>(inputs, x, skip_background);
+                    store(inputs.normal.x.row(y) + x, texel.normal.x);
+                    store(inputs.normal.y.row(y) + x, texel.normal.y);
+                    store(inputs.normal.z.row(y) + x, texel.normal.z);
+                    store(inputs.view_depth.row(y) + x, texel.view_depth);
+                }
             }
         });
     });

@@ -18,14 +18,12 @@ AoInputs depth_inputs(const GBuffer& gbuffer, const Camera& camera, float scale,
                     matrices.depth_b,
                     {matrices.ray_scale, picture, camera.projection == Projection::perspective},
                     static_cast<float>(camera.near_plane)};
-    const auto under_centre = [](int texel, int texels, int pixels) {
-        return static_cast<int>((2 * std::int64_t{texel} + 1) * pixels / (2 * std::int64_t{texels}));
-    };
     parallel_rows(size.height, run, [&](int first_row, int end_row) {
         for (int y = first_row; y < end_row; ++y) {
-            const float* const row = gbuffer.view_depth.row(under_centre(y, size.height, picture.height));
+            const float* const row =
+                gbuffer.view_depth.row(pixel_under_centre(y, size.height, picture.height));
             for (int x = 0; x < size.width; ++x)
-                inputs.view_depth.at(x, y) = row[under_centre(x, size.width, picture.width)];
+                inputs.view_depth.at(x, y) = row[pixel_under_centre(x, size.width, picture.width)];
         }
     });
     return inputs;

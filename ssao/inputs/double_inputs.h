@@ -8,7 +8,6 @@ namespace crevice {
 // The inputs with AoInputs::in_double set, so that kernels run in double. `seen` is what the pixels of their picture
 // show in double; null: what the inputs themselves hold, so that only the kernel's own roundings are missing. What lies
 // beyond the picture, and the background, stay the floats that they are.
-// Throws UsageError where `seen` is given for a map of half size: a texel there is no pixel.
 AoInputs in_double(AoInputs inputs, const DoubleGBuffer* seen);
 
 }  // namespace crevice

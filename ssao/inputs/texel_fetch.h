@@ -1,12 +1,13 @@
-// What one texel of the AO map takes from the four pixels around its centre: the kernel of ao_inputs.h.
+// What one texel of the AO map takes from the four pixels around its centre: the kernel of ao_inputs.h. texel_row.h
+// runs it.
 #pragma once
 
+#include <array>
 #include <limits>
-#include <vector>
 
 #include "rasterizer/lanes/wide_pairs.h"
 #include "ssao/inputs/ao_inputs.h"
-#include "ssao/inputs/linear_taps.h"
+#include "ssao/inputs/double_buffers.h"
 
 namespace crevice {
 
@@ -17,11 +18,26 @@ inline constexpr float kSameSurface_px = 2;  // times the size of a pixel at tha
 // A surface seen at a steeper angle than this is not carried from a pixel's centre to the texel's.
 inline constexpr float kSteepest = 0.05f;
 
-// One axis of the two pictures: where the texels fall among the pixels, and the rays through both, as p_view
-// has them at view depth 1.
-struct TexelAxis {
-    LinearTaps taps;
-    std::vector<float> pixel_rays, texel_rays;  // padded to what a group of texels may read
+// What the pixels hold, row by row: in floats, or as a judge of rounding has it.
+struct FloatPixels {
+    const GBuffer& gbuffer;
+    const Image<float>& depth_map;  // AoInputs::depth_map
+
+    const float* view_depth(int y) const { return gbuffer.view_depth.row(y); }
+    std::array<const float*, 3> normal(int y) const {
+        return {gbuffer.normal.x.row(y), gbuffer.normal.y.row(y), gbuffer.normal.z.row(y)};
+    }
+    const float* stored(int y) const { return depth_map.row(y + 1) + 1; }
+};
+struct DoublePixels {
+    const DoubleGBuffer& gbuffer;
+    const Image<double>& depth_map;  // DoubleInputs::depth_map
+
+    const double* view_depth(int y) const { return gbuffer.view_depth.row(y); }
+    std::array<const double*, 3> normal(int y) const {
+        return {gbuffer.normal[0].row(y), gbuffer.normal[1].row(y), gbuffer.normal[2].row(y)};
+    }
+    const double* stored(int y) const { return depth_map.row(y + 1) + 1; }
 };
 
 // How the two columns of pixels beside each texel of a group lie in memory.
@@ -39,6 +55,7 @@ struct ColumnPair {
     Int<F> first, second;
 
     // What a row of pixels holds there.
+    CREVICE_INLINE Pair<double> from(const double* row) const { return {row[first], row[second]}; }
     CREVICE_INLINE Pair<F> from(const float* row) const {
         switch (spacing) {
             case ColumnSpacing::every_second: return load_pairs<F>(row + 2 * x);
@@ -73,8 +90,9 @@ struct TexelFetch {
         : inputs(ao_inputs), ray_x(centre_ray_x), ray_y(centre_ray_y) {}
 
     // Reads the depths of two neighbours in a row of pixels, into taps[at] and taps[at + 1].
-    CREVICE_INLINE void read_depths(const GBuffer& gbuffer, const ColumnPair<F>& columns, int row, int at) {
-        const auto z = columns.from(gbuffer.view_depth.row(row));
+    template <class Pixels>
+    CREVICE_INLINE void read_depths(const Pixels& pixels, const ColumnPair<F>& columns, int row, int at) {
+        const auto z = columns.from(pixels.view_depth(row));
         taps[at].z = z.first;
         taps[at + 1].z = z.second;
         for (int i = at; i < at + 2; ++i)
@@ -82,15 +100,16 @@ struct TexelFetch {
     }
 
     // Reads the rest of them. `rays_x` go through the columns, `row_ray` through the row.
-    CREVICE_INLINE void read_surfaces(const GBuffer& gbuffer, const ColumnPair<F>& columns, int row,
-                                      const Pair<F>& rays_x, float row_ray, int at) {
-        const auto n_x = columns.from(gbuffer.normal.x.row(row)),
-                   n_y = columns.from(gbuffer.normal.y.row(row)),
-                   n_z = columns.from(gbuffer.normal.z.row(row));
-        const auto stored = columns.from(inputs.depth_map.row(row + 1) + 1);
+    template <class Pixels>
+    CREVICE_INLINE void read_surfaces(const Pixels& pixels, const ColumnPair<F>& columns, int row,
+                                      const Pair<F>& rays_x, F row_ray, int at) {
+        const auto normal = pixels.normal(row);
+        const auto n_x = columns.from(normal[0]), n_y = columns.from(normal[1]),
+                   n_z = columns.from(normal[2]);
+        const auto stored = columns.from(pixels.stored(row));
         Tap<F>&first = taps[at], &second = taps[at + 1];
-        first.p = on_ray(rays_x.first, F(row_ray), select(first.surface, first.z, F(0)));
-        second.p = on_ray(rays_x.second, F(row_ray), select(second.surface, second.z, F(0)));
+        first.p = on_ray(rays_x.first, row_ray, select(first.surface, first.z, F(0)));
+        second.p = on_ray(rays_x.second, row_ray, select(second.surface, second.z, F(0)));
         first.n = {n_x.first, n_y.first, n_z.first};
         second.n = {n_x.second, n_y.second, n_z.second};
         first.stored = stored.first;

@@ -120,7 +120,7 @@ struct Method {
     std::function<Image3(const AoInputs&, const AnySettings&, const Run&)> bent_normals;
 
     // The same kernel in double: the map without its rounding errors. With AoView::in_double without those of the
-    // buffers, too, and at full size only. Empty: not known.
+    // buffers, too. Empty: not known.
     std::function<Image<float>(const AoView&, const AnySettings&, const Run&)> ao_in_double;
     // What the raw map tends to with ever more samples; `on_progress` is called with numbers of seeds. Throws
     // UsageError for too few seeds.

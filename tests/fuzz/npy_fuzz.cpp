@@ -5,6 +5,6 @@
 using namespace crevice;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    refused_or_read([&] { planes_from_npy(bytes_of(data, size), "a.npy"); });
+    refused_or_read([&] { npy_image(bytes_of(data, size), "a.npy"); });
     return 0;
 }

@@ -54,9 +54,11 @@ inline Colour rgb_from_relative_xyz(const Colour& xyz) {
     return rgb;
 }
 
-inline Colour opponent_of(double grey) {
-    const double linear = grey > 0.04045 ? std::pow((grey + 0.055) / 1.055, 2.4) : grey / 12.92;
-    const Colour xyz = relative_xyz({linear, linear, linear});
+inline Colour opponent_of(const Colour& display) {
+    const auto linear = [](double code) {
+        return code > 0.04045 ? std::pow((code + 0.055) / 1.055, 2.4) : code / 12.92;
+    };
+    const Colour xyz = relative_xyz({linear(display[0]), linear(display[1]), linear(display[2])});
     return {116 * xyz[1] - 16, 500 * (xyz[0] - xyz[1]), 200 * (xyz[1] - xyz[2])};
 }
 
@@ -92,7 +94,15 @@ struct ColourFlip {
     Colours opponents(const Image<float>& grey) const {
         Colours all;
         for (int y = 0; y < size.height; ++y)
-            for (int x = 0; x < size.width; ++x) all.push_back(opponent_of(grey.at(x, y)));
+            for (int x = 0; x < size.width; ++x)
+                all.push_back(opponent_of({grey.at(x, y), grey.at(x, y), grey.at(x, y)}));
+        return all;
+    }
+    Colours opponents(const Image3& colour) const {
+        Colours all;
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x)
+                all.push_back(opponent_of({colour.x.at(x, y), colour.y.at(x, y), colour.z.at(x, y)}));
         return all;
     }
 

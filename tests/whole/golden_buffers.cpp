@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "chapters/commands/difference_page.h"
+#include "chapters/compare/difference_page.h"
 #include "chapters/commands/camera_path.h"
 #include "chapters/frame/frame.h"
 #include "chapters/frame/presets.h"

@@ -10,7 +10,7 @@
 
 #include <doctest/doctest.h>
 
-#include "chapters/commands/difference_page.h"
+#include "chapters/compare/difference_page.h"
 #include "chapters/notebook/picture.h"
 #include "chapters/terminal/number_text.h"
 #include "rasterizer/base/error.h"

@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "chapters/frame/frame.h"
+#include "rasterizer/draw/depth_precision.h"
 #include "scenes/builtin_scenes.h"
 #include "tests/tools/small_scenes.h"
 #include "tests/tools/still_life.h"
@@ -86,6 +87,31 @@ TEST_CASE("precision account: depth steps larger than epsilon, for methods that 
     CHECK(loss_of(frame_of(scene, camera, "luna", {"depth_format=d32f_reversed"}), "texels_of_coarse_depth")
               .count == 0);
     CHECK(loss_of(frame_of(scene, from_origin(1, 1e3)), "texels_of_coarse_depth").count == 0);
+    // A step of 0.03, more than half of epsilon.
+    const Camera finer = from_origin(0.5, 1e3);
+    const double step = depth_step(finer, DepthFormat::d32f, 500);
+    CHECK(step < 0.05);
+    CHECK(step > 0.025);
+    CHECK(loss_of(frame_of(scene, finer), "texels_of_coarse_depth").count == texels);
+}
+
+TEST_CASE("precision account: surfaces behind others, where steps are too coarse to tell which is in front") {
+    // The far wall first: the near one's depth is the same code, and LESS keeps what was there.
+    Scene scene = wall_at(30);
+    scene.meshes.push_back(wall_at(29.9f).meshes[0]);
+    scene.instances.push_back({.mesh = 1});
+    const auto all = static_cast<std::size_t>(kSize.width * kSize.height);
+    for (const char* method : {"xjun", "none"}) {
+        CAPTURE(std::string(method));
+        const PrecisionLoss& loss =
+            loss_of(frame_of(scene, from_origin(2e-5, 1e7), method), "pixels_in_wrong_order");
+        CHECK(loss.count == all);
+        CHECK(loss.warning.find("lies behind another one") != std::string::npos);
+        CHECK(loss_of(frame_of(scene, from_origin(2e-5, 1e7), method, {"depth_format=d32f_reversed"}),
+                      "pixels_in_wrong_order")
+                  .count == 0);
+        CHECK(loss_of(frame_of(scene, from_origin(1, 1e3), method), "pixels_in_wrong_order").count == 0);
+    }
 }
 
 TEST_CASE("precision account: positions too far for epsilon, vertices too far for their steps") {

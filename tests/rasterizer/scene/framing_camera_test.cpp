@@ -7,6 +7,28 @@
 
 using namespace crevice;
 
+namespace {
+
+// Two triangles that span the parallelogram of two sides.
+Scene sheet(const glm::vec3& u, const glm::vec3& v) {
+    Scene scene;
+    Mesh mesh;
+    mesh.positions = {glm::vec3(0), u, u + v, v};
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    scene.meshes.push_back(mesh);
+    scene.instances.push_back({});
+    return scene;
+}
+
+// How much of a sheet's area is seen: the cosine between its normal and the way to the eye.
+double seen_share(const Scene& scene, const glm::vec3& u, const glm::vec3& v) {
+    const Camera camera = framing_camera(scene);
+    return std::fabs(
+        glm::dot(glm::normalize(glm::dvec3(glm::cross(u, v))), glm::normalize(camera.eye - camera.target)));
+}
+
+}  // namespace
+
 TEST_CASE("framing_camera: the sphere around the box is in the picture, between near and far") {
     for (const double scale : {1e-6, 1.0, 1e9}) {
         for (const double shift : {0.0, 1e3}) {
@@ -34,4 +56,28 @@ TEST_CASE("framing_camera: the sphere around the box is in the picture, between 
     }
     CHECK(framing_camera(Bounds{}).eye == Camera{}.eye);
     validate(framing_camera({glm::dvec3(3), glm::dvec3(3), false}));
+}
+
+TEST_CASE("framing_camera: flat models are seen from where they are wide") {
+    for (const float scale : {1e-12f, 1.0f, 1e12f}) {
+        CAPTURE(scale);
+        const glm::vec3 x(scale, 0, 0), y(0, scale, 0), z(0, 0, scale);
+        CHECK(seen_share(sheet(x, z), x, z) > 0.7);  // a floor
+        CHECK(seen_share(sheet(y, z), y, z) > 0.7);  // a wall seen from the side
+        CHECK(seen_share(sheet(x, y), x, y) > 0.7);  // a wall seen from the front
+        // Perpendicular to the sheet that the front sees edge-on, which no axis tells.
+        const glm::vec3 along(0.45f * scale, 0.35f * scale, -scale), across(scale, 0, 0.45f * scale);
+        CHECK(seen_share(sheet(along, across), along, across) > 0.3);
+    }
+}
+
+TEST_CASE("framing_camera: what is as large from everywhere is seen from the front") {
+    Scene box = sheet({1, 0, 0}, {0, 1, 0});
+    for (const auto& [u, v] :
+         {std::pair<glm::vec3, glm::vec3>{{0, 1, 0}, {0, 0, 1}}, {{0, 0, 1}, {1, 0, 0}}}) {
+        box.meshes.push_back(sheet(u, v).meshes[0]);
+        box.instances.push_back({static_cast<int>(box.meshes.size()) - 1});
+    }
+    CHECK(framing_camera(box).eye == framing_camera(world_bounds(box)).eye);
+    CHECK(framing_camera(Scene{}).eye == Camera{}.eye);
 }

@@ -66,6 +66,39 @@ TEST_CASE("FLIP without chroma filters equals the whole computation in colour") 
     }
 }
 
+TEST_CASE("FLIP in colour equals the whole computation, and of grey pictures the grey form") {
+    const Size size{23, 15};
+    constexpr double ppd = 20;
+    const auto colours = [&](unsigned seed) {
+        Image3 colour(size);
+        colour.x = pattern(size);
+        colour.y = noise_image(size, seed);
+        colour.z = noise_image(size, seed + 1);
+        return colour;
+    };
+    const Image3 a = colours(5), b = colours(8);
+    const ColourFlip whole{size, ppd};
+    const Colours colours_a = whole.opponents(a), colours_b = whole.opponents(b);
+    const Flip ours = flip(a, b, ppd);
+    double worst = 0;
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x)
+            worst = std::max(worst, std::fabs(ours.map.at(x, y) - whole.at(colours_a, colours_b, x, y)));
+    }
+    CHECK(worst < 1e-7);
+    CHECK(ours.mean > 0.1);
+
+    Image3 grey_a(size), grey_b(size);
+    grey_a.x = grey_a.y = grey_a.z = a.x;
+    grey_b.x = grey_b.y = grey_b.z = b.y;
+    CHECK(flip(grey_a, grey_b, ppd).mean == about(flip(a.x, b.y, ppd).mean, 1e-9));
+
+    // Green against blue of the same patches: the largest difference of colours there is.
+    const Image3 green(size, {0, 1, 0}), blue(size, {0, 0, 1});
+    CHECK(flip(green, blue, ppd).mean == about(1, 1e-9));
+    CHECK(flip(green, green, ppd).mean == 0);
+}
+
 TEST_CASE("FLIP of a picture with itself is 0, whatever the size") {
     for (const Size size : {Size{1, 1}, Size{1, 9}, Size{33, 2}, Size{40, 30}}) {
         CAPTURE(size.width);

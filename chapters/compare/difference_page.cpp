@@ -1,4 +1,4 @@
-#include "chapters/commands/difference_page.h"
+#include "chapters/compare/difference_page.h"
 
 #include <algorithm>
 #include <array>
@@ -33,7 +33,7 @@ struct ShownRange {
     }
 };
 
-// [0, 1] where it holds all finite values; else [-1, 1] for three components, all there is for one.
+// [0, 1] where it holds all finite values; else [-1, 1] for several components, all there is for one.
 ShownRange shown_range(const DifferenceEntry& entry) {
     float low = 0, high = 1;
     for (const Planes* planes : {&entry.a, &entry.b}) {
@@ -44,7 +44,7 @@ ShownRange shown_range(const DifferenceEntry& entry) {
         }
     }
     const Planes& known = entry.a.empty() ? entry.b : entry.a;
-    if (known.size() == 3) return {low < 0 ? -1.0f : 0.0f, 1, entry.linear_light};
+    if (known.size() > 1) return {low < 0 ? -1.0f : 0.0f, 1, entry.linear_light};
     return {low, high, false};
 }
 
@@ -74,7 +74,7 @@ std::string picture_element(const Planes& shown, const std::string& alt, const s
         Image3 colours;
         colours.x = shown[0];
         colours.y = shown[1];
-        colours.z = shown[2];
+        colours.z = shown.size() > 2 ? shown[2] : Image<float>(shown[0].size, 0.0f);
         picture = colour_picture(colours);
     }
     return image_element(png_bytes(picture.size, picture.channels, picture.pixels), picture.size, alt,
@@ -191,7 +191,7 @@ Judged judge(const DifferenceEntry& entry) {
 
 std::string section(const Judged& judged, const DifferenceLabels& labels) {
     const DifferenceEntry& entry = *judged.entry;
-    std::string html = "<section>\n<h2>" + escape_html(entry.name) + " ";
+    std::string html = "<section>\n<h2>" + escape_html(entry.title()) + " ";
     html += judged.differs() ? "<span class=\"bad\">✗ differs</span></h2>\n"
                              : "<span class=\"good\">✓ identical</span></h2>\n";
     if (!entry.note.empty()) html += "<p>" + escape_html(entry.note) + "</p>\n";

@@ -16,6 +16,9 @@ struct DifferenceEntry {
     Planes a, b;                // either may be empty: there is no such image
     std::string note;           // plain text shown under the name
     bool linear_light = false;  // show three components through the sRGB curve
+    bool alpha = false;         // a and b are the alpha of what is named
+
+    std::string title() const { return alpha ? name + ", alpha" : name; }
 };
 
 // What the page calls its two sides, and itself.
@@ -26,7 +29,7 @@ struct DifferenceLabels {
 
 // Entries that differ come first, otherwise in the order given; images of unlike shapes and missing ones
 // count as differing. Both pictures of a pair share one mapping, which is printed; the difference is of the
-// values shown.
+// values shown. Of two components the third is shown as 0, of four the first three are.
 std::string difference_page(std::span<const DifferenceEntry> entries, const DifferenceLabels& labels = {});
 
 // Name and value of each metric, as the page and `crevice compare` print them.

@@ -1,0 +1,145 @@
+#include "chapters/compare/compare.h"
+
+#include <iostream>
+#include <string>
+#include <utility>
+
+#include "chapters/compare/compare_report.h"
+#include "chapters/compare/compared_files.h"
+#include "chapters/notebook/picture.h"
+#include "chapters/terminal/output_directory.h"
+#include "rasterizer/base/error.h"
+#include "rasterizer/base/file_bytes.h"
+#include "rasterizer/lanes/approx_math.h"
+#include "ssao/judge/flip.h"
+
+namespace crevice {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+Image3 image3_of(Planes planes) {
+    Image3 image;
+    image.x = std::move(planes[0]);
+    image.y = std::move(planes[1]);
+    image.z = std::move(planes[2]);
+    return image;
+}
+
+// Writes OUT/STEM.npy and, of one or three components, OUT/STEM.png, and says so.
+void write_error_images(const Planes& a, const Planes& b, const fs::path& out, const std::string& stem,
+                        std::ostream& report) {
+    const fs::path npy = out / (stem + ".npy"), png = out / (stem + ".png");
+    Planes difference = signed_difference(a, b);
+    write_file_atomically(npy, npy_bytes(difference));
+    if (difference.size() != 1 && difference.size() != 3) {
+        report << "  " << npy.string() << "\n";
+        return;
+    }
+    const Picture picture = difference.size() == 1 ? difference_picture(difference[0])
+                                                   : difference_picture(image3_of(std::move(difference)));
+    write_picture(png, picture);
+    report << "  " << npy.string() << ", " << png.string() << ": " << picture.mapping << "\n";
+}
+
+std::string stem_of(const DifferenceEntry& entry) { return fs::path(entry.name).stem().string(); }
+
+// Values as a monitor is sent them. Throws InputError where they are no picture's.
+Planes display_values(const DifferenceEntry& entry, Planes planes) {
+    if (planes.size() != 1 && planes.size() != 3)
+        throw InputError(entry.title() + ": FLIP is of one or three components (" +
+                         std::to_string(planes.size()) + "); leave --flip out, or give limits a buffer");
+    for (Image<float>& plane : planes) {
+        const BufferStatistics statistics = buffer_statistics(plane);
+        if (statistics.min < 0 || statistics.max > 1 || statistics.inf > 0)
+            throw InputError(entry.title() + ": FLIP is of pictures, whose values lie in [0, 1] (" +
+                             statistics_text(statistics) + "); leave --flip out, or give limits a buffer");
+        if (!entry.linear_light) continue;
+        for (float& value : plane.pixels) value = srgb_from_linear(value);
+    }
+    return planes;
+}
+
+double mean_flip(const DifferenceEntry& entry) {
+    Planes a = display_values(entry, entry.a), b = display_values(entry, entry.b);
+    if (a.size() == 1) return flip(a[0], b[0]).mean;
+    return flip(image3_of(std::move(a)), image3_of(std::move(b))).mean;
+}
+
+ComparedPair compared(const DifferenceEntry& entry, const CompareLimits& limits) {
+    ComparedPair pair{&entry, limits, {}, std::numeric_limits<double>::quiet_NaN(), {}};
+    const Planes &a = entry.a, &b = entry.b;
+    if (a.empty() || b.empty() || a.size() != b.size() || !(a[0].size == b[0].size)) {
+        pair.failures.push_back(entry.note);
+        return pair;
+    }
+    pair.error = compare_images(a, b);
+    if (limits.flip && !pair.error->failed()) pair.flip = mean_flip(entry);
+    pair.failures = exceeded_limits(limits, *pair.error, pair.flip);
+    return pair;
+}
+
+LimitsOfBuffers limits_of(const CompareOptions& options) {
+    constexpr std::uintmax_t kMaxText = 1 << 20;
+    std::error_code ignored;
+    fs::path file = options.limits_file.value_or(options.b / kLimitsFile);
+    if (!options.limits_file && !fs::is_regular_file(file, ignored)) return {options.limits, {}};
+    return limits_from_text(read_file(file, kMaxText), file.string(), options.limits);
+}
+
+// Copies what failed from A over B.
+void bless(const CompareOptions& options, std::span<const ComparedPair> pairs, std::ostream& report) {
+    constexpr std::uintmax_t kMaxFile = std::uintmax_t{1} << 34;
+    std::error_code ignored;
+    const bool directories = fs::is_directory(options.a, ignored);
+    for (const ComparedPair& pair : pairs) {
+        if (pair.passed()) continue;
+        const fs::path name = pair.entry->name;
+        const fs::path from = directories ? options.a / name : options.a,
+                       to = directories ? options.b / name : options.b;
+        if (pair.entry->a.empty()) {
+            report << to.string() << ": stays; " << options.a.string() << " has no such file\n";
+            continue;
+        }
+        write_file_atomically(to, read_file(from, kMaxFile));
+        report << to.string() << ": written from " << from.string() << "\n";
+    }
+}
+
+}  // namespace
+
+int compare_files(const CompareOptions& options, std::ostream& report) {
+    const std::vector<DifferenceEntry> entries = compared_entries(options.a, options.b, std::cerr);
+    const LimitsOfBuffers limits = limits_of(options);
+    if (options.out) try_output_directory(*options.out);
+    std::error_code ignored;
+    const bool directories = fs::is_directory(options.a, ignored);
+    std::ostream silent(nullptr);
+    std::ostream& text = options.json ? silent : report;
+    std::vector<ComparedPair> pairs;
+    long long failed = 0;
+    for (const DifferenceEntry& entry : entries) {
+        pairs.push_back(compared(entry, limits.of(stem_of(entry))));
+        const ComparedPair& pair = pairs.back();
+        failed += !pair.passed();
+        if (!directories || !pair.passed()) print_pair(text, pair);
+        if (!options.out || !pair.error || pair.error->identical()) continue;
+        const std::string stem =
+            (directories ? stem_of(entry) + "_error" : std::string("error")) + (entry.alpha ? "_alpha" : "");
+        write_error_images(entry.a, entry.b, *options.out, stem, text);
+    }
+    if (directories)
+        text << failed << " of " << entries.size() << " differ"
+             << (limits.any() ? " more than they may\n" : "\n");
+    if (options.json) report << json_report(options.a.string(), options.b.string(), pairs);
+    if (options.junit) write_file_atomically(*options.junit, junit_report(pairs));
+    if (options.html) {
+        write_file_atomically(*options.html, difference_page(entries));
+        text << options.html->string() << "\n";
+    }
+    if (options.bless) bless(options, pairs, text);
+    return static_cast<int>(failed > 0 && !options.bless ? ExitCode::check_failed : ExitCode::done);
+}
+
+}  // namespace crevice

@@ -1,0 +1,129 @@
+#include "chapters/compare/compare_limits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "chapters/terminal/number_text.h"
+#include "rasterizer/base/error.h"
+
+namespace crevice {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+class LimitsReader {
+ public:
+    LimitsReader(const std::string& text, const std::string& file) : text_(text), file_(file) {}
+
+    LimitsOfBuffers all(const CompareLimits& otherwise) const {
+        LimitsOfBuffers limits{otherwise, {}};
+        const Json whole = parsed();
+        if (!whole.is_object()) fail("not an object (" + whole.dump() + ")", "");
+        for (const auto& [key, value] : whole.items()) {
+            if (key == "default") {
+                limits.otherwise = of_buffer(value, key);
+            } else if (key == "limits") {
+                if (!value.is_object()) fail("\"limits\" is not an object (" + value.dump() + ")", key);
+                for (const auto& [buffer, of] : value.items()) limits.named[buffer] = of_buffer(of, buffer);
+            } else {
+                fail("no such member (" + key + ")", key);
+            }
+        }
+        return limits;
+    }
+
+ private:
+    Json parsed() const {
+        try {
+            return Json::parse(text_);
+        } catch (const Json::parse_error& error) {
+            const auto end = text_.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text_.size()));
+            throw InputError(file_ + ":" + std::to_string(1 + std::count(text_.begin(), end, '\n')) +
+                             ": not JSON; " + kForm);
+        }
+    }
+
+    CompareLimits of_buffer(const Json& of, const std::string& buffer) const {
+        if (!of.is_object()) fail("no limits (" + buffer + ": " + of.dump() + ")", buffer);
+        CompareLimits limits;
+        for (const auto& [name, value] : of.items()) {
+            const auto number = [&](double lowest, double highest) {
+                const double read = value.is_number() ? value.get<double>() : kInfinity;
+                if (!(read >= lowest && read <= highest) || std::isinf(read))
+                    fail(buffer + ": " + name + " is out of range (" + value.dump() + ")", name);
+                return read;
+            };
+            if (name == "max_abs") {
+                limits.max_abs = number(0, kInfinity);
+            } else if (name == "rmse") {
+                limits.rmse = number(0, kInfinity);
+            } else if (name == "flip") {
+                limits.flip = number(0, 1);
+            } else if (name == "ssim") {
+                limits.ssim = number(-1, 1);
+            } else if (name == "max_pixels") {
+                if (!value.is_number_integer())
+                    fail(buffer + ": max_pixels is no whole number (" + value.dump() + ")", name);
+                limits.max_pixels = static_cast<long long>(number(0, 0x1p62));
+            } else {
+                fail(buffer + ": no such limit (" + name + ")", name);
+            }
+        }
+        return limits;
+    }
+
+    // `word` stands in quotes on the line that is named.
+    [[noreturn]] void fail(const std::string& what, const std::string& word) const {
+        const std::size_t at = text_.find('"' + word + '"');
+        const auto end = text_.begin() + static_cast<std::ptrdiff_t>(at == std::string::npos ? 0 : at);
+        throw InputError(file_ + ":" + std::to_string(1 + std::count(text_.begin(), end, '\n')) + ": " +
+                         what + "; " + kForm);
+    }
+
+    static constexpr const char* kForm =
+        "give {\"limits\": {BUFFER: {...}}, \"default\": {...}} with max_abs, rmse, flip, ssim and "
+        "max_pixels";
+    const std::string& text_;
+    const std::string& file_;
+};
+
+}  // namespace
+
+const CompareLimits& LimitsOfBuffers::of(const std::string& buffer) const {
+    const auto found = named.find(buffer);
+    return found == named.end() ? otherwise : found->second;
+}
+
+LimitsOfBuffers limits_from_text(const std::string& text, const std::string& file,
+                                 const CompareLimits& otherwise) {
+    return LimitsReader(text, file).all(otherwise);
+}
+
+std::vector<std::string> exceeded_limits(const CompareLimits& limits, const ImageError& error, double flip) {
+    std::vector<std::string> lines;
+    const auto check = [&](bool holds, const char* name, double value, double limit) {
+        if (!holds)
+            lines.push_back(std::string(name) + " " + significant_text(value, 6) + ", limit " +
+                            significant_text(limit, 6));
+    };
+    if (error.failed()) lines.push_back(std::to_string(error.nan_or_inf) + " pixels are NaN or infinite");
+    if (limits.max_abs) check(error.max_abs <= *limits.max_abs, "max", error.max_abs, *limits.max_abs);
+    if (limits.rmse) check(error.rmse <= *limits.rmse, "RMSE", error.rmse, *limits.rmse);
+    if (limits.flip) check(flip <= *limits.flip, "FLIP", flip, *limits.flip);
+    if (limits.ssim) check(error.ssim >= *limits.ssim, "SSIM", error.ssim, *limits.ssim);
+    if (limits.max_pixels && error.differing_pixels > *limits.max_pixels)
+        lines.push_back(std::to_string(error.differing_pixels) + " pixels differ, limit " +
+                        std::to_string(*limits.max_pixels));
+    if (!limits.any() && error.differing_pixels > 0)
+        lines.push_back(std::to_string(error.differing_pixels) + " pixels differ, limit 0");
+    return lines;
+}
+
+}  // namespace crevice
