@@ -1,11 +1,13 @@
 #include "chapters/frame/scene_argument.h"
 
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 
 #include "chapters/terminal/number_text.h"
 #include "chapters/terminal/parse.h"
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/base/no_such.h"
 #include "rasterizer/lanes/approx_math.h"
 #include "rasterizer/scene/outlier_vertex.h"
@@ -19,6 +21,20 @@ namespace {
 bool is_path(const std::string& word) {
     const std::filesystem::path path(word);
     return path.has_extension() || path.has_parent_path();
+}
+
+// A camera that frames them must lie within 1e30 units, and a few times their size away.
+constexpr double kLargestCoordinate = 1e29;
+
+void require_within_reach(const std::string& path, const Bounds& bounds) {
+    if (bounds.empty) return;
+    for (const glm::dvec3& corner : {bounds.low, bounds.high}) {
+        for (int i = 0; i < 3; ++i) {
+            if (!(std::fabs(corner[i]) > kLargestCoordinate)) continue;
+            throw InputError(path + ": a coordinate is too large to be looked at (" +
+                             shortest_text(corner[i]) + ", at most 1e29); scale the model down");
+        }
+    }
 }
 
 }  // namespace
@@ -43,6 +59,7 @@ SceneArgument load_scene(const std::string& name_or_path, const WantedOfScene& w
     options.want_unused_texcoords = wanted.unused_texcoords;
     options.outside_files = wanted.outside_files;
     LoadedObj loaded = load_obj(name_or_path, options);
+    require_within_reach(name_or_path, world_bounds(loaded.scene));
     for (const std::string& warning : loaded.report.warnings) std::cerr << warning << "\n";
     return {std::move(loaded.scene), true, std::move(loaded.steps)};
 }

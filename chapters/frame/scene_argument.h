@@ -24,7 +24,8 @@ struct WantedOfScene {
     Run run = {};                   // with which a built-in scene is made
 };
 
-// Warnings of the OBJ loader go to stderr. Throws InputError.
+// Warnings of the OBJ loader go to stderr. Throws UsageError for a word that names nothing, InputError for a file that cannot
+// be read and for coordinates beyond 1e29, which no camera can frame.
 SceneArgument load_scene(const std::string& name_or_path, const WantedOfScene& wanted = {});
 
 // What to say of a scene that was loaded as `name_or_path`, a line each: that it is empty, or that one vertex stretches it.

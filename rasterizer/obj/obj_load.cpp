@@ -11,7 +11,6 @@
 
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/file_bytes.h"
-#include "rasterizer/base/float_text.h"
 #include "rasterizer/base/memory.h"
 #include "rasterizer/obj/alike_warnings.h"
 #include "rasterizer/obj/ear_clip.h"
@@ -24,20 +23,6 @@
 
 namespace crevice {
 namespace {
-
-// A camera that frames them must lie within 1e30 units, and a few times their size away.
-constexpr double kLargestCoordinate = 1e29;
-
-void require_within_reach(const std::filesystem::path& path, const Bounds& bounds) {
-    if (bounds.empty) return;
-    for (const glm::dvec3& corner : {bounds.low, bounds.high}) {
-        for (int i = 0; i < 3; ++i) {
-            if (!(std::fabs(corner[i]) > kLargestCoordinate)) continue;
-            throw InputError(path.string() + ": a coordinate is too large to be looked at (" +
-                             shortest_text(corner[i]) + ", at most 1e29); scale the model down");
-        }
-    }
-}
 
 // What a tally counts, what is wrong with it, and what was done about it.
 struct Finding {
@@ -180,7 +165,6 @@ LoadedObj loaded_from(const std::filesystem::path& path, const ObjOptions& optio
     scene.origin = {prescan.vertices.origin.x, prescan.vertices.origin.y, -prescan.vertices.origin.z};
     add_light(scene);
     const Bounds bounds = world_bounds(scene);
-    require_within_reach(path, bounds);
     scene.camera = framing_camera(scene);
     scene.length_unit = length_unit_of(bounds);
     return loaded;

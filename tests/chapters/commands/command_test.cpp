@@ -109,7 +109,8 @@ TEST_CASE("input that cannot be read gives exit code 3, output that cannot be wr
         int code;
     };
     const Case cases[] = {
-        {"render no_such_scene", 3},
+        {"render no_such_scene", 2},
+        {"render no_such_file.obj", 3},
         {"render " + quoted(scratch.path()), 3},
         {"render " + quoted(scratch.path() / "text.obj"), 3},
         {"compare " + quoted(scratch.path() / "a.npy") + " " + quoted(scratch.path() / "b.npy"), 3},

@@ -52,7 +52,7 @@ TEST_CASE("probe command: a wrong word is refused with exit code 2 and one line 
         CHECK(outcome.text.find(named) != std::string::npos);
         CHECK(std::count(outcome.text.begin(), outcome.text.end(), '\n') == 1);
     }
-    CHECK(crevice_says("probe no_such_scene 0 0").code == 3);
+    CHECK(crevice_says("probe no_such_scene 0 0").code == 2);
     CHECK(crevice_says("probe columns 0 0 --size 8x8 --picture --out /proc/nowhere").code == 4);
 }
 

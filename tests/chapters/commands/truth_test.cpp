@@ -56,7 +56,7 @@ TEST_CASE("truth: a wrong word is refused with exit code 2 and one line that nam
         CHECK(std::count(outcome.text.begin(), outcome.text.end(), '\n') == 1);
         CHECK(!std::filesystem::exists(scratch / "never"));
     }
-    CHECK(crevice_says("truth no_such_scene --no-cache").code == 3);
+    CHECK(crevice_says("truth no_such_scene --no-cache").code == 2);
     CHECK(crevice_says("truth cornell --size 8x8 --rays 8 --no-cache --out /proc/nowhere").code == 4);
 }
 

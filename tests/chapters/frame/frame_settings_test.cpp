@@ -162,7 +162,7 @@ TEST_CASE("parameters: a wrong name or value is refused, and the message names i
     for (const char* iterations : {"-1", "65"})
         refused(std::string("blur_iterations=") + iterations, "blur_iterations");
     CHECK_THROWS_WITH_AS(settings_of(find_method("none"), {"radius=1"}),
-                         doctest::Contains("none has no such parameter"), UsageError);
+                         doctest::Contains("there is no such parameter of none"), UsageError);
 }
 
 TEST_CASE("parameters: default lengths follow the scene's unit, given ones do not") {

@@ -44,7 +44,8 @@ std::string refusal(const std::vector<const char*>& words) {
 
 TEST_CASE("words arrive where the caller keeps them") {
     const Program p;
-    REQUIRE(p.parse({"draw", "--param", "a=1", "columns", "--param", "b=2", "--eye", "1,2,3", "--hidden", "x"}));
+    REQUIRE(
+        p.parse({"draw", "--param", "a=1", "columns", "--param", "b=2", "--eye", "1,2,3", "--hidden", "x"}));
     CHECK(p.command.chosen());
     CHECK(p.scene == "columns");
     CHECK(p.size == "4x3");
@@ -56,8 +57,27 @@ TEST_CASE("words arrive where the caller keeps them") {
 
 TEST_CASE("what is wrong is said by the command that was meant") {
     CHECK(refusal({}).starts_with("program: "));
-    CHECK(refusal({"darw"}) == "program: there is no such command (darw); program --help lists them");
+    CHECK(refusal({"darw"}) ==
+          "program: there is no such command (darw); did you mean draw? program --help lists them");
     CHECK(refusal({"draw"}).starts_with("program draw: SCENE is required"));
-    CHECK(refusal({"draw", "columns", "--siz", "1"}).starts_with("program draw: "));
+    CHECK(refusal({"draw", "columns", "--siz", "1"}) ==
+          "program draw: there is no such flag (--siz); did you mean --size? program draw --help lists them");
+    CHECK(refusal({"draw", "columns", "--colour"}) ==
+          "program draw: there is no such flag (--colour); program draw --help lists them");
     CHECK(refusal({"draw", "columns", "--size"}).ends_with("; program draw --help tells more"));
+}
+
+TEST_CASE("help is --help, of the program and of its commands") {
+    CHECK(!Program().parse({"help"}));
+    CHECK(!Program().parse({"help", "draw"}));
+    CHECK(!Program().parse({"draw", "--help"}));
+    CHECK(refusal({"help", "darw"}).starts_with("program: "));
+}
+
+TEST_CASE("all words can be listed: for a shell that completes them") {
+    const auto words = Program().program.all_words();
+    REQUIRE(words.size() == 2);
+    CHECK(words[1].name == "draw");
+    CHECK(words[1].flags ==
+          std::vector<std::string>{"--help", "--size", "--eye", "--param", "--quick", "--hidden"});
 }
