@@ -44,9 +44,10 @@ TEST_CASE("probe command: a wrong word is refused with exit code 2 and one line 
         {"columns 0 0 --preset luna", "--preset"},
         {"columns 0 0 0", "0"},
     };
-    for (const auto& [arguments, named] : mistakes) {
-        CAPTURE(std::string(arguments));
-        const Outcome outcome = crevice_says("probe " + std::string(arguments));
+    for (const auto& mistake : mistakes) {
+        const std::string arguments = mistake.first, named = mistake.second;
+        CAPTURE(arguments);
+        const Outcome outcome = crevice_says("probe " + arguments);
         CAPTURE(outcome.text);
         CHECK(outcome.code == 2);
         CHECK(outcome.text.find(named) != std::string::npos);

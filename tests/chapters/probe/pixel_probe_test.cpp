@@ -17,6 +17,12 @@ namespace {
 
 constexpr Size kSmall{53, 31};
 
+// A method or a scene, and parameters.
+struct NamedWords {
+    std::string name;
+    std::vector<std::string> words;
+};
+
 // The terms added up as the formula says.
 glm::vec3 added_up(const LitExplanation& lit) {
     glm::vec3 ambient(0), diffuse(0), specular(0), all(0);
@@ -93,7 +99,7 @@ TEST_CASE("probe: every method's numbers add up to the frame's buffers, to the l
 }
 
 TEST_CASE("probe: so do those of every denoiser, and of every kind of edge and iteration") {
-    const std::pair<const char*, std::vector<std::string>> switched[] = {
+    const NamedWords switched[] = {
         {"xjun", {"blur_iterations=0"}},
         {"xjun", {"blur_iterations=9", "blur_edges=slope"}},
         {"luna", {"blur_edges=none", "blur_depth=0"}},
@@ -105,17 +111,17 @@ TEST_CASE("probe: so do those of every denoiser, and of every kind of edge and i
         {"gtao", {"blur_kind=bilateral"}},
         {"gtao", {"blur_iterations=3"}},
     };
-    for (const auto& [name, words] : switched) {
-        CAPTURE(std::string(name));
-        CAPTURE(words.front());
-        CHECK(first_lie(ProbedFrame(still_life(), find_method(name), kSmall, words)) == "");
+    for (const NamedWords& method : switched) {
+        CAPTURE(method.name);
+        CAPTURE(method.words.front());
+        CHECK(first_lie(ProbedFrame(still_life(), find_method(method.name), kSmall, method.words)) == "");
     }
 }
 
 TEST_CASE(
     "probe: and those of every way to light: phong, shadows, mirrors, a sky, a point light, holes, depth "
     "formats") {
-    const std::pair<const char*, std::vector<std::string>> lights[] = {
+    const NamedWords lights[] = {
         {"columns", {}},
         {"columns_2022", {"depth_format=d24"}},
         {"columns_luna", {"multi_bounce=paper", "specular_occlusion=lagarde"}},
@@ -124,12 +130,12 @@ TEST_CASE(
         {"fence", {}},
         {"cornell", {"ao_lookup=joint", "depth_format=d16", "lit_depth_test=less_equal"}},
     };
-    for (const auto& [name, words] : lights) {
-        const BuiltinScene* const scene = find_builtin_scene(name);
-        if (scene == nullptr) FAIL("no scene " << name);
-        CAPTURE(std::string(name));
+    for (const NamedWords& shown : lights) {
+        CAPTURE(shown.name);
+        const BuiltinScene* const scene = find_builtin_scene(shown.name);
+        REQUIRE(scene != nullptr);
         CHECK(first_lie(ProbedFrame(scene->make(SceneDetail::surfaces, {}), find_method("xjun"), {64, 36},
-                                    words)) == "");
+                                    shown.words)) == "");
     }
 }
 

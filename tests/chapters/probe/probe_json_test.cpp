@@ -64,11 +64,11 @@ TEST_CASE(
         const ProbedFrame frame(still_life(), method, kSmall,
                                 method.computes_ao() ? far : std::vector<std::string>());
         int occluded = 0, blurred = 0;
-        for (const auto& [x, y] : {std::pair{0, 0}, {17, 25}, {22, 20}, {30, 19}, {36, 22}, {52, 30}}) {
-            const PixelProbe probe = frame.at(x, y);
+        for (const glm::ivec2 pixel : {glm::ivec2(0, 0), {17, 25}, {22, 20}, {30, 19}, {36, 22}, {52, 30}}) {
+            const PixelProbe probe = frame.at(pixel.x, pixel.y);
             const json document = json::parse(probe_json(probe));
-            CAPTURE(x);
-            CAPTURE(y);
+            CAPTURE(pixel.x);
+            CAPTURE(pixel.y);
             CHECK(schema.against(document) == "");
             const json& ao = document["passes"]["ao"];
             CHECK(ao["value"].get<float>() == probe.ao.value);
