@@ -5,11 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include <glm/geometric.hpp>
-
 #include "chapters/diagrams/slice_section.h"
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/crops.h"
+#include "chapters/props/gtao_curves.h"
 #include "chapters/props/judged_view.h"
 #include "chapters/props/surface_mean.h"
 #include "chapters/terminal/number_text.h"
@@ -60,88 +59,9 @@ std::string linear_text(float slope, float offset) {
            decimal_text(std::fabs(static_cast<double>(offset)), 4);
 }
 
-// Means over rings of the floor around the place where the ball of sphere_on_plane touches it, one ring each fifth of
-// its radius.
-PlotCurve over_distance(const std::string& name, const JudgedView& view, const Image<float>& ao,
-                        PlotStyle style) {
-    constexpr int kRings = 14, kFirst = 2;
-    constexpr double kRing = 0.2;
-    std::vector<double> sums(kRings, 0), counts(kRings, 0);
-    const SurfacePoints points = surface_points(view.scene(), view.camera(), view.gbuffer());
-    for (std::size_t i = 0; i < points.points.size(); ++i) {
-        const glm::dvec3 p = glm::dvec3(points.points[i].position) + view.camera().eye;
-        if (p.y > 1e-3) continue;
-        const std::size_t ring = static_cast<std::size_t>(std::sqrt(p.x * p.x + p.z * p.z) / kRing);
-        if (ring >= kRings) continue;
-        sums[ring] +=
-            static_cast<double>(ao.at(points.pixel[i] % ao.size.width, points.pixel[i] / ao.size.width));
-        counts[ring] += 1;
-    }
-    PlotCurve curve{name, {}, {}, {}, {}, style};
-    for (std::size_t ring = kFirst; ring < kRings; ++ring) {
-        if (counts[ring] == 0) continue;
-        curve.x.push_back((static_cast<double>(ring) + 0.5) * kRing);
-        curve.y.push_back(sums[ring] / counts[ring]);
-    }
-    return curve;
-}
-
-struct Gap {
-    double most = 0, mean = 0;
-};
-Gap gap_between(const PlotCurve& a, const PlotCurve& b) {
-    Gap gap;
-    const std::size_t count = std::min(a.y.size(), b.y.size());
-    for (std::size_t i = 0; i < count; ++i) {
-        const double apart = std::fabs(a.y[i] - b.y[i]);
-        gap.most = std::max(gap.most, apart);
-        gap.mean += apart / static_cast<double>(count);
-    }
-    return gap;
-}
-
 // What a slice keeps where nothing occludes.
 float kept_when_open(const SliceHorizons& slice) {
     return slice.length * (std::cos(slice.gamma) + slice.gamma * std::sin(slice.gamma));
-}
-
-// What one side of a slice keeps up to the horizon h.
-PlotCurve kept_curve(const std::string& name, double gamma) {
-    PlotCurve curve{name, {}, {}, {}, {}, PlotStyle::smooth};
-    const double open = gamma + std::numbers::pi / 2;
-    for (int i = 0; i <= 100; ++i) {
-        const double h = open * i / 100;
-        curve.x.push_back(h * 180 / std::numbers::pi);
-        curve.y.push_back((-std::cos(2 * h - gamma) + std::cos(gamma) + 2 * h * std::sin(gamma)) / 4);
-    }
-    return curve;
-}
-
-PlotCurve bounce_curve(const std::string& name, float albedo, const MultiBounceFit& fit) {
-    PlotCurve curve{name, {}, {}, {}, {}, PlotStyle::smooth};
-    for (int i = 0; i <= 50; ++i) {
-        const float access = static_cast<float>(i) / 50;
-        curve.x.push_back(static_cast<double>(access));
-        curve.y.push_back(static_cast<double>(multi_bounce(access, albedo, fit)));
-    }
-    return curve;
-}
-
-// How far the rounded fit lies below the paper's and above it, over all accessibilities and albedos.
-struct Rounding {
-    double darker = 0, lighter = 0;
-};
-Rounding rounding_of_fit() {
-    Rounding most;
-    for (int a = 0; a <= 100; ++a) {
-        for (int b = 0; b <= 100; ++b) {
-            const float access = static_cast<float>(a) / 100, albedo = static_cast<float>(b) / 100;
-            const double lighter = static_cast<double>(multi_bounce(access, albedo, kRoundedFit) -
-                                                       multi_bounce(access, albedo, kPaperFit));
-            most = {std::max(most.darker, -lighter), std::max(most.lighter, lighter)};
-        }
-    }
-    return most;
 }
 
 // Differences from 1 over the open floor in front of the columns: the lowest rows of the picture.
