@@ -183,8 +183,8 @@ book.draw("sectors", sectors_diagram(inputs, settings, at.x, at.y, darkest, "One
 // %% derivation [markdown]
 // ## Which bits
 //
-// A slice is that of chapter 18, with $v$ towards the eye and the angle $\gamma$ of the normal. A sample at $\Delta = r - p$ has its front
-// in the direction $\Delta$. Its back lies a thickness $\tau$ further along the eye's ray, which is against $v$:
+// A slice is that of chapter 18, with $v$ towards the eye and the angle $\gamma$ from $v$ to $n_p$, the normal's part in it. A
+// sample at $\Delta = r - p$ has its front in the direction $\Delta$. Its back lies a thickness $\tau$ further along the eye's ray, which is against $v$:
 //
 // $$ \Delta_{front} = r - p, \qquad \Delta_{back} = r - p - \tau\, v $$
 //

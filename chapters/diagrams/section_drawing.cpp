@@ -22,12 +22,17 @@ std::string symbol(const std::string& label) {
     return svg;
 }
 
+// Symbols are set as mathematics; words are not, for slanted Chinese is no typeface.
 std::string symbol_text(SvgPoint at, const std::string& label, std::string_view colour) {
+    constexpr std::size_t kLongestSymbol = 3;
+    const bool is_symbol = std::min(label.find('_'), label.size()) <= kLongestSymbol;
     return "<text x=\"" + svg_number(at.x) + "\" y=\"" + svg_number(at.y) + "\" fill=\"" +
            std::string(colour) +
-           "\" font-family=\"KaTeX_Math, 'Latin Modern Math', serif\" font-style=\"italic\" "
-           "font-size=\"17\" paint-order=\"stroke\" stroke-width=\"4\" stroke=\"" +
-           std::string(kSvgPaper) + "\">" + symbol(label) + "</text>\n";
+           (is_symbol ? "\" font-family=\"KaTeX_Math, 'Latin Modern Math', serif\" font-style=\"italic\" "
+                        "font-size=\"17"
+                      : "\" font-size=\"13") +
+           "\" paint-order=\"stroke\" stroke-width=\"4\" stroke=\"" + std::string(kSvgPaper) + "\">" +
+           symbol(label) + "</text>\n";
 }
 
 }  // namespace

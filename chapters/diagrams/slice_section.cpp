@@ -222,7 +222,7 @@ std::string slice_diagram(const AoInputs& inputs, const GtaoSettings& settings, 
             drawing.path(drawn.arc(0, gamma, 0.24 * r), kSvgPoint);
             drawn.mark(drawing, gamma / 2, 0.3 * r, "γ", kSvgPoint);
             drawn.arrow(drawing, 0, 0.9 * r, "v", kSvgSoft);
-            drawn.arrow(drawing, gamma, 0.75 * r, "n", kSvgPoint);
+            drawn.arrow(drawing, gamma, 0.75 * r, "n_p", kSvgPoint);
             drawing.point(drawn.plane.at(drawn.p), "p", kSvgPoint);
             svg = drawing.svg(title, "across");
         });
@@ -259,7 +259,7 @@ std::string sectors_diagram(const AoInputs& inputs, const VbaoSettings& settings
                       closes ? SectionDrawing::Dot::filled : SectionDrawing::Dot::ring);
     }
     drawn.arrow(drawing, 0, 1.1 * r, "v", kSvgSoft);
-    drawn.arrow(drawing, static_cast<double>(walk.slice.gamma), 0.75 * r, "n", kSvgPoint);
+    drawn.arrow(drawing, static_cast<double>(walk.slice.gamma), 0.75 * r, "n_p", kSvgPoint);
     drawing.point(drawn.plane.at(drawn.p), "p", kSvgPoint);
     return drawing.svg(title, "across");
 }

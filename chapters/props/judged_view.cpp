@@ -7,6 +7,7 @@
 #include "chapters/props/crops.h"
 #include "chapters/terminal/number_text.h"
 #include "ssao/light/widened_ao.h"
+#include "ssao/rays/depth_mesh.h"
 #include "ssao/rays/ray_cast.h"
 
 namespace crevice {
@@ -86,13 +87,21 @@ MethodLimit JudgedView::limit(const std::string& name, const Words& words) const
 }
 
 Truth JudgedView::truth(const AoQuestion& question) const {
-    RayAoSettings rays;
-    rays.rays = kJudgedRays;
-    rays.radius = question.radius;
-    rays.weight = question.cosine_weighted ? RayWeight::cosine : RayWeight::uniform;
+    return cast(question, *rays_, surface_points(scene_, camera_, gbuffer_));
+}
+
+Truth JudgedView::depth_truth(const AoQuestion& question) const {
+    return cast(question, depth_mesh(gbuffer_, camera_, question.radius),
+                points_on_depth_mesh(surface_points(scene_, camera_, gbuffer_), gbuffer_, camera_));
+}
+
+Truth JudgedView::cast(const AoQuestion& question, const RayScene& rays, const SurfacePoints& points) const {
+    RayAoSettings settings;
+    settings.rays = kJudgedRays;
+    settings.radius = question.radius;
+    settings.weight = question.cosine_weighted ? RayWeight::cosine : RayWeight::uniform;
     const Fade fade{question.fade_start, question.fade_end};
-    const SurfacePoints points = surface_points(scene_, camera_, gbuffer_);
-    const std::vector<AoEstimate> estimates = ray_cast_reference(*rays_, points.points, rays, &fade).soft;
+    const std::vector<AoEstimate> estimates = ray_cast_reference(rays, points.points, settings, &fade).soft;
     const auto image_of = [&](const auto& value, float background) {
         std::vector<float> values;
         for (const AoEstimate& estimate : estimates) values.push_back(value(estimate));

@@ -11,6 +11,7 @@
 #include "chapters/props/switched_ao.h"
 #include "ssao/judge/reference_image.h"
 #include "ssao/rays/ray_cast_ao.h"
+#include "ssao/rays/surface_points.h"
 
 namespace crevice {
 
@@ -67,6 +68,8 @@ class JudgedView {
     AoQuestion question_of(const MethodMap& map) const;
     MethodLimit limit(const std::string& method, const Words& words = {}) const;
     Truth truth(const AoQuestion& question) const;
+    // The same of the depth map alone (depth_mesh.h, joined up to the radius): all that a screen-space method can know.
+    Truth depth_truth(const AoQuestion& question) const;
     // Of one map as the lit pass reads it, its own noise included; and of what a method tends to.
     MapError error(const MethodMap& map, const Truth& truth) const;
     MapError error(const MethodLimit& limit, const Truth& truth) const;
@@ -83,6 +86,7 @@ class JudgedView {
 
  private:
     void draw();
+    Truth cast(const AoQuestion& question, const RayScene& rays, const SurfacePoints& points) const;
     MethodSettings settings_for(const Method& method, const Words& words) const;
     double root_mean_square(const Image<float>& errors) const;
     using Halves = std::array<Image<float>, 2>;

@@ -12,13 +12,6 @@ namespace crevice {
 
 namespace {
 
-// XeGTAO's constants. The texel's own weight in the last iteration; in those before it is a fifth of that.
-constexpr float kOwnWeight = 1.2f, kOwnWeightBefore = kOwnWeight / 5;
-// Of a neighbour across a corner, by either way around it.
-constexpr float kDiagonalWeight = 0.85f * 0.5f;
-// A texel that goes on to fewer neighbours than this takes a little from all of them, against single dots.
-constexpr float kFewNeighbours = 1.5f, kLeak = 0.5f;
-
 // How much the neighbours of a group of texels count.
 template <class F>
 struct EdgeWeights {
@@ -38,12 +31,12 @@ struct EdgeWeights {
         top = side(own, Edges::kTop) * side(t, Edges::kBottom);
         bottom = side(own, Edges::kBottom) * side(b, Edges::kTop);
         const F leak =
-            F(kLeak / kFewNeighbours) * saturate(F(kFewNeighbours) - (left + right + top + bottom));
+            F(kEdgeBlurLeak / kEdgeBlurFew) * saturate(F(kEdgeBlurFew) - (left + right + top + bottom));
         left = select(shows(l), saturate(left + leak), F(0));
         right = select(shows(r), saturate(right + leak), F(0));
         top = select(shows(t), saturate(top + leak), F(0));
         bottom = select(shows(b), saturate(bottom + leak), F(0));
-        const F diagonal(kDiagonalWeight);
+        const F diagonal(kEdgeBlurDiagonal);
         top_left = diagonal * (left * side(l, Edges::kTop) + top * side(t, Edges::kLeft));
         top_right = diagonal * (top * side(t, Edges::kRight) + right * side(r, Edges::kTop));
         bottom_left = diagonal * (bottom * side(b, Edges::kLeft) + left * side(l, Edges::kBottom));
@@ -118,7 +111,7 @@ void validate(const EdgeBlurSettings& s) {
 namespace {
 
 // How much a texel counts itself in iteration i of n, from 1 on.
-float own_weight(int i, int n) { return i == n ? kOwnWeight : kOwnWeightBefore; }
+float own_weight(int i, int n) { return i == n ? kEdgeBlurOwn : kEdgeBlurOwnBefore; }
 
 template <class F>
 CREVICE_INLINE Vec3<F> load3(const Image3& image, int x, int y) {

@@ -27,6 +27,13 @@ struct EdgeBlurSettings {
     float depth = 0.2f;
 };
 
+// XeGTAO's constants. The texel's own weight in the last iteration; in those before it is a fifth of that.
+inline constexpr float kEdgeBlurOwn = 1.2f, kEdgeBlurOwnBefore = kEdgeBlurOwn / 5;
+// Of a neighbour across a corner, by either way around it.
+inline constexpr float kEdgeBlurDiagonal = 0.85f * 0.5f;
+// A texel that goes on to fewer neighbours than this takes a little from all of them, against single dots.
+inline constexpr float kEdgeBlurFew = 1.5f, kEdgeBlurLeak = 0.5f;
+
 // Throws UsageError naming the first member out of its range.
 void validate(const EdgeBlurSettings& settings);
 

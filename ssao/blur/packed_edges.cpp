@@ -8,9 +8,6 @@ namespace crevice {
 
 namespace {
 
-// XeGTAO's: depths of one surface differ less than this share of the depth.
-constexpr float kEdgeShare = 0.011f;
-
 // The outermost texels go on beyond the map, so that slopes are known there.
 Image<float> depth_with_apron(const Image<float>& depth) {
     Image<float> result = with_apron(depth, std::numeric_limits<float>::infinity());

@@ -15,6 +15,9 @@
 
 namespace crevice {
 
+// XeGTAO's: depths of one surface differ less than this share of the depth.
+inline constexpr float kEdgeShare = 0.011f;
+
 // How far each texel's surface goes on: 3 to the next texel, 0 not at all. Texel (x, y) of the map is at
 // (x + 1, y + 1), and around the map there is nothing.
 struct PackedEdges {
