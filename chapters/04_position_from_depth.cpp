@@ -463,8 +463,8 @@ book.check(
 // 4. From about 115, behind the last wall. $|B|$ is about $z_n$, so a step of given length moves out with $\sqrt{z_n}$:
 //    twice 57.
 // 5. None of it: 100,000 fits.
-// 6. All rays are parallel to the z axis: $p = ((2u - 1)\, w, (1 - 2v)\, h, p_z)$ with half the width $w$ and half the
-//    height $h$ of the box that the camera sees. So nothing can be wrong with the length of a ray, and NDC depth is
+// 6. All rays are parallel to the z axis: $p = ((2u - 1)\, x_f, (1 - 2v)\, y_f, p_z)$ with half the width $x_f$ and half
+//    the height $y_f$ of the box that the camera sees. So nothing can be wrong with the length of a ray, and NDC depth is
 //    linear in z, so its steps do not grow. The whole size for the half is as wrong as before.
 //
 // </details>
