@@ -259,7 +259,7 @@ book.draw("open_sample", sample_diagram(shown.inputs, at.x, at.y, texel, free, r
 book.show("ao", ao_picture(shown.raw),
           "*Accessibility*, what is left of 1 when all samples have taken their share (with the power for contrast), half "
           "the picture's size. The floor darkens towards the column; the open floor and the column from a little above "
-          "it stay white.");
+          "it stay white. At the top right, a dark line runs along where the farthest column disappears behind the next.");
 
 // %% without_dp_text [markdown]
 // ## What can go wrong
