@@ -455,49 +455,60 @@ book.check("Beyond z = {beyond}, a tenth past that depth, {without} of the floor
 book.check("Measured from the plane they keep {taps_slope} of ten on average instead of {taps_fixed}.",
            of_slope.taps > 7 * of_slope.far_floor && of_fixed.taps < 0.5 * of_fixed.far_floor);
 
-// %% settings tags=["setup"]
-book.number("sky", static_cast<double>(kBackgroundOverFar) * view.camera().far_plane, 0);
-book.number("repeats", kRandomMapRepeats, 0);
-book.number("samples", kXjunSettings.samples, 0);
-book.number("radius", exact_text(kXjunSettings.radius));
-book.number("epsilon", exact_text(kXjunSettings.epsilon));
-book.number("fade_start", exact_text(kXjunSettings.fade_start));
-book.number("fade_end", exact_text(kXjunSettings.fade_end));
-book.number("reach", kBlurRadius, 0);
-
 // %% algorithm [markdown]
 // ## The whole algorithm
 //
-// Here is everything from chapter 03 on, and one step ahead, with X_Jun's numbers. The last chapter enlarges the half-size
-// map to the picture: the value of a pixel is mixed from the four texels around its place, as depths were in chapter 06;
-// beyond the rim, the outermost texel is taken again.
+// Here is everything from chapter 03 on, and one step ahead; the number of a chapter stands before what it explains. Chapter
+// 09 enlarges the half-size map to the picture: the value of a pixel is mixed from the four texels around its place, as
+// depths are in chapter 06; beyond the rim, the outermost texel is taken again.
 //
 // ```text
-// draw the scene; keep n and z of every pixel (sky: 0, infinite), and the depth buffer     # 03
-// depth map = z of every pixel; {sky} for the sky and all around the picture
-// for each texel (i, j) of the half-size map of w x h texels:
-//     u = (i + 1/2) / w;  v = (j + 1/2) / h                                                # 04
-//     e = ((2u - 1) a tan(fov_y / 2), (1 - 2v) tan(fov_y / 2), 1)
-//     n, z = those of its four pixels, by the six steps;  p = z e                          # 07
-//     if there is no surface: raw AO = 1; go on to the next texel
-//     r = random map at ({repeats}u, {repeats}v), linear, wrapped, normalised                            # 05
-//     sum = 0
-//     for each of the {samples} offsets o:
-//         d = o - 2 (o . r) r
-//         q = p + {radius} d if d . n >= 0, else p - {radius} d
-//         if q_z <= z_n: go on to the next offset                                          # 06
-//         r_z = depth map at the place of q on the screen, linear
-//         way = (r_z / q_z) q - p;  if it is 0: go on to the next offset
-//         dp = max(0, n . way / |way|);  dz = p_z - r_z
-//         if dz > {epsilon}: sum += dp saturate(({fade_end} - dz) / ({fade_end} - {fade_start}))
-//     raw AO = saturate(1 - sum / {samples}) to the power {exponent}                                     # 07
-// {iterations} times, along rows from one map to another, then along columns back:                    # 08
-//     for each texel c that has a surface, over the taps i = -{reach} ... {reach} inside the map
-//     that are c itself or have n_c . n_i >= {cosine} and |z_c - z_i| <= {depth}:
-//         AO_c = sum of w_i AO_i / sum of w_i
-// draw the scene again; for each pixel:                                                    # 09
-//     colour = ambient light times (AO map at the pixel's u, v, linear) + all other light
+// 03  draw the scene: n and z of every pixel (sky: 0, infinite), and the depth buffer
+//     depth map = z of every pixel; SKY for the sky and all around the picture
+//     for each texel (i, j) of the half-size map of w x h texels:
+// 04      u = (i + 1/2) / w;  v = (j + 1/2) / h
+//         e = ((2u - 1) a tan(fov_y / 2), (1 - 2v) tan(fov_y / 2), 1)
+// 07      n, z = those of its four pixels, by the six steps;  p = z e
+//         if there is no surface: raw AO = 1, next texel
+// 05      r = random map at (T u, T v), linear, wrapped, normalised
+//         sum = 0
+//         for each of N offsets o:
+//             d = o - 2 (o . r) r
+//             q = p + R d  if d . n >= 0  else  p - R d
+// 06          if q_z <= z_n: next offset
+//             r_z = depth map at the place of q on the screen, linear
+//             way = (r_z / q_z) q - p;  if it is 0: next offset
+//             dp = max(0, n . way / |way|);  dz = p_z - r_z
+//             if dz > epsilon:
+//                 sum += dp saturate((fade_end - dz) / (fade_end - fade_start))
+// 07      raw AO = saturate(1 - sum / N) ^ k
+// 08  repeat M times, along rows into another map, then along columns back:
+//         for each texel c with a surface:
+//             taps = c, and i = -K ... K inside the map with n_c . n_i >= C and |z_c - z_i| <= D
+//             AO_c = sum of w_i AO_i over the taps / sum of w_i over the taps
+// 09  draw the scene again, for each pixel:
+//         colour = ambient light times (AO map at the pixel's u, v, linear) + other light
 // ```
+
+// %% constants tags=["setup"]
+const auto constant = [](const char* name, const char* meaning, auto value) {
+    return std::vector<std::string>{name, meaning, exact_text(static_cast<float>(value))};
+};
+book.table({"name", "meaning", "X_Jun"},
+           {constant("SKY", "depth where there is nothing", static_cast<double>(kBackgroundOverFar) * view.camera().far_plane),
+            constant("T", "repeats of the random map in each direction", kRandomMapRepeats),
+            constant("N", "offsets", kXjunSettings.samples),
+            constant("R", "radius, scene units", kXjunSettings.radius),
+            constant("epsilon", "least distance in front, scene units", kXjunSettings.epsilon),
+            constant("fade_start", "full occlusion up to here, scene units", kXjunSettings.fade_start),
+            constant("fade_end", "none from here on, scene units", kXjunSettings.fade_end),
+            constant("k", "exponent", kXjunSettings.exponent),
+            constant("M", "iterations of the blur", kXjunBlur.iterations),
+            constant("K", "taps to either side", kBlurRadius),
+            constant("C", "least cosine of two normals", kXjunBlur.normal_threshold),
+            constant("D", "largest difference in depth, scene units", kXjunBlur.depth_threshold)},
+           "The constants of the algorithm. The weights w of the blur stand above; the angle of view, its aspect and the near "
+           "plane are the camera's.");
 
 // %% exercises [markdown]
 // ## Exercises
