@@ -244,8 +244,8 @@ book.check("The exponent 6 instead of 4 raises the mean occlusion of the picture
 // %% half_size [markdown]
 // ## A texel between four pixels
 //
-// This pass costs more than all others, so both tutorials make the map half as wide and half as high as the picture. The
-// centre of each texel is then the corner at which four pixels meet. Which normal and which depth does it take?
+// The centre of each texel of the half-size map is the corner at which four pixels meet. Which normal and which depth does it
+// take?
 //
 // X_Jun's sampler filters linearly, and gives the mean of the four. On one surface that is right. Across an edge it is the
 // normal and the depth of a surface that does not exist, as the table shows; its samples then find the real surfaces in

@@ -374,8 +374,8 @@ book.check("In one iteration of the bilateral blur nothing crosses a step in dep
 //
 // Which blur is better (X_Jun's first exercise)? The mean of many seeds is the method without its noise. Let us measure how far
 // each map is from that, in the whole scene and with X_Jun's contrast, $k = {{exponent}}$ (the noise of chapter 07 by the number
-// of samples was that of $k = 1$, and smaller). Both blurs make four iterations, the plain one with Luna's weights,
-// {luna_sigma} texels wide, the bilateral one with X_Jun's, {sigma_1} wide. *Edges* are texels beside a step in depth, *creases* those where surfaces meet, *flats* all others.
+// of samples was that of $k = 1$, and smaller). Both blurs make four iterations, the plain one with Luna's weights
+// (a standard deviation of {luna_sigma} texels), the bilateral one with X_Jun's ({sigma_1}). *Edges* are texels beside a step in depth, *creases* those where surfaces meet, *flats* all others.
 
 // %% errors
 const ReferenceImage limit = luna_limit(shown.inputs, shown.settings, kSeeds);
