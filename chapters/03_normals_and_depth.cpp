@@ -20,17 +20,25 @@ namespace {
 std::string text(float value) { return decimal_text(static_cast<double>(value), 3); }
 std::string text(glm::vec3 v) { return text(v.x) + ", " + text(v.y) + ", " + text(v.z); }
 
-// X_Jun's frame; `ao_map` is half as wide and half as high as `picture`.
-std::vector<GraphPass> frame_passes(Size picture, Size ao_map) {
-    const GraphImage normals{
-        "normal, view depth", "R16G16B16A16_FLOAT", picture, 8, {"2 occlusion", "3 blur"}};
-    const GraphImage depth{"depth buffer", "D24_UNORM_S8_UINT", picture, 4, {"4 light"}};
-    const GraphImage raw{"raw AO map", "R16_FLOAT", ao_map, 2, {"3 blur"}};
-    const GraphImage blurred{"blurred AO map", "R16_FLOAT", ao_map, 2, {"4 light"}};
+// The lab's frame.
+std::vector<GraphPass> frame_passes(const AoInputs& inputs) {
+    const char* const kFloat = "one 32-bit float";
+    const char* const kFourFloats = "four 32-bit floats";
+    const Size picture = inputs.picture, ao_map = inputs.size();
+    const GraphImage normals{"normal, view depth", kFourFloats, picture, 16, {"2a texels"}};
+    const GraphImage depth{"depth buffer", "D32_FLOAT", picture, 4, {"4 light"}};
+    const GraphImage filtered{"depth map, with a border", kFloat, inputs.depth_map.size, 4, {"2b occlusion"}};
+    const GraphImage texels{
+        "normal, view depth of texels", kFourFloats, ao_map, 16, {"2b occlusion", "3a rows", "3b columns"}};
+    const GraphImage raw{"raw AO map", kFloat, ao_map, 4, {"3a rows"}};
+    const GraphImage between{"AO map between the halves", kFloat, ao_map, 4, {"3b columns"}};
+    const GraphImage blurred{"blurred AO map", kFloat, ao_map, 4, {"3a rows", "4 light"}};
     const GraphImage lit{"picture", "R8G8B8A8_UNORM", picture, 4, {}};
     return {{"1 normals, depth", "triangles", {normals, depth}},
-            {"2 occlusion", "random vectors", {raw}},
-            {"3 blur", "", {blurred}},
+            {"2a texels", "", {filtered, texels}},
+            {"2b occlusion", "random vectors", {raw}},
+            {"3a rows", "", {between}},
+            {"3b columns", "", {blurred}},
             {"4 light", "triangles, textures", {lit}}};
 }
 
@@ -143,11 +151,12 @@ book.show("colours",
 // pixels by the same rule.
 
 // %% graph
-const std::vector<GraphPass> passes = frame_passes(book.size(), shown.raw.size);
+const std::vector<GraphPass> passes = frame_passes(shown.inputs);
 book.draw("passes", pass_graph("The passes of a frame and the images between them", passes),
           "Four passes, from top to bottom; a grey line goes from an image to a pass that reads "
-          "it. The formats are X_Jun's. The two AO maps (AO: ambient occlusion), raw from pass 2 and "
-          "blurred by pass 3, have half the picture's width and height.");
+          "it. Pass 2 first finds a normal and a depth for each texel of the AO maps (AO: ambient occlusion), "
+          "which have half the picture's width and height, then the raw AO. Pass 3 blurs along rows from one "
+          "map into another and along columns back again, several times over.");
 book.table(
     {"image", "X_Jun", "Luna", "this book"},
     {{"normal, view space", "R16G16B16A16_FLOAT", "R16G16B16A16_FLOAT", "three 32-bit floats"},
@@ -156,6 +165,7 @@ book.table(
      {"depth buffer", "D24_UNORM_S8_UINT", "D24_UNORM_S8_UINT", "D32_FLOAT"},
      {"AO maps, raw and blurred", "R16_FLOAT, half size", "R16_UNORM, half size",
       "a 32-bit float, half size"},
+     {"normal and depth that the blur reads", "pass 1's", "pass 1's", "those of the texels"},
      {"random vectors", "R8G8B8A8_UNORM, 256 x 256", "the same", "the same values"}},
     "The book computes with floats, so that no error of a format hides in its pictures; chapter 04 "
     "shows what the tutorials' formats do.");
@@ -168,8 +178,9 @@ book.table(
 //
 // Both values are in *view space*, the space of the camera: x to the right, y up, z into the picture, the eye at the
 // origin. *View depth* is the z of a point there. It is not its distance from the eye: all points of a plane that faces
-// the camera have the same view depth. The pass draws as any rasterizer does: back faces are left out, the nearest surface
-// wins (LESS, so the first of equals), and vertex normals are interpolated with regard to perspective.
+// the camera have the same view depth. The pass draws as any rasterizer does. It leaves out back faces, those whose corners
+// run counterclockwise on the screen. The nearest surface wins (depth test LESS: of two at the same depth, the first drawn
+// stays). Vertex normals are interpolated with regard to perspective.
 
 // %% buffers
 book.show("normal", normal_picture(shown.gbuffer.normal),
@@ -215,10 +226,11 @@ book.plot("ndc_curve",
 book.show(
     "ndc_depth", ndc_depth_picture(ndc),
     "NDC depth, stretched: white is {nearest_d}, the nearest surface of the picture, and black is "
-    "1. It falls off faster than view depth: the last columns are hard to tell from the sky.");
+    "1. It falls off faster than view depth: the last columns are much closer to the sky's black than in the "
+    "picture of view depth.");
 book.table(
     {"z", "d", "one step of D24 is, in units of z"}, depth_rows(m),
-    "A 24-bit depth buffer has 2^24 steps from 0 to 1. Far away one of them spans a lot of scene.");
+    "A 24-bit depth buffer has $2^{24}$ steps from 0 to 1. Far away one of them spans a lot of scene.");
 
 // %% one_pixel_text [markdown]
 // ## One pixel
@@ -266,10 +278,22 @@ book.check(
 // ## Where there is nothing
 //
 // A pixel of the sky has neither normal nor depth. The tutorials clear it to something that looks like a surface, X_Jun
-// to the normal $(0, 0, -1)$ and the depth 100,000. This book writes what is true: the normal 0, an infinite view
-// depth, the NDC depth 1. A pass can then ask "is there a surface?" instead of guessing from a large number. Only the
-// depth map that is *filtered* in chapter 06 holds X_Jun's 100,000 there, a hundred times the far plane, because a mean
-// with infinity would be infinite, or not a number at all.
+// to the normal $(0, 0, -1)$ and the depth 100,000. This book writes what is true, so that a pass can ask "is there a
+// surface?" instead of guessing from a large number. One image is an exception: the depth map is *filtered* in chapter
+// 06, and a mean with infinity would be infinite, or not a number at all. Here is what every image says where there is
+// nothing; the chapters to come refer to this table.
+
+// %% nothing
+book.number("sky", static_cast<double>(kBackgroundOverFar) * view.camera().far_plane, 0);
+book.table({"image", "where it shows the sky", "asked beyond its rim", "chapter"},
+           {{"normal of a pixel", "0, 0, 0", "never", "03"},
+            {"view depth of a pixel", "infinite", "never", "03"},
+            {"depth buffer", "1", "never", "03"},
+            {"depth map that samples read", "{sky}", "{sky}", "06"},
+            {"normal, view depth of a texel", "0, 0, 0; infinite", "the tap does not count", "07, 08"},
+            {"AO maps", "1", "the outermost texel again", "07, 09"}},
+           "Nothing, image by image. {sky} is a hundred times the far plane. A texel of which only some pixels show the "
+           "sky has a surface: chapter 07 says which.");
 
 // %% promises
 const BufferCount count = count_pixels(shown.gbuffer, ndc, m);
@@ -302,7 +326,7 @@ book.check(
 //
 // $$ 0 = (N n) \cdot (W s) = n^\top N^\top W\, s \qquad\text{whenever}\quad n \cdot s = 0 $$
 //
-// $N^\top W = 1$ does it, so $N = (W^{-1})^\top$, the *inverse transpose* of the upper left 3 x 3 part of $W$. For a
+// $N^\top W = I$, the identity matrix, does it, so $N = (W^{-1})^\top$, the *inverse transpose* of the upper left 3 x 3 part of $W$. For a
 // rotation it is the rotation itself. For a stretch it is the opposite stretch: a roof that is pulled wide gets
 // flatter, and its normal steeper. The camera's $V$ only turns and moves, so its 3 x 3 part can follow as it is, and
 // the normal in view space is $V (W^{-1})^\top n$.
@@ -316,9 +340,9 @@ book.draw("slope", stretched_slope(2),
 // %% the_code [markdown]
 // ## The code
 //
-// The lab computes the same matrix without a division: the cross products of the columns of $V W$ are the rows of its
-// inverse but for a factor, the determinant, and the length of a normal does not matter before it is normalised. In
-// HLSL, with rows for vectors, a program hands `M = (W^-1)^T V` to the vertex shader, which computes
+// The *lab*, the program that comes with this book and makes its pictures, computes the same matrix without a division:
+// the cross products of the columns of $V W$ are the rows of its inverse but for a factor, the determinant, and the
+// length of a normal does not matter before it is normalised. In HLSL, Direct3D's shader language, with rows for vectors, a program hands `M = (W^-1)^T V` to the vertex shader, which computes
 // `mul(n, (float3x3) M)`.
 
 // %% kernels tags=["setup"]
@@ -333,13 +357,14 @@ book.listing_part("rasterizer/draw/surfaces.cpp", "find_group", "const TriangleP
 // %% translation_text [markdown]
 // ## What can go wrong
 //
-// **The translation left in.** Graphics libraries hold $W$ as a 4 x 4 matrix, with the object's position $t$ in it.
-// Inverting and transposing all of it moves $t$ to the bottom row, and the product with $V$, whose own translation is
-// $v$, mixes it into the 3 x 3 part. For an object and a camera that are only moved, not turned, one can see it happen:
+// **The translation left in.** Graphics libraries hold $W$ and $V$ as 4 x 4 matrices, $W$ with the object's position
+// $t_W$ in it. Inverting and transposing all of it moves $t_W$ to the bottom row, and the product with $V$, whose own
+// translation is $t_V$, mixes it into the 3 x 3 part. For an object and a camera that are only moved, not turned, one can
+// see it happen (the 4 x 4 matrices are written in blocks, $I$ is the 3 x 3 identity):
 //
-// $$ V\, (W^{-1})^\top = \begin{pmatrix} 1 & v \\ 0 & 1 \end{pmatrix} \begin{pmatrix} 1 & 0 \\ -t^\top & 1 \end{pmatrix} = \begin{pmatrix} 1 - v\, t^\top & v \\ -t^\top & 1 \end{pmatrix} $$
+// $$ V\, (W^{-1})^\top = \begin{pmatrix} I & t_V \\ 0 & 1 \end{pmatrix} \begin{pmatrix} I & 0 \\ -t_W^\top & 1 \end{pmatrix} = \begin{pmatrix} I - t_V\, t_W^\top & t_V \\ -t_W^\top & 1 \end{pmatrix} $$
 //
-// The upper left part turns $n$ into $n - (n \cdot t)\, v$. X_Jun therefore erases the translation of $W$ first.
+// The upper left part turns $n$ into $n - (n \cdot t_W)\, t_V$. X_Jun therefore erases the translation of $W$ first.
 
 // %% translation
 const ComparedNormals moved =
@@ -351,8 +376,9 @@ book.compare({"translation_wrong", normal_picture(moved.wrong),
              {"translation_right", normal_picture(moved.right),
               "Erased: every normal is right; floor and roof face upwards, green."});
 book.compare({"translation_ao_wrong", ao_picture(moved.ao_wrong),
-              "Ambient occlusion from the wrong normals (white: open, black: occluded). The shade at the "
-              "columns' feet and under the balls is gone."},
+              "*Accessibility* from the wrong normals: white where a point is open, black where its surroundings are "
+              "hidden. The shade at the columns' feet and under the balls is gone; the outer sides of the front "
+              "columns have got dark lines."},
              {"translation_ao_right", ao_picture(moved.ao_right),
               "From the right normals: shade round the feet and below the balls."});
 book.number("moved_share", percent_text(moved.off.share));
@@ -448,7 +474,7 @@ book.check(
 // 1. Everything lies beyond 0.98: nine tenths of the range are spent on the first unit. $B$ is ten times smaller, so
 //    each step is ten times coarser.
 // 2. Nothing. Under a uniform scale the inverse transpose is the same matrix but for a factor.
-// 3. The translation of $V$ is $v = 0$ for an eye at the origin, and $n - (n \cdot t)\, v = n$.
+// 3. The translation of $V$ is $t_V = 0$ for an eye at the origin, and $n - (n \cdot t_W)\, t_V = n$.
 // 4. $A z_n + B = z_n$ and $A z_f + B = 0$ give $A = -z_n / (z_f - z_n)$ and $B = z_n z_f / (z_f - z_n)$. Chapter 04
 //    shows what it is good for.
 // 5. Octahedral maps are a good start: project the sphere to an octahedron and unfold that to a square.

@@ -134,10 +134,11 @@ const Vec3<float> far_point = interpolated(inputs.rays, u, v, far),
                   p = (p_z / far_point.z) * far_point;
 book.number("x", std::to_string(at.x));
 book.number("y", std::to_string(at.y));
+book.number("fov_y", 57.29577951308232 * foot.camera().fov_y_rad, 0);
 book.draw("eye_ray", eye_ray(inputs, at, p),
           "A vertical cut through the depth buffer at texel ({x}, {y}), which chapter 03 began to "
-          "follow. The ray that leaves the eye through the texel meets the near plane at e and the "
-          "ground at p. The dashed lines are the upper and the lower rim of the view; what is "
+          "follow. The ray that leaves the eye through the texel meets the ground at p; e is another point of it, "
+          "here the one on the near plane. The dashed lines are the upper and the lower rim of the view; what is "
           "hatched, the depth buffer does not know.");
 
 // %% derivation [markdown]
@@ -154,19 +155,19 @@ book.draw("eye_ray", eye_ray(inputs, at, p),
 //
 // ## Which ray
 //
-// The view is a pyramid with the angle $fov_y$ from its lower to its upper side and the aspect ratio $a$, width over
-// height. The far plane, at the depth $z_f$, cuts it in a rectangle. Half of its height is the side across from half the
+// The view is a pyramid with the angle $\text{fov}_y$ from its lower to its upper side, {fov_y} degrees in all scenes of
+// this part, and the aspect ratio $a$, width over height. The far plane, at the depth $z_f$, cuts it in a rectangle. Half of its height is the side across from half the
 // angle, so
 //
-// $$ y_f = z_f \tan\frac{fov_y}{2}, \qquad x_f = a\, y_f, \qquad\text{corners}\quad (\pm x_f, \pm y_f, z_f) $$
+// $$ y_f = z_f \tan\frac{\text{fov}_y}{2}, \qquad x_f = a\, y_f, \qquad\text{corners}\quad (\pm x_f, \pm y_f, z_f) $$
 //
 // These are *half* sizes: the rectangle reaches from $-x_f$ to $x_f$. The tutorials draw it as two triangles that cover
-// the screen, give each vertex its corner, and let the rasterizer interpolate. What a texel $(i, j)$ of a map of $W$ by
-// $H$ texels gets belongs to its centre:
+// the screen, give each vertex its corner, and let the rasterizer interpolate. What a texel $(i, j)$ of a map of $w$ by
+// $h$ texels gets belongs to its centre:
 //
-// $$ u = \frac{i + 1/2}{W}, \quad v = \frac{j + 1/2}{H}, \qquad e = \big((2u - 1)\, x_f,\; (1 - 2v)\, y_f,\; z_f\big) $$
+// $$ u = \frac{i + 1/2}{w}, \quad v = \frac{j + 1/2}{h}, \qquad e = \big((2u - 1)\, x_f,\; (1 - 2v)\, y_f,\; z_f\big) $$
 //
-// The sign of the second coordinate turns round because rows count downwards and y goes up. The corners may be
+// It is $1 - 2v$, not $2v - 1$, because rows count downwards and y goes up. The corners may be
 // interpolated because they lie in one plane: whatever lies between them has the same depth $z_f$, so it is the point of
 // that plane which the texel shows.
 
@@ -193,14 +194,15 @@ book.check(
 
 // %% half_size [markdown]
 // The centre of a texel of the half-size map is the corner where four pixels of the picture meet. Its depth must belong
-// to the same place as its ray. Chapter 07 says how it is made of the four pixels' depths, and shows what goes wrong
-// where a texel takes the depth of one of them as it is.
+// to the same place as its ray, and no pixel has a depth there. Chapter 07 makes it of the four pixels in six steps. A
+// first program may take an AO map as large as the picture (`--ao-scale 1`): then a texel is a pixel, and has its normal
+// and its depth.
 //
 // ## From the depth buffer
 //
 // Luna keeps no view depth. It reads NDC depth $d$ from the depth buffer and turns it back first, as chapter 03 has
 // derived: $p_z = B / (d - A)$. How does an error of $d$ come out? The slope of $B/(d - A)$ is
-// $-B / (d - A)^2 = -z^2 / B$, so
+// $-B / (d - A)^2 = -z^2 / B$, and $B$ is negative, so
 //
 // $$ \Delta z \approx \frac{z^2}{|B|}\, \Delta d $$
 //
@@ -210,9 +212,8 @@ book.check(
 // ## The code
 //
 // The lab does not interpolate corners. Its *kernel*, the code that runs for every texel, computes the same ray from $u$
-// and $v$, with z = 1: `ray_scale` is
-// $(a \tan(fov_y/2), \tan(fov_y/2))$, the half size of the plane one unit away. In HLSL the pixel shader has one line,
-// `p = (pz / ray.z) * ray`, and the vertex shader hands out the corners. `F` is a `float`, or several side by side.
+// and $v$, with z = 1: `ray_scale` is $(a \tan(\text{fov}_y/2), \tan(\text{fov}_y/2))$, the half size of the plane one
+// unit away. In HLSL, Direct3D's shader language, the pixel shader has one line, `p = (pz / ray.z) * ray`, and the vertex shader hands out the corners. `F` is a `float`, or several side by side.
 
 // %% kernels tags=["setup"]
 book.listing("rasterizer/spaces.h", "p_view",
@@ -248,8 +249,8 @@ book.check(
     "float.",
     std::max(worst[0], worst[1]) < 1e-4);
 book.check(
-    "Each of the others is off by {least} units or more somewhere. The radius of the occlusion is "
-    "half a unit.",
+    "Each of the others is off by {least} units or more somewhere. Chapter 05 looks for occluders "
+    "within half a unit.",
     *std::min_element(worst.begin() + 2, worst.end()) > 0.5);
 
 // %% traps [markdown]
@@ -293,14 +294,14 @@ std::vector<Notebook::Named> occlusion;
 const char* const kCaptions[] = {"The right positions: shade at the feet, under the eaves, round the door.", nullptr,
                                  "Rays of length 1: shade is lost, the more the nearer to the rim.",
                                  "Normalised corners: the open floor and a whole column shade themselves.",
-                                 "Full size: the open roof is black, and the feet of the columns are white."};
+                                 "Full size: a band across the open roof and the front of the house are black, and the feet of the columns are white."};
 for (const std::size_t i : {0u, 2u, 3u, 4u})
     occlusion.push_back({std::string("ao_") + kWays[i].name,
                          ao_picture(ao_at(whole, kWays[i].position)), kCaptions[i]});
 book.show_row(occlusion);
 const Vec3<float> misprint = as_misprinted(inputs.rays, 0.3f, 0.8f, 7);
 book.check(
-    "Luna's formula as it is printed, $(p.z / v / z)\\, v$ (the point e is called v there), is (1, 1, 1) for every pixel.",
+    "Luna's formula as it is printed, `(p.z / v / z) v` (the point e is called v there), is (1, 1, 1) for every pixel.",
     std::fabs(misprint.x - 1) + std::fabs(misprint.y - 1) + std::fabs(misprint.z - 1) < 1e-5f);
 
 // %% formats_text [markdown]
@@ -325,7 +326,7 @@ book.show_row(
       "NDC depth in 16 bits: too near or too far (red), the more the farther."}},
     "The rebuilt minus the true view depth, from -0.01 to 0.01 units. With 24 bits the picture "
     "would be white.");
-book.table({"stored", "off by at most, units", "over z", "over z^2"}, stored_rows,
+book.table({"stored", "off by at most, units", "over z", "over z²"}, stored_rows,
            "D24 and the 32-bit float D32F come out alike: from twice the near plane on $d$ is above 1/2, and there the "
            "steps of a float are $2^{-24}$, exactly those of D24.");
 book.number("half_share", significant_text(1024 * errors[0].most_of_z, 4));
@@ -338,7 +339,7 @@ book.check(
     "{d16_share} of that.",
     errors[1].most_of_z2 < 1.05 / (1.001 * 131072));
 book.check(
-    "In this scene the 16-bit float of z is the coarser of the two, and 24 bits are fifty times "
+    "In this scene the 16-bit float of z is the coarser of the two, and 24 bits are at least fifty times "
     "better than both.",
     errors[1].most < errors[0].most && 50 * errors[2].most < errors[1].most);
 
@@ -346,8 +347,8 @@ book.check(
 // How large may the error get in other scenes? The next table takes eight pairs of near and far planes and the largest
 // *relative* error of a view depth between them. One column has a cure. *Reversed* depth puts the near plane at 1 and
 // the far plane at 0. Then $d$ falls like $1/z$, and two effects meet: an error of $d$ counts $z^2$ times as much far
-// away, but a float that holds a small $d$ has fine steps, in proportion to $d$ itself. Together they leave an error of
-// $z$ in proportion to $z$, the same share of it everywhere.
+// away, but a float that holds a small $d$ has fine steps, in proportion to $d$ itself. Together they make the relative
+// error of $z$ the same everywhere.
 
 // %% bounds
 const DepthErrorTable table = depth_error_table();
@@ -389,15 +390,19 @@ book.compare(
 book.table({"mean AO of the wall at z =", "25", "45", "65", "85", "105"}, wall_rows);
 const Scene wall_scene = bare_walls();
 const double epsilon = static_cast<double>(kLunaSettings.epsilon);
-const double from_d16 = depth_of_step(wall_scene.camera, DepthFormat::d16, epsilon),
-             from_d24 = depth_of_step(wall_scene.camera, DepthFormat::d24, epsilon);
+// The formula above with a whole step for the error of d: of 16 bits, of 24.
+const double epsilon_b = epsilon * -static_cast<double>(camera_matrices(wall_scene.camera, book.size()).depth_b);
+const double from_d16 = std::sqrt(epsilon_b * 65535), from_d24 = std::sqrt(epsilon_b * 16777215);
+const auto as_searched = [&](DepthFormat format, double z) {
+    return std::fabs(depth_of_step(wall_scene.camera, format, epsilon) / z - 1) < 1e-3;
+};
 book.number("from_d16", from_d16, 0);
 book.number("from_d24", from_d24, 0);
 book.number("epsilon", epsilon, 2);
 book.check(
     "Between planes at 1 and 1000, a step is longer than an epsilon of {epsilon} from z = "
     "{from_d16} on with 16 bits, from z = {from_d24} on with 24.",
-    std::fabs(from_d16 - 57.3) < 0.1 && std::fabs(from_d24 - 916.4) < 1);
+    as_searched(DepthFormat::d16, from_d16) && as_searched(DepthFormat::d24, from_d24));
 book.check("With 16 bits the walls at 25 and 45 are open, those at 65, 85 and 105 striped.",
            std::min(walls[0].means[0], walls[0].means[1]) > 0.99 &&
                std::max({walls[0].means[2], walls[0].means[3], walls[0].means[4]}) < 0.97);
@@ -422,7 +427,7 @@ book.compare({"sky_nearest", ao_picture(nearest.ao),
               "NaN (magenta)."},
              {"sky_toward_zero", ao_picture(cut.ao),
               "Rounded toward zero, as Direct3D does: white sky, and the shade of the house up to its outline. (Paler "
-              "than elsewhere: both are without the power that chapter 07 adds for contrast.)"});
+              "than elsewhere: both are without the power to which chapter 07 raises accessibility for contrast.)"});
 book.table({"rounding", "1e5 becomes", "minus itself", "10 + 0 (it - 10)", "NaN, % of texels",
             "after the blur"},
            {row_of("toward zero", cut), row_of("to nearest", nearest)},
@@ -458,8 +463,8 @@ book.check(
 // 4. From about 115, behind the last wall. $|B|$ is about $z_n$, so a step of given length moves out with $\sqrt{z_n}$:
 //    twice 57.
 // 5. None of it: 100,000 fits.
-// 6. All rays are parallel to the z axis: $p = ((2u - 1)\, w, (1 - 2v)\, h, p_z)$ with half the width $w$ and half the
-//    height $h$ of the box that the camera sees. So nothing can be wrong with the length of a ray, and NDC depth is
+// 6. All rays are parallel to the z axis: $p = ((2u - 1)\, x_f, (1 - 2v)\, y_f, p_z)$ with half the width $x_f$ and half
+//    the height $y_f$ of the box that the camera sees. So nothing can be wrong with the length of a ray, and NDC depth is
 //    linear in z, so its steps do not grow. The whole size for the half is as wrong as before.
 //
 // </details>

@@ -11,6 +11,7 @@
 #include "chapters/diagrams/depth_section.h"
 #include "chapters/diagrams/vector_panels.h"
 #include "chapters/notebook/chapter.h"
+#include "chapters/props/crops.h"
 #include "chapters/props/switched_ao.h"
 #include "chapters/terminal/number_text.h"
 #include "ssao/judge/luna_limit.h"
@@ -114,10 +115,10 @@ PlotCurve length_shares(const std::vector<float>& sorted) {
     return curve;
 }
 
-// How often the flipped directions point where, seen along n = +z; equal areas, 1 is the mean. A cell is 4 pixels wide.
+// How often the flipped directions point where, the normal towards the reader; equal areas, 1 is the mean.
 Image<float> density(const std::vector<glm::vec3>& directions) {
-    constexpr int kCells = 48, kEnlarged = 4;
-    Image<float> cells({kCells, kCells}, 0.0f), result({kCells * kEnlarged, kCells * kEnlarged}, 0.0f);
+    constexpr int kCells = 48;
+    Image<float> cells({kCells, kCells}, 0.0f);
     for (const glm::vec3& d : directions) {
         const glm::vec3 n = d.z < 0 ? -d : d;
         const float scale = 1 / std::sqrt(1 + n.z);
@@ -125,10 +126,7 @@ Image<float> density(const std::vector<glm::vec3>& directions) {
         cells.at(cell(n.x), kCells - 1 - cell(n.y)) +=
             3.14159265f * 24 * 24 / static_cast<float>(directions.size());
     }
-    for (int y = 0; y < result.size.height; ++y) {
-        for (int x = 0; x < result.size.width; ++x) result.at(x, y) = cells.at(x / kEnlarged, y / kEnlarged);
-    }
-    return result;
+    return enlarged(cells, 4);
 }
 
 Image3 as_image(const RandomMap& map) {
@@ -161,8 +159,9 @@ void sample_vectors(Notebook& book) {
 // # Sample vectors
 //
 // From every point we want to ask in all directions whether something is near. There is time for about fourteen
-// questions. The picture below asks at every texel in the same fourteen directions, and it shows: where the edge of a
-// column passes one of the fourteen, all texels of a whole line notice it together. These steps are called *banding*.
+// questions. The picture below asks at every texel in the same fourteen directions, and it shows: along a whole line of
+// texels the same one of the fourteen samples slips behind the column at once. The edges that this makes are called
+// *banding*.
 
 // %% start
 const SwitchedView view = column_foot(book);
@@ -185,20 +184,23 @@ book.show("banded", ao_picture(banded.raw),
 // ## Fourteen even directions
 //
 // Take a cube and go from its middle to its eight corners and to the middles of its six faces. No side is preferred,
-// and the directions keep their distance from one another. Opposite ones are stored next to each other: a program that
-// can afford eight or ten samples takes the first ones of the list, and their mean is still 0. Each gets a random length between a quarter and one, once and for all: the
-// samples shall lie everywhere inside the ball around $p$, not only on its rim. We call these vectors $o$, for
-// *offset*.
+// and the directions keep their distance from one another. In the tutorials' list opposite ones stand next to each other,
+// so that the first eight or ten still balance. (The flip below spoils this; see the errata.) Each direction then gets a
+// random length between a quarter and one, once and for all: the samples shall lie everywhere inside the ball around
+// $p$, not only on its rim. We call these vectors $o$, for *offset*. All random numbers of this book follow from one
+// number, the *seed*, so the same seed makes the same picture.
 //
 // ## Turning by mirroring
 //
 // One could turn the set by a rotation matrix. A mirror does as well and needs a single vector: let $r$ be the normal
-// of the mirror's plane. The part of $o$ along $r$ is $(o \cdot r)\, r$; a mirror reverses it, so twice of it must be
+// of the mirror's plane. For an $r$ of length 1 the part of $o$ along $r$ is $(o \cdot r)\, r$; a mirror reverses it, so twice of it must be
 // subtracted:
 //
 // $$ d = o - 2\, (o \cdot r)\, r $$
 //
-// HLSL calls this `reflect`. (In this chapter $r$ is always this random vector; chapter 06 has another $r$.) Does it keep lengths? Multiply out:
+// HLSL, Direct3D's shader language, calls this `reflect`. (In this chapter $r$ is always this random vector; chapter 06
+// has another $r$. And $d$ is a direction from here on, no longer the NDC depth of chapters 03 and 04.) Does it keep
+// lengths if $r$ has another length? Multiply out:
 //
 // $$ |d|^2 = |o|^2 - 4\, (o \cdot r)^2 + 4\, (o \cdot r)^2\, |r|^2 $$
 //
@@ -357,7 +359,8 @@ book.compare(
 // ## What can go wrong
 //
 // **A mirror that is none.** Both tutorials use $r$ as it comes from the map. Since hardly one vector has the length 1,
-// most sets are pulled along $r$ or squeezed. Here is how long the samples get that should have the length 1:
+// most sets are pulled along $r$ or squeezed. Here is how long the samples get that should have the length 1, for every
+// vector that the map stores:
 
 // %% lengths
 const std::vector<glm::vec3> directions = all_mirrored(offsets, map, true);
@@ -371,8 +374,8 @@ book.plot("lengths",
            {"share of the samples, %"},
            {length_shares(raw)},
            {{1, "unit r"}}},
-          "With the vectors as they are stored in the map, lengths spread from almost nothing to several "
-          "radii. With unit vectors all of them stand at 1.");
+          "With the vectors as they are stored in the map (before the filter mixes and shortens them), lengths spread "
+          "from almost nothing to several radii. With unit vectors all of them stand at 1.");
 book.table({"mean |d| / |o|", "1 % are below", "1 % are above", "the largest"},
            {{decimal_text(mean, 3), text(p1), text(p99), text(raw.back())}});
 book.number("p99", text(p99));
@@ -391,14 +394,15 @@ book.compare({"ao_raw", ao_picture(published.raw),
              {"ao_unit", ao_picture(shown.raw), "Unit vectors: the same shade in finer grain."});
 book.show("raw_minus_unit", difference_picture(difference_of(published.raw, shown.raw)),
           "The first minus the second: less shade at the foot (red), more further out (blue), and "
-          "grain everywhere.");
+          "grain wherever there is shade.");
 const double noise_raw = noise_of(view, "random_vectors=raw"),
              noise_unit = noise_of(view, "random_vectors=unit");
 book.number("noise_raw", noise_raw, 4);
 book.number("noise_unit", noise_unit, 4);
 book.check(
     "Vectors as they come make at least a quarter more noise: {noise_raw} against {noise_unit}. (The root "
-    "mean square, RMS, of the difference from a mean over 32 seeds, in which the noise has cancelled, in this view.)",
+    "mean square, RMS, of the difference from a mean over 32 seeds, in which the noise has cancelled; in this view, and "
+    "without the power for contrast of chapter 07.)",
     noise_raw > 1.25 * noise_unit);
 
 // %% near_text [markdown]
@@ -408,7 +412,7 @@ book.check(
 //
 // **Even at one texel is not even over all.** Each turned set is even. But look at one offset $o$ and all mirrors that
 // it may meet. Far more vectors $r$ stand nearly at right angles to $o$ than nearly along it, as a globe has far more
-// land near the equator than near the poles. At a right angle $o \cdot r = 0$, and $d = o$: such a mirror moves nothing.
+// area near the equator than near the poles. At a right angle $o \cdot r = 0$, and $d = o$: such a mirror moves nothing.
 // So, collected over the whole map, the directions crowd around the places where the fourteen began.
 
 // %% density
@@ -416,7 +420,7 @@ const Image<float> often = density(directions);
 book.number("densest", buffer_statistics(often).max, 1);
 book.show(
     "density", grey_picture(often, 0, 4),
-    "Where all flipped directions point, seen along the normal z. The disc is the hemisphere; "
+    "Where all flipped directions point, for a surface whose normal points at you. The disc is the hemisphere; "
     "equal areas stand for equal solid angles. A quarter of white is even. The light spots come up "
     "to {densest} times as often as they should: there the fourteen directions began, flipped to the front, "
     "so that some coincide.");

@@ -134,16 +134,16 @@ book.draw("occluded_sample",
 //
 // $$ r = \frac{r_z}{q_z}\, q $$
 //
-// To look the depth map up, $q$ must be put on the screen: divide by its depth and scale by the half height of the view,
-// $\tan(fov_y / 2)$, and its aspect $a$. The texture coordinates run from 0 to 1, $v$ downwards:
+// To look the depth map up, $q$ must be put on the screen: divide by $q_z$, then by $\tan(\text{fov}_y / 2)$, the half
+// height of the view one unit away, and x also by the aspect $a$. The texture coordinates run from 0 to 1, $v$ downwards:
 //
-// $$ u = \frac12 + \frac{q_x}{2\, q_z\, a \tan(fov_y/2)}, \qquad v = \frac12 - \frac{q_y}{2\, q_z \tan(fov_y/2)} $$
+// $$ u = \frac12 + \frac{q_x}{2\, q_z\, a \tan(\text{fov}_y/2)}, \qquad v = \frac12 - \frac{q_y}{2\, q_z \tan(\text{fov}_y/2)} $$
 //
 // The depth map that is read here is the picture's own, at full size, although the AO map has half its width and height.
 // Its depths stand at the centres of the pixels, so in a map of $w \times h$ pixels the place is
 // $(u\,w - \frac12,\; v\,h - \frac12)$; between four pixels the depth is mixed linearly, first along the rows, then between
-// them. Pixels of the sky, and everything beyond the picture's rim, count as very far away: {sky} units, a hundred times
-// the far plane, because the mean with an infinite depth would be infinite.
+// them. Pixels of the sky, and all that would lie beyond the picture's rim, hold {sky} units (the table of nothing in
+// chapter 03), each for itself: at the rim a depth may be mixed from both.
 //
 // At our texel $p = ({{p}})$ and, for the sample of the figure, $q = ({{q}})$. The depth map shows
 // $r_z = {{r_z}}$ there, so $r = ({{r}})$.
@@ -153,22 +153,24 @@ book.draw("occluded_sample",
 //
 // Two things must be true for $r$ to block light from $p$.
 //
-// **It stands in front, but not far in front.** We compare depths only: $dz = p_z - r_z$. Where $dz$ is negative, $r$ lies
-// behind $p$ and cannot be in the way. Where it is hardly positive, the difference may be rounding, or the same floor one
-// texel nearer to the eye: what is not more than *epsilon* in front counts nothing. And where it is large, $r$ is something in the foreground that happens
-// to overlap $p$ on the screen and is nowhere near it: the occlusion fades out between *fade start* and *fade end*. This is
-// the *range check* of many tutorials:
+// **It stands in front, but not far in front.** We compare depths only: $\textit{dz} = p_z - r_z$ (the tutorials' name for
+// the difference in z). Where it is negative, $r$ lies behind $p$ and cannot be in the way. Where it is hardly positive, it
+// may be rounding, or the same floor one texel nearer to the eye. So whatever is in front by no more than *epsilon* counts
+// as nothing. And where it is large, $r$ is something in the foreground that happens to overlap $p$ on the screen and is
+// nowhere near it: the occlusion fades out between *fade start* and *fade end*. This is the *range check* of many tutorials
+// ($\text{saturate}$, from HLSL, Direct3D's shader language, clamps to 0 to 1):
 //
-// $$ \mathrm{occlusion}(dz) = \begin{cases} 0 & dz \le \varepsilon \\ \mathrm{saturate}\left(\dfrac{fade_{end} - dz}{fade_{end} - fade_{start}}\right) & dz > \varepsilon \end{cases} $$
+// $$ \text{occlusion}(\textit{dz}) = \begin{cases} 0 & \textit{dz} \le \varepsilon \\ \text{saturate}\left(\dfrac{\text{fade end} - \textit{dz}}{\text{fade end} - \text{fade start}}\right) & \textit{dz} > \varepsilon \end{cases} $$
 //
 // **It lies over p, not beside it.** Light that reaches a surface at a grazing angle contributes little, and a neighbour in
-// the same plane blocks nothing at all. The cosine between the normal and the way to $r$ says how squarely $r$ faces $p$:
+// the same plane blocks nothing at all. The cosine between the normal and the way to $r$ says how squarely $r$ lies above
+// the surface at $p$ (the tutorials call it dp, for dot product):
 //
-// $$ dp = \max\left(0,\; n \cdot \frac{r - p}{|r - p|}\right) $$
+// $$ \textit{dp} = \max\left(0,\; n \cdot \frac{r - p}{|r - p|}\right) $$
 //
-// What the sample takes from $p$ is the product $dp \cdot \mathrm{occlusion}(dz)$. These are the numbers of the two
-// tutorials from which this part of the book is built, X_Jun's for Direct3D 11 and Luna's for Direct3D 12; the pictures
-// here are made with X_Jun's.
+// What the sample takes from $p$ is the product $\textit{dp} \cdot \text{occlusion}(\textit{dz})$. These are the numbers
+// of the two tutorials from which this part of the book is built, X_Jun's for Direct3D 11 and Luna's for Direct3D 12; the
+// pictures here are made with X_Jun's. (The exponent is a power for contrast, which chapter 07 explains.)
 
 // %% settings_of_both tags=["setup"]
 std::vector<std::vector<std::string>> numbers;
@@ -182,11 +184,12 @@ add_number("fade start, scene units", [](const LunaSettings& s) { return s.fade_
 add_number("fade end, scene units", [](const LunaSettings& s) { return s.fade_end; });
 add_number("exponent", [](const LunaSettings& s) { return s.exponent; });
 book.table({"", "X_Jun", "Luna"}, numbers);
+book.number("epsilon_grows", static_cast<double>(kXjunSettings.epsilon / kViewDepthRounding), 0);
 
 // %% curves
 const LunaKernel xjun(shown.inputs, kXjunSettings), luna(shown.inputs, kLunaSettings);
 book.plot("curves",
-          {"How much an occluder counts", {"dz = p_z - r_z, scene units"}, {"occlusion(dz)"},
+          {"How much an occluder counts", {"dz: how far r is in front of p, scene units"}, {"occlusion(dz)"},
            {occlusion_curve("X_Jun", xjun), occlusion_curve("Luna", luna)},
            {{static_cast<double>(kXjunSettings.epsilon), "epsilon"},
             {static_cast<double>(kXjunSettings.fade_start), "fade start"},
@@ -203,10 +206,11 @@ book.plot("curves",
 //
 // - A point $q$ that is not beyond the near plane, $q_z \le z_n$, has no place on the screen. Such a sample takes nothing.
 // - Where $r$ and $p$ are the same point (nearer than a millionth of the radius), the way between them has no direction, and
-//   $dp$ would be 0/0. Such a sample takes nothing.
+//   dp would be 0/0. Such a sample takes nothing.
 // - Where fade start equals fade end, the fraction would be 0/0 again. The function is a step then: 1 before, 0 from there
 //   on.
-// - Far away, a `float` cannot hold a difference as small as epsilon. There epsilon is $2^{-20} p_z$, a few of its steps.
+// - Far away, a `float` cannot hold a difference as small as epsilon. From {epsilon_grows} units on, far outside of the
+//   scenes of this part, epsilon is therefore $2^{-20} p_z$, a few of its steps.
 //
 // Whatever takes nothing still counts among the fourteen by which the sum is divided.
 
@@ -222,7 +226,7 @@ book.listing("ssao/methods/luna_occlusion.h", "sample", "One sample from beginni
 // ## One texel, sample by sample
 //
 // Here are all fourteen samples of texel $({{x}}, {{y}})$, whose normal is $n = ({{n}})$. Read the table by its two
-// factors: a sample takes something only where both are large. "Nothing in front" is said of every $dz$ that is not above
+// factors: a sample takes something only where both are large. "Nothing in front" is said of every dz that is not above
 // epsilon.
 
 // %% table_of_samples
@@ -233,7 +237,7 @@ for (const ExplainedSample& sample : texel.samples) {
     rows.push_back({std::to_string(rows.size() + 1), text(sample.q_view), text(sample.r_view.z), text(sample.dz), text(sample.dp), text(sample.weight),
                     text(sample.contribution), sample.verdict});
 }
-book.table({"no.", "q (x, y, z)", "r_z", "dz", "dp", "occlusion", "takes", "because"}, rows);
+book.table({"no.", "q (x, y, z)", "z of r", "dz", "dp", "occlusion", "takes", "because"}, rows);
 book.number("sum", text(sum));
 book.number("mean", text(sum / kCubeVectors));
 book.number("access", text(1 - sum / kCubeVectors));
@@ -255,26 +259,27 @@ book.draw("open_sample", sample_diagram(shown.inputs, at.x, at.y, texel, free, r
 book.show("ao", ao_picture(shown.raw),
           "*Accessibility*, what is left of 1 when all samples have taken their share (with the power for contrast), half "
           "the picture's size. The floor darkens towards the column; the open floor and the column from a little above "
-          "it stay white.");
+          "it stay white. At the top right, a dark line runs along where the farthest column disappears behind the next.");
 
 // %% without_dp_text [markdown]
 // ## What can go wrong
 //
 // **Without dp, every slope occludes itself.** On a tilted plane one half of the neighbours is nearer to the eye, so the
-// test on $dz$ alone takes them for occluders, although a plane hides nothing from itself. The factor $dp$ is 0 for all of
+// test on dz alone takes them for occluders, although a plane hides nothing from itself. The factor dp is 0 for all of
 // them.
 
 // %% without_dp
 const Scene floor_scene = bare_floor();
-LunaSettings settings = kLunaSettings;
+LunaSettings settings = kXjunSettings;
 const AoInputs floor_inputs =
-    ao_inputs(normal_depth(floor_scene, floor_scene.camera, book.size()), floor_scene.camera, luna_fetch(settings));
+    ao_inputs(normal_depth(floor_scene, floor_scene.camera, book.size()), floor_scene.camera, xjun_fetch(settings));
 const Image<float> floor_with = luna_occlusion(floor_inputs, settings, {}).ao;
 settings.self_occlusion_test = false;
 const Image<float> floor_without = luna_occlusion(floor_inputs, settings, {}).ao;
 const Words no_dp = {"self_occlusion_test=false"};
 book.number("floor_without", buffer_statistics(floor_without).mean, 3);
-book.compare({"plane_without_dp", ao_picture(floor_without), "A bare floor, judged by dz alone: full of grey grain, darkest close to the eye, though nothing stands on it."},
+book.compare({"plane_without_dp", ao_picture(floor_without), "A bare floor, judged by dz alone: full of grain, darker towards the eye, though nothing stands on it. It is light again "
+              "along the rim, where samples leave the picture and find nothing."},
              {"plane", ao_picture(floor_with), "The same with dp: white, open everywhere."});
 book.check("With dp no texel of the bare floor is darkened; without it, their mean falls to {floor_without}.",
            buffer_statistics(floor_with).min > 0.99f && buffer_statistics(floor_without).mean < 0.7);
@@ -282,16 +287,17 @@ book.compare({"ao_without_dp", ao_picture(view.ao(no_dp).raw), "The columns with
              {"ao_with_dp", ao_picture(shown.raw), "With it: the shade at the column's foot stands out again."});
 
 // %% epsilon_text [markdown]
-// **Epsilon too small, and smooth stone is hazy; too large, and contact shade is gone.** The column is made of flat facets
-// whose normals are interpolated, so that it looks round. Measured against such a normal, parts of the same facet seem to
-// stand a little in front of each other; what is less than epsilon in front does not count.
+// **Epsilon too small, and round stone shades itself; too large, and contact shade is lost.** The column is made of flat
+// facets whose normals are interpolated, so that it looks round. Measured against such a normal, one half of $p$'s own flat
+// facet seems to lie above $p$: its dp is a little above 0. Where it is also nearer to the eye, by less than epsilon, only
+// epsilon keeps it from counting.
 
 // %% epsilon
 std::vector<Notebook::Named> by_epsilon;
 std::vector<double> epsilon_means;
-for (const auto& [value, caption] : {std::pair{"0", "Epsilon 0: a faint haze on the column, and a rim of shade that is a trace wider."},
+for (const auto& [value, caption] : {std::pair{"0", "Epsilon 0: shade at the foot that is a trace darker and wider, and a haze on the column, too faint to see here."},
                                      std::pair{"0.05", "Epsilon 0.05, the tutorials': clean stone, and shade at the foot."},
-                                     std::pair{"0.5", "Epsilon 0.5, as large as the radius: next to no shade is left."}}) {
+                                     std::pair{"0.5", "Epsilon 0.5, as large as the radius: the shade in front of the foot is gone; beside the column some is left."}}) {
     const SwitchedAo ao = view.ao({std::string("epsilon=") + value});
     by_epsilon.push_back({"epsilon_" + std::to_string(by_epsilon.size()), ao_picture(ao.raw), caption});
     epsilon_means.push_back(mean_over_surfaces(ao.raw, ao.inputs));
@@ -300,13 +306,13 @@ book.show_row(by_epsilon);
 book.number("epsilon_0", epsilon_means[0], 4);
 book.number("epsilon_1", epsilon_means[1], 4);
 book.number("epsilon_2", epsilon_means[2], 4);
-book.check("A larger epsilon only ever opens: the mean over the surfaces goes from {epsilon_0} to {epsilon_1} to "
-           "{epsilon_2}.",
+book.check("A larger epsilon only ever opens: the mean over the surfaces, without the sky that the figures under the "
+           "pictures include, goes from {epsilon_0} to {epsilon_1} to {epsilon_2}.",
            epsilon_means[0] < epsilon_means[1] && epsilon_means[1] < epsilon_means[2]);
 
 // %% fade_text [markdown]
-// **Without the range check, things cast shade on what is far behind them.** A column in the foreground overlaps the house
-// behind it on the screen, and darkens it along its outline: a *halo*.
+// **Without the range check, things cast shade on what is far behind them.** On the screen a column overlaps the floor
+// that lies far behind it, and darkens it along its outline: a *halo*.
 
 // %% fade
 std::vector<Notebook::Named> by_fade;
@@ -314,7 +320,7 @@ std::vector<double> fade_means;
 const SwitchedView whole(book, "columns");
 for (const auto& [value, caption] : {std::pair{"1", "Fade end 1, Luna's: shade where things touch."},
                                      std::pair{"2", "Fade end 2, X_Jun's: it reaches a little further."},
-                                     std::pair{"1e30", "No range check: a halo round every column."}}) {
+                                     std::pair{"1e30", "No range check: a halo along columns and house, wherever floor or wall lies behind them."}}) {
     const SwitchedAo ao = whole.ao({std::string("fade_end=") + value});
     by_fade.push_back({"fade_" + std::to_string(by_fade.size()), ao_picture(ao.raw), caption});
     fade_means.push_back(mean_over_surfaces(ao.raw, ao.inputs));
@@ -339,7 +345,7 @@ const SwitchedView wall(book, "cornell");
 const Words plain = {"random_vectors=none"}, trap = {plain[0], "sign_of_zero=zero"};
 const Image<float> cured = wall.ao(plain).raw, trapped = wall.ao(trap).raw;
 book.number("samples_zero", std::to_string(zero));
-book.compare({"sign_zero", ao_picture(trapped), "With sign(0) = 0 four samples a texel are lost, and the shade is paler (" + wall.command(trap) + ")."},
+book.compare({"sign_zero", ao_picture(trapped), "With sign(0) = 0 each texel of the walls, the floor and the ceiling loses four samples, and their shade is paler (" + wall.command(trap) + ")."},
              {"sign_plus", ao_picture(cured), "With sign(0) = 1 all fourteen samples leave p."});
 book.check("Facing a wall, only {samples_zero} of the 14 unturned samples leave p where sign(0) is 0; all do where it is 1.",
            plus == kCubeVectors && zero == kCubeVectors - 4);
@@ -348,15 +354,15 @@ book.check("Facing a wall, only {samples_zero} of the 14 unturned samples leave 
 // ## Exercises
 //
 // 1. Run `crevice chapter 06 --cell raw_ao --param radius=1`. What happens to the shade, and what to the grain?
-// 2. Why does a level floor right below the eye need neither $dp$ nor epsilon?
-// 3. (X_Jun's third) Take $dp$ out of the shader. Which surfaces stay white, and why these?
-// 4. Instead of $dz$, compare distances: $|p| - |r|$. Where does that change the picture?
+// 2. Why does a level floor right below the eye need neither dp nor epsilon?
+// 3. (X_Jun's third) Take dp out of the shader. Which surfaces stay white, and why these?
+// 4. Instead of dz, compare distances: $|p| - |r|$. Where does that change the picture?
 //
 // <details><summary>Answers</summary>
 //
 // 1. The shade reaches twice as far, and the same fourteen samples now cover four times the area on the screen: the grain
 //    gets coarser.
-// 2. Seen straight from above, all of the floor has the same view depth: $dz$ is 0 for every neighbour, and 0 is not above
+// 2. Seen straight from above, all of the floor has the same view depth: dz is 0 for every neighbour, and 0 is not above
 //    any epsilon.
 // 3. Those that face the eye squarely, for the reason of exercise 2. Every other plane has a half that is nearer to the
 //    eye.

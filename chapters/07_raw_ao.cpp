@@ -133,10 +133,15 @@ PixelRect foot_of_column(Size size) {
     return {size.width * 2 / 5, size.height / 4, size.width * 3 / 4, size.height * 3 / 4};
 }
 
+// A part of an AO map, enlarged.
+Picture ao_part(const Image<float>& ao, const PixelRect& part, int times = 4) {
+    return ao_picture(enlarged(cropped(ao, part), times));
+}
+
 // A difference of blurred maps: on a finer scale than those of raw ones.
 Picture error_picture(const Image<float>& ao, const Image<float>& mean, const PixelRect& part) {
     constexpr float kScale = 0.1f;
-    return difference_picture(cropped(difference_of(ao, mean), part), kScale);
+    return difference_picture(enlarged(cropped(difference_of(ao, mean), part), 4), kScale);
 }
 
 // The house of X_Jun's scene.
@@ -156,23 +161,23 @@ void raw_ao(Notebook& book) {
 // %% question [markdown]
 // # Raw ambient occlusion
 //
-// Chapter 06 has judged one texel by fourteen samples. Here every texel of a map is judged so, for a start without the
-// random turn of chapter 05: all of them look in the same fourteen directions. The shade at the foot of the column ought to fade out softly. Instead it breaks into *bands*:
-// flat patches with hard borders, at places where there is nothing in the scene that has a border.
+// Chapter 06 ran its test at every texel. Take the random turn of chapter 05 out again, so that all texels look in the same
+// fourteen directions. The shade at the foot of the column ought to fade out softly. Instead it breaks into *bands*: flat
+// patches with hard borders, at places where there is nothing in the scene that has a border.
 
 // %% bands
 const SwitchedView foot = column_foot(book);
 const Words seed = {"seed=" + std::to_string(book.seed())}, unturned = {seed[0], "random_vectors=none"};
 const SwitchedAo grain = foot.ao(seed), bands = foot.ao(unturned);
 const PixelRect part = foot_of_column(bands.raw.size);
-book.show("bands", ao_picture(cropped(bands.raw, part)),
+book.show("bands", ao_part(bands.raw, part),
           "The foot of a column. Fourteen samples a texel, the same directions everywhere (" + foot.command({unturned[1]}) + ").");
 
 // %% idea [markdown]
 // ## The idea
 //
-// **Fourteen samples are far too few; but if every texel looks in directions of its own, neighbours err independently of
-// each other, and an average over neighbours removes their errors.**
+// **Fourteen samples are far too few; but if every texel looks in directions of its own, neighbours err almost
+// independently of each other, and an average over neighbours removes most of their errors.**
 //
 // Where neighbours look the same way, they hit and miss the same things, so they err alike, and a patch of equal errors is
 // a band. Chapter 05 turns the fourteen vectors by another random vector at every texel. The error of one texel does not
@@ -209,13 +214,13 @@ book.number("steepest", decimal_text(static_cast<double>(kSteepest), 2));
 // %% formula [markdown]
 // ## From samples to a map
 //
-// Each of the $N = 14$ samples takes $dp \cdot \mathrm{occlusion}(dz)$ from the texel. Their mean is the texel's occlusion;
+// Each of the $N = 14$ samples takes $\textit{dp} \cdot \text{occlusion}(\textit{dz})$ from the texel. Their mean is the texel's occlusion;
 // one minus that is its *accessibility*, 1 where nothing is in the way. A power for contrast ends the pass:
 //
-// $$ access = 1 - \frac1N \sum_{i=1}^{N} dp_i \cdot \mathrm{occlusion}(dz_i), \qquad AO = access^{\,k} $$
+// $$ \text{access} = 1 - \frac1N \sum_{i=1}^{N} \textit{dp}_i \cdot \text{occlusion}(\textit{dz}_i), \qquad \text{AO} = \text{access}^{\,k} $$
 //
 // A sample that was rejected has taken nothing, but it stays among the $N$. At our texel $({{x}}, {{y}})$ the samples take
-// {sum} together, so $access = {{access}}$. With the exponent of X_Jun's tutorial for Direct3D 11, $k = 4$, that becomes
+// {sum} together, so $\text{access} = {{access}}$. With the exponent of X_Jun's tutorial for Direct3D 11, $k = 4$, that becomes
 // {ao_4}; with that of Luna's for Direct3D 12, $k = 6$, it would be {ao_6}. The exponent has no physical meaning: it turns
 // faint shade into strong shade.
 
@@ -239,20 +244,30 @@ book.check("The exponent 6 instead of 4 raises the mean occlusion of the picture
 // %% half_size [markdown]
 // ## A texel between four pixels
 //
-// This pass costs more than all others, so both tutorials make the map half as wide and half as high as the picture. The
-// centre of each texel is then the corner at which four pixels meet. Which normal and which depth does it take?
+// The centre of each texel of the half-size map is the corner at which four pixels meet. Which normal and which depth does it
+// take?
 //
 // X_Jun's sampler filters linearly, and gives the mean of the four. On one surface that is right. Across an edge it is the
 // normal and the depth of a surface that does not exist, as the table shows; its samples then find the real surfaces in
 // front of it, and what remains is a line of dark dots along every edge. (Luna takes the normal of one of the four pixels
 // and the mean of the stored depths.)
 //
-// This lab first asks whether the four show one surface: normals whose cosine with that of the pixel nearest to the eye is at least
-// {cosine}, and points that lie near that pixel's plane, within {pixels} times the width of a pixel at that depth. If so, it takes
-// the mean of the four normals, as short as that comes out, and of the four view depths. If not, it takes
-// the nearest pixel's normal, and the depth that the nearest pixel's plane has at the centre of the texel. (A plane seen edge-on
-// has no such depth; where $|n \cdot e|$ is below {steepest} for the ray $e$ of depth 1, the pixel's own depth stays. And no depth
-// is taken that is larger than the mean.)
+// This lab tells the two cases apart. Pixel $m$ of the four has the normal $n_m$, the view depth $z_m$ and the point $p_m$, on
+// the ray through its *own* centre. The *texel's* ray is another one: let $e$ be its point with $e_z = 1$.
+//
+// 1. If all four show the sky, the texel has no surface. Steps 2 to 6 are for all others.
+// 2. The *nearest* pixel is the one with the smallest $z_m$; of equals the first, counted as in the table below.
+// 3. The four show one surface if none shows the sky and, for each,
+//    $n_\text{nearest} \cdot n_m \ge {{cosine}}$ and $|n_\text{nearest} \cdot (p_m - p_\text{nearest})|$ is at most {pixels}
+//    times the width of a pixel at that depth, $2 \tan(\text{fov}_y/2)\, z_\text{nearest} / h$ in a picture of $h$ rows.
+// 4. If so, the texel takes the mean of the four normals, not normalised again, so that it may be shorter than 1, and the
+//    mean of the four view depths.
+// 5. If not, it takes $n_\text{nearest}$, and the depth where its ray meets the nearest pixel's plane. $z\, e$ lies in that
+//    plane if $n_\text{nearest} \cdot (z\, e - p_\text{nearest}) = 0$, so
+//    $z = (n_\text{nearest} \cdot p_\text{nearest}) / (n_\text{nearest} \cdot e)$. Where the plane is seen edge-on,
+//    $|n_\text{nearest} \cdot e| \le {{steepest}}$, or $z$ is not positive, the texel takes $z_\text{nearest}$.
+// 6. A depth from step 5 may not exceed the mean of the four depths in the map that the samples read; otherwise the mean is
+//    taken. With the sky's {background} among the four, this limits nothing.
 
 // %% edge_texel
 const SwitchedAo mixed = foot.ao({seed[0], "edge_texels=mixed"});
@@ -266,30 +281,42 @@ book.table({"texel ({edge_x}, {edge_y})", "normal", "view depth"},
 book.number("z_apart", text(z_mixed - z_nearest));
 book.check("The mean lies {z_apart} units behind the nearer surface, at a depth where there is nothing.",
            z_mixed > z_nearest + 0.5f);
-book.compare({"edge_mixed", ao_picture(cropped(mixed.blurred, part)), "Blurred, from the mean of four pixels, whatever they show (" +
+book.compare({"edge_mixed", ao_part(mixed.blurred, part), "Blurred, from the mean of four pixels, whatever they show (" +
               foot.command({"edge_texels=mixed"}) + "): dark dots along the column's edges."},
-             {"edge_nearest", ao_picture(cropped(grain.blurred, part)), "From the nearest surface where they disagree: the edges are clean."});
+             {"edge_nearest", ao_part(grain.blurred, part), "From the nearest surface where they disagree: the edges are clean."});
 
 // %% nothing_there [markdown]
 // ## Where there is nothing
 //
-// Two cases need an answer before the loop can run everywhere.
+// Two rows of the table of nothing in chapter 03 are at work here.
 //
-// **The sky** has neither $p$ nor $n$. Its texels are computed like any other, with the depth 1 and the normal 0, and the result
-// is then replaced by 1: `select(surface, ao, 1)`.
+// **The sky** has neither $p$ nor $n$. Its texels are computed like any other, with a depth of 1 that means nothing, and the
+// result is then replaced by 1: `select(surface, ao, 1)`.
 //
 // **Beyond the picture** the depth map has no pixels, but a sample near the rim asks for them. The map answers as for the
-// sky. X_Jun writes "nothing" as a large depth, {background} here, a hundred times the far plane; in Luna's map of NDC depths
-// it is 1, the far plane. Either way $dz = p_z - r_z$ is far below 0, and nothing occludes.
+// sky: X_Jun's with a large depth, {background} here, Luna's map of NDC depths with 1, the far plane. Either way
+// $\textit{dz} = p_z - r_z$ is far below 0, and nothing occludes.
 
 // %% the_code [markdown]
 // ## The code
 //
 // The whole pass is a loop over texels with the following body. The HLSL of the tutorials ends in the same three steps:
-// divide by the sample count, subtract from one, `saturate(pow(access, k))`. The pictures of this book use X_Jun's numbers, and
-// depart from the shader in five places: the random vector is made unit (chapter 05); edge texels take the nearest surface; and of
-// the cases of chapter 06, the sign of 0 is 1, samples before the near plane are rejected, and $r = p$ takes nothing. `--param
-// as_published=true` goes back to the tutorials' random vectors, edge texels and sign.
+// divide by the sample count, subtract from one, `saturate(pow(access, k))`. The pictures of this book use X_Jun's numbers. This
+// is where the lab departs from its shaders, and what `--param as_published=true` undoes of it:
+
+// %% departures tags=["setup"]
+book.table({"what the lab does otherwise", "chapter", "undone by as_published=true"},
+           {{"the sky's normal is 0, its depth infinite", "03", "in edge texels"},
+            {"buffers hold 32-bit floats", "03, 04", "no"},
+            {"random vectors are made unit", "05", "yes"},
+            {"samples before the near plane are rejected", "05, 06", "no"},
+            {"r = p takes nothing", "06", "no"},
+            {"fade start = fade end is a step", "06", "no"},
+            {"epsilon grows far away", "06", "no"},
+            {"the sign of 0 is 1", "06", "yes"},
+            {"edge texels take the nearest surface", "07", "yes"},
+            {"texels of the sky are 1", "07", "no"},
+            {"blur taps outside the map do not count", "08", "no"}});
 
 // %% kernel_texel tags=["setup"]
 book.listing("ssao/methods/luna_occlusion.h", "texels_at",
@@ -297,7 +324,8 @@ book.listing("ssao/methods/luna_occlusion.h", "texels_at",
              "samples, and the sky gets 1.");
 book.listing("ssao/methods/luna_occlusion.h", "accessibility_of_sum", "The mean of the samples.");
 book.listing("ssao/methods/luna_occlusion.h", "stored", "Contrast, and rounding to the format of the map.");
-book.listing("ssao/inputs/texel_fetch.h", "one_surface", "Whether the four pixels, a `Tap` each, show one surface. A pixel's `weight` is 1/4 here; it is 0 only for sizes that "
+book.listing("ssao/inputs/texel_fetch.h", "carried_depth", "The depth of step 5. It is computed as a shift from the pixel's own depth, which rounds less.");
+book.listing("ssao/inputs/texel_fetch.h", "one_surface", "Step 3: whether the four pixels, a `Tap` each, show one surface. A pixel's `weight` is 1/4 here; it is 0 only for sizes that "
              "are not halved evenly.");
 
 // %% picture [markdown]
@@ -324,7 +352,7 @@ book.check("Every texel lies between 0 and 1, the darkest at {least}, and none i
 // ## How much noise
 //
 // What would the same method show without noise? The mean over many seeds tells: each draws other lengths and other random
-// vectors. Against the mean of 32 of them, with $k = 1$, we can measure what more samples buy. Errors of $N$ independent
+// vectors. Against the mean of 32 of them, with $k = 1$ and in the whole scene, we can measure what more samples buy. Errors of $N$ independent
 // samples fall like $1/\sqrt N$. These start worse: samples 1 and 2 are opposite corners of the cube, which the flip to the
 // normal's side turns into the same direction. So the second gains next to nothing.
 
@@ -344,9 +372,9 @@ for (int i = 10; i <= 140; ++i) {
 book.plot("noise_by_samples", {"Noise by the number of samples", {"samples a texel, N"},
                                {"RMS difference from the mean of 32 seeds", false, 0}, {measured, ideal}},
           "The second sample helps next to nothing, every later one less than the one before.");
-book.show_row({{"samples_1", ao_picture(cropped(by_samples[0], house_of(shown.raw.size))), "One sample: a texel is nearly black or white, hit or not."},
-               {"samples_4", ao_picture(cropped(by_samples[2], house_of(shown.raw.size))), "Four samples: coarse grey grain."},
-               {"samples_14", ao_picture(cropped(by_samples[5], house_of(shown.raw.size))), "Fourteen: less noise, the same shade."}});
+book.show_row({{"samples_1", ao_part(by_samples[0], house_of(shown.raw.size), 3), "One sample: white where it misses, any grey where it hits."},
+               {"samples_4", ao_part(by_samples[2], house_of(shown.raw.size), 3), "Four samples: coarse grey grain."},
+               {"samples_14", ao_part(by_samples[5], house_of(shown.raw.size), 3), "Fourteen: less noise, the same shade."}});
 book.number("noise_1", measured.y[0], 4);
 book.number("noise_2", measured.y[1], 4);
 book.number("noise_14", measured.y[5], 4);
@@ -360,8 +388,9 @@ book.check("The second sample only brings it to {noise_2}; going from 2 to 4 gai
 //
 // Texel by texel both maps of the column's foot are wrong by about as much (the first numbers of the check below). Blur both as
 // in chapter 08, and compare them with the blurred mean of 32 seeds. What remains of the bands is broad and strong, since a band
-// is as wide as the filter. The grain is gone. A faint, even error remains: this seed has drawn other lengths for the fourteen
-// vectors than the mean of all seeds, the same for every texel, so no mean over neighbours removes it.
+// is as wide as the filter. The grain is gone. A weaker and smoother error remains: this seed has drawn other lengths for the
+// fourteen vectors than the mean of all seeds, the same for every texel, so neighbours err alike in this part, and no mean over
+// them removes it.
 
 // %% blurred
 const Image<float> limit = luna_limit(grain.inputs, grain.settings, kSeeds).mean;
@@ -372,7 +401,7 @@ const double bands_left = compare_images(bands.blurred, limit_blurred).rmse;
 const double grain_left = compare_images(grain.blurred, limit_blurred).rmse;
 book.compare({"bands_left", error_picture(bands.blurred, limit_blurred, part), "What the blur leaves of the bands: blue is too dark, red "
               "too bright."},
-             {"grain_left", error_picture(grain.blurred, limit_blurred, part), "What it leaves of the grain, on the same scale."});
+             {"grain_left", error_picture(grain.blurred, limit_blurred, part), "What it leaves of the grain, on the same scale: no borders, but one weaker error all round the foot."});
 book.number("bands_raw", compare_images(bands.raw, limit).rmse, 4);
 book.number("grain_raw", compare_images(grain.raw, limit).rmse, 4);
 book.number("alike", alike, 2);
@@ -381,7 +410,7 @@ book.number("bands_left", bands_left, 4);
 book.number("grain_left", grain_left, 4);
 // In a map of odd size neighbours share a part of their random vectors, so that grain is coarser.
 book.check("The errors of neighbours correlate by {alike} in the bands, by {unlike} in the grain.", alike > 1.3 * unlike);
-book.check("The RMS error of the bands falls from {bands_raw} to {bands_left} in the blur, that of the grain from {grain_raw} to "
+book.check("In this view, with k = 4, the RMS error of the bands falls from {bands_raw} to {bands_left} in the blur, that of the grain from {grain_raw} to "
            "{grain_left}.",
            grain_left < 0.9 * bands_left);
 
@@ -393,7 +422,8 @@ book.check("The random map repeats four times across the picture: a quarter of t
 // %% thin_text [markdown]
 // ## What can go wrong
 //
-// **Half size loses thin lines.** The grain of a small map is coarser, but it is blurred anyway. A joint that is one pixel wide,
+// **Half size loses thin lines.** To light the picture, the map is enlarged to its size by a linear filter (chapter 09). The
+// grain of a small map is coarser, but it is blurred anyway. A joint that is one pixel wide,
 // however, may fall between the texels, and no blur brings it back.
 
 // %% thin
@@ -438,8 +468,8 @@ const float stored_sky = infinite_sky.inputs.depth_map.at(0, 0), kept = truncate
 const Image<float> change = difference_of(infinite_sky.raw, finite_sky.raw);
 const PixelRect where = part_around_largest(change, {40, 30});
 const auto lost = std::count_if(change.pixels.begin(), change.pixels.end(), [](float a) { return a > 0.01f; });
-book.compare({"sky_infinite", ao_picture(cropped(infinite_sky.raw, where)), "An infinite sky, 40 by 30 texels at a silhouette: those that touch the sky are white."},
-             {"sky_finite", ao_picture(cropped(finite_sky.raw, where)), "The sky at 65504: single texels of the outline are grey again."});
+book.compare({"sky_infinite", ao_part(infinite_sky.raw, where, 10), "An infinite sky, 40 by 30 texels at a silhouette: those that touch the sky are white."},
+             {"sky_finite", ao_part(finite_sky.raw, where, 10), "The sky at 65504: single texels of the outline are grey again."});
 book.number("lost", std::to_string(lost));
 book.check("Rounded toward zero 1e5 becomes 65504, to nearest infinity, and a filter that touches infinity gives NaN.",
            kept == 65504 && std::isinf(stored_sky) && std::isnan(stored_sky + 0 * (kept - stored_sky)));

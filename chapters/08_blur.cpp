@@ -13,6 +13,7 @@
 #include "ssao/judge/luna_limit.h"
 #include "ssao/judge/metrics.h"
 #include "ssao/judge/reference_error.h"
+#include "ssao/methods/xjun_ssao.h"
 
 namespace crevice {
 namespace {
@@ -199,8 +200,8 @@ book.compare({"raw", ao_picture(shown.raw), "The raw AO map: shade with sharp ed
 //
 // **Average only over neighbours that show the same surface.**
 //
-// Which neighbours are those? Chapter 07 has found a normal and a view depth for every texel of the map. If a neighbour's normal is
-// nearly ours, and its depth too, it most likely lies on our surface. A mean that weighs neighbours by their place *and* by
+// Which neighbours are those? Chapter 07 has found a normal and a view depth for every texel of the map, and the lab has kept
+// them. (The tutorials fetch them from the images of pass 1 once more.) If a neighbour's normal is nearly ours, and its depth too, it most likely lies on our surface. A mean that weighs neighbours by their place *and* by
 // their likeness is called a *bilateral filter*. Here likeness is yes or no.
 
 // %% one_texel
@@ -217,7 +218,7 @@ for (int i = -kBlurRadius; i <= kBlurRadius; ++i) {
     taps.push_back({step.x + i, like.counts(near.blur)});
     kept_weight += taps.back().counts ? static_cast<double>(weight) : 0;
     tap_rows.push_back({std::to_string(i), text(weight, 2), text(like.cosine), text(like.apart),
-                        taps.back().counts ? "counts" : "rejected", text(near.raw.at(step.x + i, step.y))});
+                        taps.back().counts ? "counts" : "rejected", text(near.raw.at(step.x + i, step.y), 4)});
 }
 book.number("step_x", std::to_string(step.x));
 book.number("step_y", std::to_string(step.y));
@@ -227,6 +228,7 @@ book.draw("taps", blur_taps_diagram(in, step.x, step.y, taps, "A texel and its n
           "their AO says nothing about c. (It is chosen for the step beside it, and is not the texel that we follow.)");
 
 // %% numbers
+book.number("exponent", kXjunSettings.exponent, 0);
 book.number("middle", text(kXjunBlurWeights[5], 1));
 book.number("inner", text(kXjunBlurWeights[4], 1));
 book.number("outer", text(kXjunBlurWeights[0], 2));
@@ -271,7 +273,8 @@ book.check("Luna's eleven weights are the formula's, within {off} billionths.", 
 // %% tests_text [markdown]
 // ## The two tests, and what is left
 //
-// A neighbour $i$ counts for the centre $c$ when both of these hold:
+// Write $n_i$, $z_i$ and $\text{AO}_i$ for the texel $i$ steps away from the centre $c$, $i = -5 \ldots 5$. It counts for $c$
+// when both of these hold:
 //
 // $$ n_c \cdot n_i \ge {{cosine}} \qquad\text{and}\qquad |z_c - z_i| \le {{depth}} $$
 //
@@ -281,17 +284,17 @@ book.check("Luna's eleven weights are the formula's, within {off} billionths.", 
 // A rejected neighbour's weight must leave the divisor as well as the sum. Otherwise texels at edges would become darker with each
 // neighbour they lose. So we divide by the weights that were used:
 //
-// $$ A'_c = \frac{\sum_{\text{counting}} w_i\, A_i}{\sum_{\text{counting}} w_i} $$
+// $$ \text{AO}'_c = \frac{\sum_{\text{counting}} w_i\, \text{AO}_i}{\sum_{\text{counting}} w_i} $$
 //
 // The centre always counts, so the divisor is never 0. Beyond the picture there are no neighbours. A texel of the sky has no
-// normal and infinite depth; nothing counts for it, and it counts for nobody.
+// normal and infinite depth; nothing counts for it, so it keeps its 1, and it counts for nobody.
 
 // %% taps_table
 const float across = mean_along(near.raw, in, near.blur, step.x, step.y, 1, 0);
 book.number("kept_weight", kept_weight, 2);
-book.number("raw_step", text(near.raw.at(step.x, step.y)));
-book.number("across_step", text(across));
-book.table({"tap i", "weight", "n_c . n_i", "|z_c - z_i|", "verdict", "AO"}, tap_rows,
+book.number("raw_step", text(near.raw.at(step.x, step.y), 4));
+book.number("across_step", text(across, 4));
+book.table({"tap i", "weight", "cosine of the normals", "difference in depth", "verdict", "AO"}, tap_rows,
            "The eleven taps of the texel in the figure. Those that count have a total weight of {kept_weight}; divided by it, their mean "
            "is {across_step}, where the texel itself had {raw_step}. (Tap 0 is the texel itself: its cosine may come a little below 1, "
            "since a mean of four normals is not of length 1.)");
@@ -330,18 +333,18 @@ const PixelRect part = left_of_house(shown.raw.size);
 std::vector<Notebook::Named> pictures;
 std::vector<float> of_texel;
 for (const auto& [iterations, caption] : {std::pair{"1", "After one iteration the grain is coarser and weaker."},
-                                          std::pair{"2", "After two, only soft blotches are left of it."},
+                                          std::pair{"2", "After two, soft blotches are left of it and, on the floor, streaks."},
                                           std::pair{"4", "After four the shade is smooth, and the silhouettes are sharp."}}) {
     const std::string word = std::string("blur_iterations=") + iterations;
-    pictures.push_back({std::string("blurred_") + iterations, ao_picture(cropped(view.ao({seed[0], word}).blurred, part)), caption});
+    pictures.push_back({std::string("blurred_") + iterations, ao_picture(enlarged(cropped(view.ao({seed[0], word}).blurred, part), 3)), caption});
     of_texel.push_back(foot.ao({seed[0], word}).blurred.at(at.x, at.y));
 }
 book.show_row(pictures);
 book.number("x", std::to_string(at.x));
 book.number("y", std::to_string(at.y));
-book.number("of_texel_0", text(near.raw.at(at.x, at.y)));
-book.number("of_texel_1", text(of_texel[0]));
-book.number("of_texel_4", text(of_texel[2]));
+book.number("of_texel_0", text(near.raw.at(at.x, at.y), 4));
+book.number("of_texel_1", text(of_texel[0], 4));
+book.number("of_texel_4", text(of_texel[2], 4));
 
 // %% followed [markdown]
 // The texel that we follow, $({{x}}, {{y}})$ in the view of the column's foot, had {of_texel_0} in the raw map. It has {of_texel_1}
@@ -358,18 +361,21 @@ const double leaked = leak(BlurEdges::none);
 book.compare({"leaking", ao_picture(plain.blurred), "The plain Gaussian: shade leaks over every silhouette."},
              {"holding", ao_picture(shown.blurred), "The bilateral blur: it stays where it belongs."});
 book.show("leak", difference_picture(difference_of(plain.blurred, shown.blurred)),
-          "Plain minus bilateral: blue is shade that leaked onto another surface or the sky, red is shade lost to it.");
+          "Plain minus bilateral: blue is shade that leaked onto another surface or the sky, red is where it was spread away from.");
 book.number("drift", drift, 4);
 book.number("leaked", percent_text(leaked));
 book.check("Four iterations change the mean of the map by {drift} only.", std::fabs(drift) < 0.005);
 book.check("In one iteration of the bilateral blur nothing crosses a step in depth. One iteration of the plain blur gives {leaked} of "
-           "the texels a value outside of the range of the raw values around them at about their depth.", leak(BlurEdges::fixed) == 0 && leaked > 0.01);
+           "the texels a value that no raw texel of about their depth nearby had: lighter than the lightest or darker than the "
+           "darkest.", leak(BlurEdges::fixed) == 0 && leaked > 0.01);
 
 // %% error_text [markdown]
 // ## How wrong it is
 //
-// Which blur is better (X_Jun's first exercise)? The mean of many seeds is the method without its noise; let us measure how far
-// each map is from that, with twice the seeds of chapter 07. *Edges* are texels beside a step in depth, *creases* those where surfaces meet, *flats* all others.
+// Which blur is better (X_Jun's first exercise)? The mean of many seeds is the method without its noise. Let us measure how far
+// each map is from that, in the whole scene and with X_Jun's contrast, $k = {{exponent}}$ (the noise of chapter 07 by the number
+// of samples was that of $k = 1$, and smaller). Both blurs make four iterations, the plain one with Luna's weights
+// (a standard deviation of {luna_sigma} texels), the bilateral one with X_Jun's ({sigma_1}). *Edges* are texels beside a step in depth, *creases* those where surfaces meet, *flats* all others.
 
 // %% errors
 const ReferenceImage limit = luna_limit(shown.inputs, shown.settings, kSeeds);
@@ -393,8 +399,6 @@ book.number("noise_left", noise_left, 4);
 const auto better = [&](Region region) { return error(shown.blurred, region) < error(plain.blurred, region); };
 book.check("The bilateral blur is better than the plain one at edges, in creases and on flats.",
            better(Region::edge) && better(Region::crease) && better(Region::flat));
-book.check("The blur takes away more than half of the noise, and the error that it adds is there without any noise as well.",
-           noise_left < 0.5 * noise_raw && error(limit_blurred, Region::surface) > error(shown.raw, Region::surface));
 
 // %% why_text [markdown]
 // Something in the table looks wrong: the blurred map is *further* from the mean than the raw one was, {error_blurred} instead of
@@ -405,6 +409,10 @@ book.check("The blur takes away more than half of the noise, and the error that 
 // Of the noise little is left: the raw map differs from the mean by {noise_raw}, the blurred map from the blurred mean by only
 // {noise_left} (both with the sky). The blur trades an error that the eye sees at once, grain that crawls when the camera moves, for one
 // that it forgives, shade that is a little too soft. Contact shade is what it costs.
+
+// %% noise_for_softness
+book.check("The blur takes away more than half of the noise, and the error that it adds is there without any noise as well.",
+           noise_left < 0.5 * noise_raw && error(limit_blurred, Region::surface) > error(shown.raw, Region::surface));
 
 // %% rows_of_a_floor
 constexpr float kEyeHeight = 3;  // over X_Jun's floor, scene units
@@ -417,33 +425,90 @@ book.number("limit_z", text(limit_z, 1));
 // %% floor_text [markdown]
 // ## What can go wrong: a floor seen at a slant
 //
-// Rows of the map that show a floor are not equally far apart. From an eye that looks level from the height $h$, the row $s$ texels
-// below the horizon shows the depth $z = hf / s$, where $f$ is the focal length in texels, half the map's height over
-// $\tan(fov_y/2)$. From one row to the next the depth therefore changes by
+// Rows of the map that show a floor are not equally far apart. From an eye that looks level from the height $H$, the row $s$ texels
+// below the horizon shows the depth $z = Hf / s$, where $f$ is the focal length in texels, half the map's height over
+// $\tan(\text{fov}_y/2)$. From one row to the next the depth therefore changes by
 //
-// $$ \Delta z = \frac{h f}{s} - \frac{h f}{s + 1} \approx \frac{z^2}{h f} $$
+// $$ \Delta z = \frac{H f}{s} - \frac{H f}{s + 1} \approx \frac{z^2}{H f} $$
 //
-// Past $z = \sqrt{ {{depth}}\, h f }$ even the next row is more than {depth} units away. Then no tap above or below counts, and the
-// blur has only one dimension left. In X_Jun's scene $h = {{h}}$ and $f = {{f}}$ here, so that happens at $z = {{limit_z}}$.
+// Past $z = \sqrt{ {{depth}}\, H f }$ even the next row is more than {depth} units away. Then no tap above or below counts, and the
+// blur has only one dimension left. In X_Jun's scene $H = {{h}}$ and $f = {{f}}$ here, so that happens at $z = {{limit_z}}$.
 //
 // The cure asks for the distance from the centre's *plane* instead: $|n_c \cdot (p_c - p_i)|$, and the same with the
-// neighbour's normal, at most {depth}. All of the floor lies in that plane, however it is seen.
+// neighbour's normal, at most {depth}; the test of the normals stays. All of the floor lies in that plane, however it is seen.
 
 // %% grazing_floor
 const SwitchedAo slope = view.ao({seed[0], "blur_edges=slope"});
 const KeptTaps of_fixed = kept_taps(shown.inputs, shown.blur, limit_z), of_slope = kept_taps(shown.inputs, slope.blur, limit_z);
 book.compare({"kept_taps", grey_picture(of_fixed.kept, 0, 10), "How many of the ten taps above and below count, 0 black to 10 "
-              "white. On the far floor it is none, and towards the eye more, step by step."},
+              "white. On the far floor it is none, as black as the sky, where there is no floor; towards the eye it is more, step by step."},
              {"kept_taps_slope", grey_picture(of_slope.kept, 0, 10), "Measured from the plane (" +
-              view.command({"blur_edges=slope"}) + "): the floor is white up to the horizon."});
+              view.command({"blur_edges=slope"}) + "): the floor is white nearly up to the horizon. It is grey where taps fall off it or off the picture."});
 book.show("slope_minus_fixed", difference_picture(difference_of(slope.blurred, shown.blurred)),
-          "What the cure changes in the AO map. The open floor is 1 anyway; what changes is the shade on surfaces seen at a slant.");
+          "What the cure changes in the AO map: blue gets darker, red lighter. The open floor is 1 anyway; what changes is the "
+          "shade on surfaces seen at a slant.");
 book.number("without", percent_text(double{1} * of_fixed.without / of_fixed.far_floor));
 book.number("taps_fixed", of_fixed.taps / of_fixed.far_floor, 1);
 book.number("taps_slope", of_slope.taps / of_slope.far_floor, 1);
-book.check("From a tenth beyond that depth on, {without} of the floor's texels keep no tap at all above or below.", of_fixed.without > 0.9 * of_fixed.far_floor);
+book.number("beyond", 1.1 * static_cast<double>(limit_z), 1);
+book.check("Beyond z = {beyond}, a tenth past that depth, {without} of the floor's texels keep no tap at all above or below.", of_fixed.without > 0.9 * of_fixed.far_floor);
 book.check("Measured from the plane they keep {taps_slope} of ten on average instead of {taps_fixed}.",
            of_slope.taps > 7 * of_slope.far_floor && of_fixed.taps < 0.5 * of_fixed.far_floor);
+
+// %% algorithm [markdown]
+// ## The whole algorithm
+//
+// Here is everything from chapter 03 on, and one step ahead; the number of a chapter stands before what it explains. Chapter
+// 09 enlarges the half-size map to the picture: the value of a pixel is mixed from the four texels around its place, as
+// depths are in chapter 06; beyond the rim, the outermost texel is taken again.
+//
+// ```text
+// 03  draw the scene: n and z of every pixel (sky: 0, infinite), and the depth buffer
+//     depth map = z of every pixel; SKY for the sky and all around the picture
+//     for each texel (i, j) of the half-size map of w x h texels:
+// 04      u = (i + 1/2) / w;  v = (j + 1/2) / h
+//         e = ((2u - 1) a tan(fov_y / 2), (1 - 2v) tan(fov_y / 2), 1)
+// 07      n, z = those of its four pixels, by the six steps;  p = z e
+//         if there is no surface: raw AO = 1, next texel
+// 05      r = random map at (T u, T v), linear, wrapped, normalised
+//         sum = 0
+//         for each of N offsets o:
+//             d = o - 2 (o . r) r
+//             q = p + R d  if d . n >= 0  else  p - R d
+// 06          if q_z <= z_n: next offset
+//             r_z = depth map at the place of q on the screen, linear
+//             way = (r_z / q_z) q - p;  if it is 0: next offset
+//             dp = max(0, n . way / |way|);  dz = p_z - r_z
+//             if dz > epsilon:
+//                 sum += dp saturate((fade_end - dz) / (fade_end - fade_start))
+// 07      raw AO = saturate(1 - sum / N) ^ k
+// 08  repeat M times, along rows into another map, then along columns back:
+//         for each texel c with a surface:
+//             taps = c, and i = -K ... K inside the map with n_c . n_i >= C and |z_c - z_i| <= D
+//             AO_c = sum of w_i AO_i over the taps / sum of w_i over the taps
+// 09  draw the scene again, for each pixel:
+//         colour = ambient light times (AO map at the pixel's u, v, linear) + other light
+// ```
+
+// %% constants tags=["setup"]
+const auto constant = [](const char* name, const char* meaning, auto value) {
+    return std::vector<std::string>{name, meaning, exact_text(static_cast<float>(value))};
+};
+book.table({"name", "meaning", "X_Jun"},
+           {constant("SKY", "depth where there is nothing", static_cast<double>(kBackgroundOverFar) * view.camera().far_plane),
+            constant("T", "repeats of the random map in each direction", kRandomMapRepeats),
+            constant("N", "offsets", kXjunSettings.samples),
+            constant("R", "radius, scene units", kXjunSettings.radius),
+            constant("epsilon", "least distance in front, scene units", kXjunSettings.epsilon),
+            constant("fade_start", "full occlusion up to here, scene units", kXjunSettings.fade_start),
+            constant("fade_end", "none from here on, scene units", kXjunSettings.fade_end),
+            constant("k", "exponent", kXjunSettings.exponent),
+            constant("M", "iterations of the blur", kXjunBlur.iterations),
+            constant("K", "taps to either side", kBlurRadius),
+            constant("C", "least cosine of two normals", kXjunBlur.normal_threshold),
+            constant("D", "largest difference in depth, scene units", kXjunBlur.depth_threshold)},
+           "The constants of the algorithm. The weights w of the blur stand above; the angle of view, its aspect and the near "
+           "plane are the camera's.");
 
 // %% exercises [markdown]
 // ## Exercises

@@ -22,6 +22,15 @@ inline Image3 cropped(const Image3& image, const PixelRect& part) {
     return result;
 }
 
+// Each pixel as a square of so many, for pictures that would be too small to see.
+inline Image<float> enlarged(const Image<float>& image, int times) {
+    Image<float> result({image.size.width * times, image.size.height * times});
+    for (int y = 0; y < result.size.height; ++y) {
+        for (int x = 0; x < result.size.width; ++x) result.at(x, y) = image.at(x / times, y / times);
+    }
+    return result;
+}
+
 // A part of at most this size around a pixel, moved to lie inside of the image.
 inline PixelRect part_around(const Size& image, int x, int y, Size part) {
     const int width = std::min(part.width, image.width), height = std::min(part.height, image.height);
