@@ -127,7 +127,7 @@ TEST_CASE("lab: what the program refuses is refused in its words, with its exit 
     CHECK(error_of(frame_request("no_such_scene", "xjun")) == says([] { load_scene("no_such_scene"); }));
     CHECK(error_of(frame_request("cornell", "none_such")).find("--ao: ") == 0);
     Lab lab;
-    CHECK(asked(lab, frame_request("no_such_scene", "xjun"))["exit_code"] == 3);
+    CHECK(asked(lab, frame_request("no_such.obj", "xjun"))["exit_code"] == 3);
     CHECK(error_of({{"ask", "something"}}).find("something") != std::string::npos);
 }
 
