@@ -6,7 +6,6 @@
 
 #include "chapters/terminal/number_text.h"
 #include "chapters/terminal/parse.h"
-#include "rasterizer/base/float_text.h"
 #include "rasterizer/base/no_such.h"
 #include "rasterizer/lanes/approx_math.h"
 #include "rasterizer/scene/outlier_vertex.h"
@@ -98,10 +97,9 @@ void require_fit(const SceneArgument& scene, const std::string& name, const Meth
     try {
         validate(method, defaults_of(method, unit));
     } catch (const UsageError& error) {
-        throw InputError(name + ": its coordinates are too large for " + method.name + ", whose " +
-                         error.what() + " for what is about " +
-                         shortest_text(unit * static_cast<float>(kTutorialRadius)) +
-                         " units large; or scale the model down");
+        const std::string refusal = error.what();
+        throw InputError(name + ": its coordinates are too large for the defaults of " + method.name + ": " +
+                         refusal.substr(0, refusal.find(';')) + "; scale the model down, or give --param");
     }
 }
 

@@ -56,7 +56,9 @@ float length_unit_of(const Bounds& bounds) {
     if (bounds.empty || !(radius > 0)) return 1;
     // The power of two nearest in ratio: the exponent of sqrt(2) times the value.
     const int exponent = std::ilogb(radius / kTutorialRadius * 1.4142135623730951);
-    return static_cast<float>(std::ldexp(1.0, std::min(std::max(exponent, -60), 60)));
+    // Within the range of floats by so much that multiples of it are floats as well.
+    constexpr int kMostExponent = 100;
+    return static_cast<float>(std::ldexp(1.0, std::clamp(exponent, -kMostExponent, kMostExponent)));
 }
 
 }  // namespace crevice

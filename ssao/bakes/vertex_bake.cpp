@@ -64,8 +64,6 @@ Explanation explain_vertex_bake(const Scene& scene, const Camera& camera, const 
     validate(settings);
     Explanation result;
     result.surface = is_surface(inputs, x, y);
-    result.value_of_sum = [](float) { return 1.0f; };
-    result.formula = "1";
     if (!result.surface) return result;
     const glm::mat3 view_from_relative(camera_matrices(camera, inputs.picture).view_from_relative);
     const VertexAoShown shown = vertex_ao_shown(scene, camera, inputs.size(), rays, baked, x, y);

@@ -148,11 +148,7 @@ Explanation explain_texel(const Kernel& kernel, const Settings& settings, int x,
     const TexelPoint<float> at = texel_point<float>(kernel.inputs, x, y);
     Explanation result;
     result.surface = at.surface;
-    if (!result.surface) {
-        result.value_of_sum = [](float) { return 1.0f; };
-        result.formula = "1";
-        return result;
-    }
+    if (!result.surface) return result;
     result.p_view = {at.p.x, at.p.y, at.p.z};
     result.n_view = {at.n.x, at.n.y, at.n.z};
     std::vector<NamedNumber> told;

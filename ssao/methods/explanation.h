@@ -39,9 +39,9 @@ struct Explanation {
     std::vector<NamedNumber> numbers = {};  // of the texel, the method's own
 
     // The texel that follows from the sum of all contributions, added in their order from 0 on: the value in
-    // the map, to the last bit.
-    std::function<float(float sum)> value_of_sum;
-    std::string formula;  // the same in words, such as "1 - sum / 14"
+    // the map, to the last bit. Of the background, and where nothing is asked: open.
+    std::function<float(float sum)> value_of_sum = [](float) { return 1.0f; };
+    std::string formula = "1";  // the same in words, such as "1 - sum / 14"
 };
 
 // What one pass of a denoiser makes of a texel.

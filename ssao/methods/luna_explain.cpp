@@ -44,11 +44,7 @@ Explanation explain_luna_occlusion(const AoInputs& inputs, const LunaSettings& s
     const LunaPoint<float> at = kernel.point_at<float>(random_map(settings.seed), x, y);
     Explanation result;
     result.surface = at.surface;
-    if (!result.surface) {
-        result.value_of_sum = [](float) { return 1.0f; };
-        result.formula = "1";
-        return result;
-    }
+    if (!result.surface) return result;
     result.p_view = as_glm(at.p);
     result.n_view = as_glm(at.n);
     for (int i = 0; i < settings.samples; ++i)

@@ -256,8 +256,6 @@ Explanation explain_ray_cast_map(const RayScene& scene, const Camera& camera, co
     const RayStart from = caster.start_at(x, y);
     Explanation result;
     result.surface = inputs.view_depth.at(x, y) < std::numeric_limits<float>::infinity();
-    result.value_of_sum = [](float) { return 1.0f; };
-    result.formula = "1";
     if (!from.surface) return result;
     const glm::mat3 view_from_relative = glm::transpose(caster.relative_from_view);
     result.p_view = view_from_relative * (from.origin - from.lift * from.normal);
