@@ -117,6 +117,7 @@ DrawnFrame drawn_frame(const LoadedScene& scene, const LabWords& words, const Ru
     request.run = run;
     request.size = parse_size("--size", words.size);
     request.method = &method_of(words);
+    if (words.params.empty()) require_fit(scene.argument, scene.name, *request.method);
     request.settings = settings_of(*request.method, words.params, scene.argument.scene.length_unit);
     named_as({{"history", "--param history"}}, [&] { require_no_history(request); });
     request.wanted = words.only;

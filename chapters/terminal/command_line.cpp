@@ -42,7 +42,9 @@ std::vector<std::string> flags_of(const CLI::App& command) {
 // CLI11 would name the word that follows a wrong command, not the command.
 void require_known_command(const CLI::App& program, const std::string& name, const std::string& first) {
     const std::vector<std::string> known = commands_of(program);
-    if (known.empty() || first.empty() || first[0] == '-' || std::ranges::count(known, first) > 0) return;
+    if (known.empty() || first.empty() || first[0] == '-' ||
+        std::count(known.begin(), known.end(), first) > 0)
+        return;
     throw UsageError(name + ": there is no such command (" + first + "); " + did_you_mean(first, known) +
                      name + " --help lists them");
 }
@@ -54,7 +56,7 @@ void require_known_flags(const CLI::App& command, const std::string& name,
     for (const std::string& word : words) {
         const std::string flag = word.substr(0, word.find('='));
         if (word == "--") return;
-        if (!word.starts_with("--") || std::ranges::count(known, flag) > 0) continue;
+        if (!word.starts_with("--") || std::count(known.begin(), known.end(), flag) > 0) continue;
         throw UsageError(name + ": there is no such flag (" + flag + "); " + did_you_mean(flag, known) +
                          name + " --help lists them");
     }

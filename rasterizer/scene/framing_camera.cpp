@@ -67,7 +67,7 @@ Camera framing_camera(const Scene& scene) {
     const Bounds bounds = world_bounds(scene);
     if (bounds.empty) return camera_from(bounds, kTowardsEye[0]);
     const auto areas = seen_areas(scene, bounds);
-    const auto most = static_cast<std::size_t>(std::ranges::max_element(areas) - areas.begin());
+    const auto most = static_cast<std::size_t>(std::max_element(areas.begin(), areas.end()) - areas.begin());
     return camera_from(bounds, kTowardsEye[areas[most] > kMuchMore * areas[0] ? most : 0]);
 }
 

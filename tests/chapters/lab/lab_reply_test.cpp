@@ -61,18 +61,18 @@ TEST_CASE("lab: a frame of every method has the bits of the program's") {
 
 TEST_CASE("lab: parameters of a request change the frame as --param does") {
     Lab lab;
-    Json request = frame_request("columns", "luna");
+    Json request = frame_request("cornell", "luna");
     request["params"] = {"epsilon=0", "radius=1.5"};
     const Json reply = asked(lab, request);
     CHECK(reply["parameters"]["radius"] == "1.5");
     CHECK(reply["buffers"]["ao_raw"]["hash"] ==
-          content_hash(plain_frame("columns", "luna", {"epsilon=0", "radius=1.5"}).ao_raw));
+          content_hash(plain_frame("cornell", "luna", {"epsilon=0", "radius=1.5"}).ao_raw));
 }
 
 TEST_CASE("lab: the addresses of a reply are those of the buffer's rows") {
     Lab lab;
-    const Json reply = asked(lab, frame_request("columns", "xjun"));
-    const Frame frame = plain_frame("columns", "xjun", {});
+    const Json reply = asked(lab, frame_request("cornell", "xjun"));
+    const Frame frame = plain_frame("cornell", "xjun", {});
     const Json& told = reply["buffers"]["normal"];
     const Image<float>* const planes[] = {&frame.gbuffer.normal.x, &frame.gbuffer.normal.y,
                                           &frame.gbuffer.normal.z};
@@ -94,7 +94,7 @@ TEST_CASE("lab: eye and target of a reply, given back as words, are the same cam
     ScratchDirectory scratch;
     std::ofstream(scratch / "corner.obj")
         << "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 3\nf 1 2 3\nf 1 3 4\nf 1 4 2\n";
-    for (const std::string& scene : {std::string("columns"), (scratch / "corner.obj").string()}) {
+    for (const std::string& scene : {std::string("cornell"), (scratch / "corner.obj").string()}) {
         CAPTURE(scene);
         Lab lab;
         Json request = frame_request(scene, "xjun");
@@ -110,7 +110,7 @@ TEST_CASE("lab: eye and target of a reply, given back as words, are the same cam
 }
 
 TEST_CASE("lab: what the program refuses is refused in its words, with its exit code") {
-    Json request = frame_request("columns", "xjun");
+    Json request = frame_request("cornell", "xjun");
     request["params"] = {"radius=-1"};
     const auto says = [](const auto& body) -> std::string {
         try {
@@ -121,13 +121,14 @@ TEST_CASE("lab: what the program refuses is refused in its words, with its exit 
         return "nothing";
     };
     CHECK(error_of(request) == says([] { settings_of(find_method("xjun"), {"radius=-1"}); }));
-    request = frame_request("columns", "xjun");
+    request = frame_request("cornell", "xjun");
     request["size"] = "64";
     CHECK(error_of(request) == says([] { parse_size("--size", "64"); }));
     CHECK(error_of(frame_request("no_such_scene", "xjun")) == says([] { load_scene("no_such_scene"); }));
-    CHECK(error_of(frame_request("columns", "none_such")).find("--ao: ") == 0);
+    CHECK(error_of(frame_request("cornell", "none_such")).find("--ao: ") == 0);
     Lab lab;
     CHECK(asked(lab, frame_request("no_such_scene", "xjun"))["exit_code"] == 2);
+    CHECK(asked(lab, frame_request("no_such.obj", "xjun"))["exit_code"] == 3);
     CHECK(error_of({{"ask", "something"}}).find("something") != std::string::npos);
 }
 
