@@ -92,7 +92,7 @@ TEST_CASE("chapters: every claim holds, every picture is on disk, quiet says not
         CHECK(run.terminal == "");
         CHECK(run.checks > 0);
         CHECK(run.failed_checks == 0);
-        std::size_t pictures = 0, drawings = 0;
+        std::size_t pictures = 0, drawings = 0, films = 0;
         for (const NotebookCell& cell : run.cells) {
             for (const Output& output : cell.outputs) {
                 if (const auto* drawing = std::get_if<DrawingOutput>(&output)) {
@@ -101,6 +101,13 @@ TEST_CASE("chapters: every claim holds, every picture is on disk, quiet says not
                     CAPTURE(drawing->name);
                     REQUIRE(run.files.contains(drawing->name + ".svg"));
                     CHECK(xml_fault(run.files.at(drawing->name + ".svg")) == "");
+                }
+                if (const auto* film = std::get_if<FilmOutput>(&output)) {
+                    ++films;
+                    CAPTURE(film->name);
+                    REQUIRE(run.files.contains(film->name + ".webp"));
+                    const bool on_disk = run.files.at(film->name + ".webp") == film->webp;
+                    CHECK(on_disk);
                 }
                 const auto* row = std::get_if<PictureOutput>(&output);
                 if (row == nullptr) continue;
@@ -117,7 +124,7 @@ TEST_CASE("chapters: every claim holds, every picture is on disk, quiet says not
         CHECK(pictures > 0);
         CHECK(run.files.contains(chapter->name() + ".md"));
         CHECK(run.files.contains(chapter->name() + ".ipynb"));
-        CHECK(run.files.size() == pictures + drawings + files_of_texts(run));
+        CHECK(run.files.size() == pictures + drawings + films + files_of_texts(run));
     }
 }
 
