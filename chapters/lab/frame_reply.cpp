@@ -106,7 +106,7 @@ LoadedScene loaded_scene(const std::string& name, bool surfaces, const Run& run)
     LoadedScene loaded{name, surfaces, {}, {}};
     loaded.warnings =
         stderr_lines([&] { loaded.argument = load_scene(name, {.surfaces = surfaces, .run = run}); });
-    for (std::string& warning : scene_warnings(loaded.argument.scene, name))
+    for (std::string& warning : scene_warnings(loaded.argument, name))
         loaded.warnings.push_back(std::move(warning));
     return loaded;
 }
