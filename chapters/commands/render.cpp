@@ -128,7 +128,7 @@ PreparedRender prepared_render(const RenderOptions& options) {
     const Camera camera = chosen_camera(argument, options.camera);
     if (options.params.empty()) require_fit(argument, options.scene, *request.method);
     request.settings = settings_of(*request.method, options.params, argument.scene.length_unit);
-    for (const std::string& warning : scene_warnings(argument.scene, options.scene))
+    for (const std::string& warning : scene_warnings(argument, options.scene))
         std::cerr << warning << "\n";
     return {std::move(argument), camera, std::move(request)};
 }

@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
-#include <vector>
 
-#include <glm/common.hpp>
-
+#include "chapters/frame/far_vertices.h"
 #include "chapters/frame/frame_settings.h"
 #include "chapters/terminal/number_text.h"
 #include "rasterizer/draw/cutouts.h"
@@ -160,62 +157,6 @@ std::size_t through_the_eye_plane(const ScreenGeometry& geometry) {
     return count;
 }
 
-double largest_of(glm::vec3 v) { return static_cast<double>(std::max({v.x, v.y, v.z})); }
-
-// The steps of a float are at least this share of its size.
-constexpr double kFloatStep = 0x1p-24;
-
-double size_of(const Mesh& mesh, const std::array<std::uint32_t, 3>& t) {
-    const glm::vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
-    return largest_of(glm::max(glm::max(a, b), c) - glm::min(glm::min(a, b), c));
-}
-
-double median_triangle_size(const Mesh& mesh) {
-    std::vector<double> sizes;
-    for (const auto& t : mesh.triangles) {
-        const double size = size_of(mesh, t);
-        if (size > 0) sizes.push_back(size);  // not NaN, which has no order
-    }
-    if (sizes.empty()) return 0;
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::nth_element(sizes.begin(), middle, sizes.end());
-    return *middle;
-}
-
-// Vertices that make triangles too small for the steps of their coordinates. A few triangles that are much
-// smaller than all others are nothing to be seen, so the median counts where a triangle is smaller.
-void mark_coarse_triangles(const Mesh& mesh, std::vector<bool>& marked) {
-    std::optional<double> median;
-    for (const auto& t : mesh.triangles) {
-        const double size = size_of(mesh, t);
-        for (const std::uint32_t vertex : t) {
-            const double step = largest_of(glm::abs(mesh.positions[vertex])) * kFloatStep;
-            if (!(step > kHarmlessShare * size)) continue;
-            if (!median) median = median_triangle_size(mesh);
-            marked[vertex] = marked[vertex] || step > kHarmlessShare * *median;
-        }
-    }
-}
-
-// Vertices so far from the origin of their mesh that the steps of their coordinates are larger than `length`,
-// which grows with the scene's bounds, or than a harmless share of the triangles that they make.
-// An instance far away of a mesh that is small keeps its precision.
-std::size_t vertices_far_from_origin(const Scene& scene, double length) {
-    std::vector<std::size_t> instances_of(scene.meshes.size(), 0);
-    for (const Instance& instance : scene.instances) ++instances_of[static_cast<std::size_t>(instance.mesh)];
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-        const Mesh& mesh = scene.meshes[i];
-        std::vector<bool> marked(mesh.positions.size());
-        std::transform(mesh.positions.begin(), mesh.positions.end(), marked.begin(),
-                       [&](const glm::vec3& p) { return largest_of(glm::abs(p)) * kFloatStep > length; });
-        mark_coarse_triangles(mesh, marked);
-        const auto far = static_cast<std::size_t>(std::count(marked.begin(), marked.end(), true));
-        count += instances_of[i] * far;
-    }
-    return count;
-}
-
 std::string warning_of(std::size_t count, const std::string& what, const std::string& cure) {
     return count == 0 ? "" : std::to_string(count) + " " + what + ": " + cure;
 }
@@ -275,7 +216,7 @@ std::vector<PrecisionLoss> precision_account(const Scene& scene, const Camera& c
         "bring the camera nearer, or give a larger " + tolerance.larger);
     add("vertices_far_from_origin", vertices_far_from_origin(scene, tolerance.length),
         "vertices have coordinates whose steps are larger than " + in_brackets(tolerance) + ", or than 1/" +
-            significant_text(1 / kHarmlessShare, 3) + " of their triangles",
+            significant_text(1 / kHarmlessStep, 3) + " of their triangles",
         "move the scene nearer to its origin before it is written");
     return account;
 }

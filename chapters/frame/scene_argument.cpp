@@ -64,15 +64,21 @@ SceneArgument load_scene(const std::string& name_or_path, const WantedOfScene& w
     return {std::move(loaded.scene), true, std::move(loaded.steps)};
 }
 
-std::vector<std::string> scene_warnings(const Scene& scene, const std::string& name_or_path) {
+glm::dvec3 own_coordinates(const SceneArgument& argument, const glm::dvec3& p_world) {
+    const glm::dvec3 p = p_world + argument.scene.origin;
+    return argument.from_obj ? glm::dvec3(p.x, p.y, -p.z) : p;
+}
+
+std::vector<std::string> scene_warnings(const SceneArgument& argument, const std::string& name_or_path) {
     std::vector<std::string> warnings;
-    if (triangle_count(scene) == 0)
+    if (triangle_count(argument.scene) == 0)
         warnings.push_back(name_or_path + ": 0 triangles; only the sky will be seen");
-    if (const std::optional<OutlierVertex> outlier = outlier_vertex(scene)) {
-        const glm::dvec3& p = outlier->p_world;
-        warnings.push_back("warning: " + name_or_path + ": the vertex at " + significant_text(p.x, 6) + ", " +
-                           significant_text(p.y, 6) + ", " + significant_text(p.z, 6) + " makes the scene " +
-                           significant_text(outlier->stretch, 3) +
+    if (const std::optional<OutlierVertex> outlier = outlier_vertex(argument.scene)) {
+        constexpr int kDigits = 9;  // millimetres in the metres of a map
+        const glm::dvec3 p = own_coordinates(argument, outlier->p_world);
+        warnings.push_back("warning: " + name_or_path + ": the vertex at " + significant_text(p.x, kDigits) +
+                           ", " + significant_text(p.y, kDigits) + ", " + significant_text(p.z, kDigits) +
+                           " makes the scene " + significant_text(outlier->stretch, 3) +
                            " times as large as the others do, and framing, the unit of lengths and the "
                            "shadow follow; remove it, or give --eye, --target and --param radius");
     }

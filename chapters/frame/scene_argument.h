@@ -28,8 +28,12 @@ struct WantedOfScene {
 // be read and for coordinates beyond 1e29, which no camera can frame.
 SceneArgument load_scene(const std::string& name_or_path, const WantedOfScene& wanted = {});
 
-// What to say of a scene that was loaded as `name_or_path`, a line each: that it is empty, or that one vertex stretches it.
-std::vector<std::string> scene_warnings(const Scene& scene, const std::string& name_or_path);
+// A point of world space in the scene's own coordinates, those that its author and --eye use.
+glm::dvec3 own_coordinates(const SceneArgument& argument, const glm::dvec3& p_world);
+
+// What to say of a scene that was loaded as `name_or_path`, a line each: that it is empty, or that one vertex
+// stretches it.
+std::vector<std::string> scene_warnings(const SceneArgument& argument, const std::string& name_or_path);
 
 // The camera flags, each as it was typed; nothing means: as the scene says.
 struct CameraFlags {

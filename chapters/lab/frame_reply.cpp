@@ -42,11 +42,7 @@ std::uintptr_t address_of(const Image<float>& plane) {
 Json point_json(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
 
 Json camera_json(const SceneArgument& scene, const Camera& camera, Size size) {
-    // As chosen_camera() reads them, the other way round.
-    const auto own = [&](const glm::dvec3& p) {
-        const glm::dvec3 q = p + scene.scene.origin;
-        return point_json(scene.from_obj ? glm::dvec3(q.x, q.y, -q.z) : q);
-    };
+    const auto own = [&](const glm::dvec3& p) { return point_json(own_coordinates(scene, p)); };
     const glm::vec2 ray_scale = camera_matrices(camera, size).ray_scale;
     const bool ortho = camera.projection == Projection::orthographic;
     return {{"eye", own(camera.eye)},
@@ -106,7 +102,7 @@ LoadedScene loaded_scene(const std::string& name, bool surfaces, const Run& run)
     LoadedScene loaded{name, surfaces, {}, {}};
     loaded.warnings =
         stderr_lines([&] { loaded.argument = load_scene(name, {.surfaces = surfaces, .run = run}); });
-    for (std::string& warning : scene_warnings(loaded.argument.scene, name))
+    for (std::string& warning : scene_warnings(loaded.argument, name))
         loaded.warnings.push_back(std::move(warning));
     return loaded;
 }

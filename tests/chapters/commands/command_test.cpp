@@ -180,6 +180,18 @@ TEST_CASE("a file whose name is no UTF-8 is drawn, and passes.json is UTF-8 all 
     CHECK(scene.ends_with("caf\xef\xbf\xbd.obj"));
 }
 
+TEST_CASE("a vertex that stretches the scene is named in the coordinates of its file") {
+    const ScratchDirectory scratch;
+    std::ofstream(scratch / "a.obj")
+        << "v 0 0 0\nv 4 0 0\nv 4 3 0\nv 0 3 0\nv 0 0 4\nv 4 0 4\nf 1 2 3 4\nf 1 5 6 2\n"
+           "v 1 1 -80\nv 2 1 -80\nv 1 2 -80.5\nf -3 -2 -1\n";
+    const std::string render = "render " + quoted(scratch.path() / "a.obj") +
+                               " --size 16x9 --ao none --only normal --out " + quoted(scratch.path() / "out");
+    const Outcome outcome = crevice_says(render);
+    CHECK(outcome.code == 0);
+    CHECK(outcome.text.find("the vertex at 1, 2, -80.5 makes the scene 1") != std::string::npos);
+}
+
 TEST_CASE("--only writes just those buffers, with the same bits as a whole frame") {
     const ScratchDirectory all, one;
     REQUIRE(crevice_says("render columns --size 64x36 --keep-all --out " + quoted(all.path())).code == 0);

@@ -21,6 +21,7 @@ TEST_CASE("camera flags: eye and target stay in the coordinates of an OBJ that w
     const Camera camera = chosen_camera(argument, flags);
     CHECK(camera.eye + argument.scene.origin == glm::dvec3(500001.25, 4000001, -50));
     CHECK(camera.target + argument.scene.origin == glm::dvec3(500001, 4000001, -41));
+    CHECK(own_coordinates(argument, camera.eye) == glm::dvec3(500001.25, 4000001, 50));
     // The vertices, too: the eye is 8 above the highest one.
     const glm::dvec3 highest(argument.scene.meshes[0].positions.at(2));
     CHECK(glm::length(highest + argument.scene.origin - glm::dvec3(500000, 4000002, -42)) < 1e-6);

@@ -1,0 +1,19 @@
+// Vertices so far from the origin that float has no digits left for their shape.
+#pragma once
+
+#include <cstddef>
+
+#include "rasterizer/scene/scene.h"
+
+namespace crevice {
+
+// Of a triangle's size: steps of its coordinates up to this share change nothing that is seen.
+inline constexpr double kHarmlessStep = 1.0 / 64;
+
+// How many vertices have coordinates whose steps are larger than `length` (scene units), or than kHarmlessStep of
+// the triangles that they make: a length that follows from the scene's bounds grows with what stretches these.
+// Coordinates are those of the mesh, for an instance far away of a mesh that is small keeps its precision; each
+// instance counts.
+std::size_t vertices_far_from_origin(const Scene& scene, double length);
+
+}  // namespace crevice
