@@ -53,7 +53,9 @@ class LimitsReader {
     CompareLimits of_buffer(const Json& of, const std::string& buffer) const {
         if (!of.is_object()) fail("no limits (" + buffer + ": " + of.dump() + ")", buffer);
         CompareLimits limits;
-        for (const auto& [name, value] : of.items()) {
+        for (const auto& item : of.items()) {
+            const std::string& name = item.key();
+            const Json& value = item.value();
             const auto number = [&](double lowest, double highest) {
                 const double read = value.is_number() ? value.get<double>() : kInfinity;
                 if (!(read >= lowest && read <= highest) || std::isinf(read))

@@ -1,6 +1,7 @@
 #include "rasterizer/textures/tga.h"
 
 #include <doctest/doctest.h>
+#include <array>
 
 #include "rasterizer/base/error.h"
 #include "rasterizer/textures/image_file.h"
