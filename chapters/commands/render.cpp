@@ -126,10 +126,8 @@ PreparedRender prepared_render(const RenderOptions& options) {
     named_as({{"time", "--time"}},
              [&] { argument.scene.lights = lights_at(argument.scene, options.time_s); });
     const Camera camera = chosen_camera(argument, options.camera);
-    if (options.params.empty()) require_fit(argument, options.scene, *request.method);
-    request.settings = settings_of(*request.method, options.params, argument.scene.length_unit);
-    for (const std::string& warning : scene_warnings(argument, options.scene))
-        std::cerr << warning << "\n";
+    request.settings = settings_for(argument, options.scene, *request.method, options.params);
+    for (const std::string& warning : scene_warnings(argument, options.scene)) std::cerr << warning << "\n";
     return {std::move(argument), camera, std::move(request)};
 }
 

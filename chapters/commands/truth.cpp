@@ -141,8 +141,7 @@ void write_truth(const TruthOptions& options) {
     if (triangle_count(argument.scene) == 0)
         std::cerr << options.scene << ": 0 triangles; everything is open\n";
     const Camera camera = chosen_camera(argument, options.camera);
-    if (options.params.empty()) require_fit(argument, options.scene, *request.method);
-    request.settings = settings_of(*request.method, options.params, argument.scene.length_unit).method;
+    request.settings = settings_for(argument, options.scene, *request.method, options.params).method;
     request.rays.radius = options.radius.value_or(request.method->question(request.settings.ao).radius);
     validate(request.rays);
     try_output_directory(options.out);

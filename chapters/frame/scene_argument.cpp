@@ -37,6 +37,16 @@ void require_within_reach(const std::string& path, const Bounds& bounds) {
     }
 }
 
+void require_fit(const Scene& scene, const std::string& name, const Method& method) {
+    try {
+        validate(method, defaults_of(method, scene.length_unit));
+    } catch (const UsageError& error) {
+        const std::string refusal = error.what();
+        throw InputError(name + ": its coordinates are too large for the defaults of " + method.name + ": " +
+                         refusal.substr(0, refusal.find(';')) + "; scale the model down, or give --param");
+    }
+}
+
 }  // namespace
 
 SceneArgument load_scene(const std::string& name_or_path, const WantedOfScene& wanted) {
@@ -115,14 +125,13 @@ Camera chosen_camera(const SceneArgument& argument, const CameraFlags& flags) {
     return camera;
 }
 
-void require_fit(const SceneArgument& scene, const std::string& name, const Method& method) {
-    const float unit = scene.scene.length_unit;
+FrameSettings settings_for(const SceneArgument& scene, const std::string& name, const Method& method,
+                           const std::vector<std::string>& assignments) {
     try {
-        validate(method, defaults_of(method, unit));
-    } catch (const UsageError& error) {
-        const std::string refusal = error.what();
-        throw InputError(name + ": its coordinates are too large for the defaults of " + method.name + ": " +
-                         refusal.substr(0, refusal.find(';')) + "; scale the model down, or give --param");
+        return settings_of(method, assignments, scene.scene.length_unit);
+    } catch (const UsageError&) {
+        require_fit(scene.scene, name, method);
+        throw;
     }
 }
 

@@ -3,9 +3,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "chapters/frame/frame_settings.h"
 #include "rasterizer/obj/obj_load.h"
-#include "ssao/methods/method.h"
 
 namespace crevice {
 
@@ -44,8 +45,9 @@ struct CameraFlags {
 // eye looks at the middle of the scene unless a target is given too. Throws UsageError.
 Camera chosen_camera(const SceneArgument& scene, const CameraFlags& flags);
 
-// Throws InputError where the scene's units are so small that the method's own defaults, lengths in them, are out of range.
-// `name` is the word that named the scene.
-void require_fit(const SceneArgument& scene, const std::string& name, const Method& method);
+// settings_of() in the scene's units; `name` is the word that named the scene. Throws as that does, and InputError where it is
+// the method's own defaults, lengths in those units, that are out of range.
+FrameSettings settings_for(const SceneArgument& scene, const std::string& name, const Method& method,
+                           const std::vector<std::string>& assignments);
 
 }  // namespace crevice

@@ -113,8 +113,7 @@ DrawnFrame drawn_frame(const LoadedScene& scene, const LabWords& words, const Ru
     request.run = run;
     request.size = parse_size("--size", words.size);
     request.method = &method_of(words);
-    if (words.params.empty()) require_fit(scene.argument, scene.name, *request.method);
-    request.settings = settings_of(*request.method, words.params, scene.argument.scene.length_unit);
+    request.settings = settings_for(scene.argument, scene.name, *request.method, words.params);
     named_as({{"history", "--param history"}}, [&] { require_no_history(request); });
     request.wanted = words.only;
     drawn.frame = render_frame(scene.argument.scene, drawn.camera, request);

@@ -12,32 +12,14 @@
 #include "chapters/compare/compare.h"
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/image_io.h"
+#include "tests/tools/compared_files.h"
+#include "tests/tools/error_message.h"
 #include "tests/tools/scratch_directory.h"
 
 using namespace crevice;
 namespace fs = std::filesystem;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
-std::string bytes_in(const fs::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-struct Outcome {
-    int code = -1;
-    std::string report;
-};
-
-Outcome compare(const CompareOptions& options) {
-    std::ostringstream report;
-    const int code = compare_files(options, report);
-    return {code, report.str()};
-}
 
 // Greys of a picture, `off` added to the first `count` pixels.
 Image<float> greys(float off, int count) {
@@ -87,7 +69,8 @@ TEST_CASE("limits: no limit lets a NaN pass") {
     write_npy(scratch / "a.npy", broken);
     for (const CompareLimits& limits :
          {CompareLimits{.max_abs = 1e9}, CompareLimits{.flip = 1}, CompareLimits{.max_pixels = 1000}}) {
-        const Outcome outcome = compare({.a = scratch / "a.npy", .b = scratch / "a.npy", .limits = limits});
+        const ComparedOutcome outcome =
+            compare({.a = scratch / "a.npy", .b = scratch / "a.npy", .limits = limits});
         CHECK(outcome.code == 1);
         CHECK(contains(outcome.report, "1 pixels are NaN or infinite"));
     }
@@ -104,7 +87,7 @@ TEST_CASE("limits: a file beside the goldens names buffers, flags stand for the 
     const CompareOptions options{.a = scratch / "a", .b = scratch / "b"};
     CHECK(contains(compare(options).report, "2 of 2 differ\n"));
     std::ofstream(scratch / "b" / "limits.json") << R"({"limits": {"ao_raw": {"max_abs": 0.2}}})";
-    const Outcome one = compare(options);
+    const ComparedOutcome one = compare(options);
     CHECK(one.code == 1);
     CHECK(contains(one.report, "lit.npy: differs"));
     CHECK(contains(one.report, "1 of 2 differ more than they may\n"));
@@ -113,7 +96,7 @@ TEST_CASE("limits: a file beside the goldens names buffers, flags stand for the 
     CHECK(compare(with_flag).code == 0);
     std::ofstream(scratch / "other.json") << R"({"default": {"max_pixels": 6}})";
     with_flag.limits_file = scratch / "other.json";
-    const Outcome other = compare(with_flag);
+    const ComparedOutcome other = compare(with_flag);
     CHECK(other.code == 1);
     CHECK(contains(other.report, "lit.npy: beyond its limits (8 pixels differ, limit 6)"));
     with_flag.limits_file = scratch / "none.json";
@@ -151,11 +134,11 @@ TEST_CASE("reports: JSON and JUnit say which pairs failed and why") {
         write_npy(scratch / side / "other.npy", greys(side[0] == 'a' ? 0.5f : 0.0f, 2));
     }
     write_npy(scratch / "b" / "missing.npy", greys(0, 0));
-    const Outcome outcome = compare({.a = scratch / "a",
-                                     .b = scratch / "b",
-                                     .limits = {.max_abs = 0.25},
-                                     .junit = scratch / "j.xml",
-                                     .json = true});
+    const ComparedOutcome outcome = compare({.a = scratch / "a",
+                                             .b = scratch / "b",
+                                             .limits = {.max_abs = 0.25},
+                                             .junit = scratch / "j.xml",
+                                             .json = true});
     CHECK(outcome.code == 1);
     const auto report = nlohmann::json::parse(outcome.report);
     CHECK(report["failed"] == 2);
@@ -182,7 +165,7 @@ TEST_CASE("bless: what failed becomes the golden, what passed and what is missin
     write_npy(scratch / "a" / "new.npy", greys(0, 0));
     write_npy(scratch / "b" / "old.npy", greys(0, 0));
     const CompareOptions options{.a = scratch / "a", .b = scratch / "b", .bless = true};
-    const Outcome outcome = compare(options);
+    const ComparedOutcome outcome = compare(options);
     CHECK(outcome.code == 0);
     CHECK(contains(outcome.report, "ao.npy: written from "));
     CHECK(contains(outcome.report, "old.npy: stays; "));

@@ -11,6 +11,8 @@
 #include "chapters/notebook/picture.h"
 #include "rasterizer/base/error.h"
 #include "rasterizer/textures/texture.h"
+#include "tests/tools/compared_files.h"
+#include "tests/tools/error_message.h"
 #include "tests/tools/picture_files.h"
 #include "tests/tools/scratch_directory.h"
 
@@ -18,26 +20,6 @@ using namespace crevice;
 namespace fs = std::filesystem;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
-std::string bytes_in(const fs::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-struct Outcome {
-    int code = -1;
-    std::string report;
-};
-
-Outcome compare(const CompareOptions& options) {
-    std::ostringstream report;
-    const int code = compare_files(options, report);
-    return {code, report.str()};
-}
 
 Image<float> ramp(Size size) {
     Image<float> image(size, 0.0f);
@@ -53,7 +35,8 @@ TEST_CASE("identical files: exit code 0, and no error image is left lying about"
     const ScratchDirectory scratch;
     write_npy(scratch / "a.npy", ramp({20, 15}));
     write_npy(scratch / "b.npy", ramp({20, 15}));
-    const Outcome outcome = compare({.a = scratch / "a.npy", .b = scratch / "b.npy", .out = scratch.path()});
+    const ComparedOutcome outcome =
+        compare({.a = scratch / "a.npy", .b = scratch / "b.npy", .out = scratch.path()});
     CHECK(outcome.code == 0);
     CHECK(contains(outcome.report, "identical"));
     CHECK(contains(outcome.report, "SSIM              1\n"));
@@ -67,7 +50,8 @@ TEST_CASE("one pixel off: exit code 1, numbers, and the signed error image") {
     write_npy(scratch / "b.npy", a);
     a.at(3, 2) += 0.5f;
     write_npy(scratch / "a.npy", a);
-    const Outcome outcome = compare({.a = scratch / "a.npy", .b = scratch / "b.npy", .out = scratch.path()});
+    const ComparedOutcome outcome =
+        compare({.a = scratch / "a.npy", .b = scratch / "b.npy", .out = scratch.path()});
     CHECK(outcome.code == 1);
     CHECK(contains(outcome.report, "max               0.5\n"));
     CHECK(contains(outcome.report, "signed bias       0.00166667\n"));
@@ -86,7 +70,8 @@ TEST_CASE("a NaN on both sides is a failure") {
     Image<float> a = ramp({12, 12});
     a.at(0, 0) = std::numeric_limits<float>::quiet_NaN();
     write_npy(scratch / "a.npy", a);
-    const Outcome outcome = compare({.a = scratch / "a.npy", .b = scratch / "a.npy", .out = scratch.path()});
+    const ComparedOutcome outcome =
+        compare({.a = scratch / "a.npy", .b = scratch / "a.npy", .out = scratch.path()});
     CHECK(outcome.code == 1);
     CHECK(contains(outcome.report, "NaN or infinite   1 of 144\n"));
 }
@@ -96,7 +81,8 @@ TEST_CASE("png files compare by their stored values") {
     write_picture(scratch / "a.png", ao_picture(Image<float>({4, 4}, 100.0f / 255)));
     write_picture(scratch / "b.png", ao_picture(Image<float>({4, 4}, 101.0f / 255)));
     CHECK(compare({.a = scratch / "a.png", .b = scratch / "a.png", .out = scratch.path()}).code == 0);
-    const Outcome outcome = compare({.a = scratch / "b.png", .b = scratch / "a.png", .out = scratch.path()});
+    const ComparedOutcome outcome =
+        compare({.a = scratch / "b.png", .b = scratch / "a.png", .out = scratch.path()});
     CHECK(outcome.code == 1);
     CHECK(contains(outcome.report, "signed bias       0.00392157\n"));
 }
@@ -112,7 +98,7 @@ TEST_CASE("directories: all common files, and those on one side only count") {
     write_npy(scratch / "a" / "alone.npy", ramp({9, 9}));
     write_npy(scratch / "b" / "new.npy", ramp({9, 9}));
     std::ofstream(scratch / "b" / "passes.json") << "{}";
-    const Outcome outcome = compare(
+    const ComparedOutcome outcome = compare(
         {.a = scratch / "a", .b = scratch / "b", .html = scratch / "page.html", .out = scratch.path()});
     CHECK(outcome.code == 1);
     CHECK(!contains(outcome.report, "same.npy"));  // only what differs is told
@@ -208,7 +194,7 @@ TEST_CASE("compare: PNG files are compared with all their bits and their alpha")
     CHECK(outcome("a.png", "a.png").code == 0);
     CHECK(outcome("a.png", "b.png").code == 1);
     CHECK(outcome("opaque.png", "plain.png").code == 0);
-    const Outcome alpha = outcome("opaque.png", "clear.png");
+    const ComparedOutcome alpha = outcome("opaque.png", "clear.png");
     CHECK(alpha.code == 1);
     CHECK(contains(alpha.report, "opaque.png: identical"));
     CHECK(contains(alpha.report, "opaque.png, alpha: differs"));

@@ -9,16 +9,13 @@
 #include "chapters/compare/pfm.h"
 #include "chapters/notebook/picture.h"
 #include "rasterizer/base/error.h"
+#include "tests/tools/error_message.h"
 #include "tests/tools/scratch_directory.h"
 
 using namespace crevice;
 namespace fs = std::filesystem;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 template <class T>
 std::string in_memory(std::initializer_list<T> values) {

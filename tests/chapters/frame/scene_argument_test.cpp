@@ -5,6 +5,8 @@
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
+#include "rasterizer/base/error.h"
+#include "ssao/ao_methods.h"
 #include "tests/tools/scratch_directory.h"
 
 using namespace crevice;
@@ -36,4 +38,30 @@ TEST_CASE("scenes: files outside the OBJ's directory are read where that is aske
     const std::string path = (scratch / "models/a.obj").string();
     CHECK(load_scene(path).scene.materials[0].diffuse == glm::vec3(0.8f));
     CHECK(load_scene(path, {.outside_files = true}).scene.materials[0].diffuse == glm::vec3(1, 0, 0));
+}
+
+TEST_CASE(
+    "settings for a scene: defaults that its units put out of range are the scene's fault, other words the "
+    "user's") {
+    const ScratchDirectory scratch;
+    std::ofstream(scratch / "huge.obj") << "v 0 0 0\nv 1e20 0 0\nv 0 1e20 0\nf 1 2 3\n";
+    const SceneArgument huge = load_scene((scratch / "huge.obj").string());
+    const Method& gtao = find_method("gtao");
+    CHECK_THROWS_WITH_AS(
+        settings_for(huge, "huge.obj", gtao, {}),
+        doctest::Contains("huge.obj: its coordinates are too large for the defaults of gtao: radius: "),
+        InputError);
+    CHECK_THROWS_AS(settings_for(huge, "huge.obj", gtao, {"samples=8"}), InputError);
+    CHECK_NOTHROW(settings_for(huge, "huge.obj", gtao, {"radius=1e14"}));
+    const SceneArgument columns = load_scene("columns");
+    CHECK_THROWS_AS(settings_for(columns, "columns", gtao, {"radius=1e20"}), UsageError);
+    CHECK_NOTHROW(settings_for(columns, "columns", gtao, {}));
+}
+
+TEST_CASE("scenes: coordinates that no camera can frame are named") {
+    const ScratchDirectory scratch;
+    std::ofstream(scratch / "far.obj") << "v 0 0 0\nv 1e30 0 0\nv 0 1e30 0\nf 1 2 3\n";
+    CHECK_THROWS_WITH_AS(load_scene((scratch / "far.obj").string()),
+                         doctest::Contains("far.obj: a coordinate is too large to be looked at ("),
+                         InputError);
 }

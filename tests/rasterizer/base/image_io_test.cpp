@@ -6,29 +6,11 @@
 
 #include "rasterizer/base/error.h"
 #include "rasterizer/textures/texture.h"
+#include "tests/tools/error_message.h"
 #include "tests/tools/scratch_directory.h"
 
 using namespace crevice;
 namespace fs = std::filesystem;
-
-namespace {
-
-// The message of the error of type E that `call` throws, or "" when it throws none.
-template <class E, class Call>
-std::string message_of(Call call) {
-    try {
-        call();
-    } catch (const E& error) {
-        return error.what();
-    }
-    return "";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
-}  // namespace
 
 TEST_CASE("png: 8-bit values survive a round trip, grey and RGB") {
     const ScratchDirectory scratch;

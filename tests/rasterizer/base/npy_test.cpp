@@ -8,6 +8,7 @@
 
 #include "rasterizer/base/error.h"
 #include "rasterizer/lanes/wide.h"
+#include "tests/tools/error_message.h"
 #include "tests/tools/scratch_directory.h"
 #include "tests/tools/special_floats.h"
 
@@ -34,21 +35,6 @@ bool same_bits(const Image<float>& a, const Image<float>& b) {
             return false;
     }
     return true;
-}
-
-// The message of the error of type E that `call` throws, or "" when it throws none.
-template <class E, class Call>
-std::string message_of(Call call) {
-    try {
-        call();
-    } catch (const E& error) {
-        return error.what();
-    }
-    return "";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {

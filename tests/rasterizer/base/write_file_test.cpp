@@ -11,27 +11,13 @@
 #include <unistd.h>
 
 #include "rasterizer/base/error.h"
+#include "tests/tools/error_message.h"
 #include "tests/tools/scratch_directory.h"
 
 using namespace crevice;
 namespace fs = std::filesystem;
 
 namespace {
-
-// The message of the error of type E that `call` throws, or "" when it throws none.
-template <class E, class Call>
-std::string message_of(Call call) {
-    try {
-        call();
-    } catch (const E& error) {
-        return error.what();
-    }
-    return "";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 std::string bytes_in(const fs::path& path) {
     std::ifstream stream(path, std::ios::binary);
