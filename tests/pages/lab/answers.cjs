@@ -1,6 +1,6 @@
 // What the page answers: why a pixel is as it is, and what rays say.
 "use strict";
-const { expect, expectEqual, said, scratch, floatOf, openLab, rest, go, placeOf, hashOf, addressOf } = require("./page.cjs");
+const { expect, expectEqual, expectDrawn, said, scratch, floatOf, openLab, rest, go, placeOf, hashOf, addressOf } = require("./page.cjs");
 
 const kWidth = 96, kHeight = 54;
 const kX = 48, kY = 40;  // on the floor, near the foot of a column
@@ -72,7 +72,7 @@ async function checkSteps(browser) {
   expectEqual("the blur has the probe's passes", await iterations.count(), passes.length);
   const last = iterations.last();
   await last.locator("summary").click();
-  expectEqual("its taps are in the picture", await dots(), passes.at(-1).taps.length);
+  await expectDrawn("its taps are in the picture", dots, passes.at(-1).taps.length);
   const sums = await cellsOf(last.locator("table"), "sum");
   expectEqual("their sum is the probe's", sums.at(-1), shortest(passes.at(-1).sum));
   await page.locator("#pixel_clear").click();

@@ -16,6 +16,17 @@ function expectEqual(claim, found, wanted) {
   expect(claim, found === wanted, `${JSON.stringify(found)}, not ${JSON.stringify(wanted)}`);
 }
 
+// What the page draws with its next frame: `find` is asked until it finds what is wanted, or five seconds have passed.
+async function expectDrawn(claim, find, wanted) {
+  const end = Date.now() + 5000;
+  let found = await find();
+  while (found !== wanted && Date.now() < end) {
+    await new Promise((go_on) => setTimeout(go_on, 20));
+    found = await find();
+  }
+  expectEqual(claim, found, wanted);
+}
+
 // ---- the program ------------------------------------------------------------------------------------------------------
 
 // What the program writes of these words: passes.json.
@@ -97,6 +108,6 @@ async function drag(page, dx, dy) {
 }
 
 module.exports = {
-  lab_page, program, scratch, failures, expect, expectEqual, rendered, said, floatOf, openPage, openLab, rest, after, go, hashOf, addressOf,
+  lab_page, program, scratch, failures, expect, expectEqual, expectDrawn, rendered, said, floatOf, openPage, openLab, rest, after, go, hashOf, addressOf,
   colourAt, placeOf, drag,
 };

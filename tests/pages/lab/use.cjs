@@ -3,7 +3,7 @@
 const fs = require("node:fs");
 const os = require("node:os");
 const path = require("node:path");
-const { lab_page, expect, expectEqual, openLab, rest, after, hashOf, addressOf, colourAt, drag, rendered } = require("./page.cjs");
+const { lab_page, expect, expectEqual, expectDrawn, openLab, rest, after, hashOf, addressOf, colourAt, drag, rendered } = require("./page.cjs");
 
 const screenshots = process.argv[5];
 
@@ -12,28 +12,28 @@ async function checkViews(browser) {
   await rest(page);
   for (const name of ["normal", "view_depth", "ndc_depth", "ao_raw", "ao_blurred", "lit"]) {
     await page.locator("#show").selectOption(name);
-    expectEqual(`${name} is shown`, await page.locator("#stage .first figcaption").textContent(), name);
+    await expectDrawn(`${name} is shown`, () => page.locator("#stage .first figcaption").textContent(), name);
   }
   for (const view of ["pair", "split", "flip"]) {
     await page.locator("#view").selectOption(view);
     await page.locator("#against").selectOption("normal");
-    expectEqual(`${view} has a second buffer`, await page.locator("#stage .second figcaption").textContent(), "normal");
+    await expectDrawn(`${view} has a second buffer`, () => page.locator("#stage .second figcaption").textContent(), "normal");
   }
   const visible = () => page.locator("#stage .second").evaluate((figure) => getComputedStyle(figure).visibility);
-  expectEqual("flip begins with the first buffer", await visible(), "hidden");
+  await expectDrawn("flip begins with the first buffer", visible, "hidden");
   await page.locator("#flip").click();
-  expectEqual("the button flips", await visible(), "visible");
+  await expectDrawn("the button flips", visible, "visible");
   await page.locator("#stage").focus();
   await page.keyboard.press(" ");
-  expectEqual("the space bar flips back", await visible(), "hidden");
+  await expectDrawn("the space bar flips back", visible, "hidden");
   await page.locator("#view").selectOption("split");
   await page.locator("#edge").fill("25");
-  const clip = await page.locator("#stage .second").evaluate((figure) => getComputedStyle(figure).clipPath);
-  expect("the slider moves the edge", clip.includes("25%"), clip);
+  const moved = () => page.locator("#stage .second").evaluate((figure) => getComputedStyle(figure).clipPath.includes("25%"));
+  await expectDrawn("the slider moves the edge", moved, true);
   await page.locator("#view").selectOption("difference");
   await page.locator("#show").selectOption("ao_blurred");
   await page.locator("#against").selectOption("ao_blurred");
-  expectEqual("a buffer less itself is white", String(await colourAt(page, "first", 40, 20)), "255,255,255");
+  await expectDrawn("a buffer less itself is white", async () => String(await colourAt(page, "first", 40, 20)), "255,255,255");
   await page.locator("#view").selectOption("one");
   await page.locator("#show").selectOption("ao_raw");
   await page.locator("#colours").selectOption("false");
@@ -42,8 +42,8 @@ async function checkViews(browser) {
     await page.locator("#range_high").fill("3");
     await page.locator("#range_high").press("Tab");
   });
-  expectEqual("what lies below the range has the first false colour", String(await colourAt(page, "first", 40, 20)), "68,1,84");
-  expectEqual("the histogram has the range", await page.locator("#histogram_high").textContent(), "3");
+  await expectDrawn("what lies below the range has the first false colour", async () => String(await colourAt(page, "first", 40, 20)), "68,1,84");
+  await expectDrawn("the histogram has the range", () => page.locator("#histogram_high").textContent(), "3");
   await after(page, () => page.locator("#range_auto").click());
   expect("the whole range is that of the values", Number(await page.locator("#histogram_high").textContent()) <= 1);
 }
