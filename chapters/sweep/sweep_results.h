@@ -1,0 +1,105 @@
+// What a sweep found out: the error of every setting on every view, and what it costs. `crevice merge` puts these together
+// from the files of finished jobs, and the report is made from nothing else.
+// Errors: deterministic, so they are the same on every machine, and may come from many
+// Times:  wall and processor time in ms; those of one machine only are ever compared
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "chapters/study/statistics.h"
+#include "rasterizer/base/image.h"
+
+namespace crevice {
+
+// What is looked at, and at how many pixels.
+struct SweepView {
+    std::string scene;   // SCENE on the command line
+    std::string camera;  // its camera flags as words, "--eye 0,1,5 --fov 60"; empty: the scene's own camera
+    Size size{1280, 720};
+    long long triangles = 0;
+
+    bool operator==(const SweepView&) const = default;
+};
+
+// How a method runs: what differs from its defaults, lengths in scene units, in the order of the method's parameters,
+// without the seed.
+struct SweepSetting {
+    std::string method;
+    std::vector<std::pair<std::string, std::string>> parameters;  // {"samples", "8"}, {"ao_scale", "1"}
+
+    bool operator==(const SweepSetting&) const = default;
+};
+
+// Of one AO image against one reference, over the pixels that show a surface (ssao/judge/reference_error.h).
+struct SweepError {
+    double rmse = 0;        // debiased; 0 where it is below the reference's noise
+    double rmse_error = 0;  // its standard error, of pixels and reference
+    double bias = 0;        // mean (image - reference)
+    double mae = 0, p99 = 0;
+    double flip = 0, ssim = 0;
+    double reference_error = 0;  // root mean square of the reference's own standard error
+};
+
+// A step of truth -> screen -> limit -> image, as ErrorPart has it.
+struct SweepErrorPart {
+    std::string step;  // "depth buffer", "definition", "sampling", "resolution", "storage", "blur"
+    double bias = 0, rmse = 0, share = 0;
+};
+
+// One finished error job: a setting and a seed on a view.
+struct SweepErrorResult {
+    std::string id;  // of the job: the hash of all that it is made from
+    SweepView view;
+    SweepSetting setting;
+    std::uint32_t seed = 0;
+    long long nan_or_inf = 0;           // pixels left out of the errors; above 0 the job has failed
+    SweepError soft, hard;              // against ray-cast truth with the method's own fade, and without any
+    std::vector<SweepErrorPart> parts;  // against soft truth; empty where the plan does not ask for them
+    std::string hash;                   // of the AO image, as `crevice render` prints it
+    std::string picture;  // PNG of the AO image, at most 320 pixels wide, relative to the results
+    std::string command;  // that makes the same image, whole
+};
+
+struct SweepPassTime {
+    std::string pass;          // "ao", "blur", "ao and blur", "frame"
+    MedianInterval wall, cpu;  // ms, over the rounds after the warm-up
+    double wall_mad = 0;       // median absolute deviation
+    double instructions = 0;   // a round; 0 where they were not counted
+};
+
+// What times were measured on and by.
+struct SweepMachine {
+    std::string cpu, isa, compiler, version;  // `version` with the commit
+    int cores = 0, lanes = 0;
+
+    bool operator==(const SweepMachine&) const = default;
+};
+
+// One setting of a finished timing job. A timing job times all settings of a view in turns, in random order, and each
+// method's first setting twice, as if it were two: A/A, the noise floor of all ratios of that view.
+struct SweepTimeResult {
+    std::string id;  // of the timing job
+    SweepView view;
+    SweepSetting setting;
+    int threads = 1, rounds = 0;
+    std::vector<SweepPassTime> passes;
+    std::optional<MedianInterval>
+        same_again;    // A/A: ratio of "ao and blur", one of the setting's twins over the other
+    std::string hash;  // of the AO image, taken from inside the timed loop
+    std::string command;
+};
+
+struct SweepResults {
+    std::string plan;  // its name
+    std::string plan_text;
+    std::vector<SweepErrorResult> errors;  // in the plan's order
+    std::vector<SweepTimeResult> times;    // in the plan's order
+    std::optional<SweepMachine> machine;   // none where nothing was timed
+    std::vector<std::string> missing;      // what the plan asks for and no job has done, in words
+};
+
+}  // namespace crevice
