@@ -16,7 +16,7 @@ namespace crevice {
 
 namespace {
 
-constexpr const char* kPasses[] = {"normal_depth", "ao", "blur", "lit", "frame"};
+constexpr const char* kPassesShown[] = {"normal_depth", "ao", "blur", "lit", "frame"};
 constexpr double kMegabyte = 1e6;
 
 double pixels_of(Size size) { return double{1} * size.width * size.height; }
@@ -68,7 +68,7 @@ std::vector<ScaleStudy> measured_studies(const ScaleOptions& options) {
 
 Table point_table(const std::vector<ScaleStudy>& studies) {
     Table table{"scale", {"study", "size", "triangles", "samples"}, {}};
-    for (const char* pass : kPasses) table.columns.push_back(std::string(pass) + "_ms");
+    for (const char* pass : kPassesShown) table.columns.push_back(std::string(pass) + "_ms");
     for (const char* more : {"frame_mad", "peak_MB"}) table.columns.push_back(more);
     for (const ScaleStudy& study : studies) {
         for (std::size_t i = 0; i < study.points.size(); ++i) {
@@ -77,7 +77,7 @@ Table point_table(const std::vector<ScaleStudy>& studies) {
             std::vector<TableValue> row = {
                 study.name, std::to_string(point.size.width) + "x" + std::to_string(point.size.height),
                 TableValue(figures.triangles, 0), TableValue(point.samples, 0)};
-            for (const char* pass : kPasses) row.push_back(TableValue(study.wall_ms(pass)[i], 3));
+            for (const char* pass : kPassesShown) row.push_back(TableValue(study.wall_ms(pass)[i], 3));
             row.push_back(TableValue(figures.passes.back().wall_ms_mad, 3));
             row.push_back(TableValue(figures.peak_bytes / kMegabyte, 1));
             table.rows.push_back(std::move(row));
@@ -119,7 +119,7 @@ std::vector<double> ScaleStudy::peak_bytes() const {
 Table exponent_table(const std::vector<ScaleStudy>& studies) {
     Table table{"scale_exponents", {"study", "pass", "exponent", "error", "between_largest_two"}, {}};
     for (const ScaleStudy& study : studies) {
-        for (const char* pass : kPasses) {
+        for (const char* pass : kPassesShown) {
             const std::vector<double> y = study.wall_ms(pass);
             if (std::any_of(y.begin(), y.end(), [](double ms) { return !(ms > 0); })) continue;
             const PowerLaw all = fitted_power_law(study.x, y);

@@ -13,7 +13,7 @@ namespace crevice {
 
 namespace {
 
-constexpr int kPreviewColumns = 96;
+constexpr int kStepPreviewColumns = 96;
 constexpr const char* kHelp =
     "Enter goes on; p X Y: the values at a pixel; v NAME: a preview; s NAME FILE: save as .png or .npy; "
     "set NAME=VALUE: run again from here; q: quit\n";
@@ -91,7 +91,7 @@ std::optional<StepAnswer> answer_in(const std::string& line, const std::vector<N
     if (command == "p") {
         probe(cells, words, terminal);
     } else if (command == "v" && words >> name) {
-        terminal << terminal_picture(picture_named(cells, name).picture, kPreviewColumns);
+        terminal << terminal_picture(picture_named(cells, name).picture, kStepPreviewColumns);
     } else if (command == "s" && words >> name >> file) {
         save(picture_named(cells, name), file);
         terminal << "  " << file << "\n";
