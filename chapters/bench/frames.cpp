@@ -18,7 +18,7 @@ namespace crevice {
 namespace {
 
 constexpr const char* kPasses[] = {"normal_depth", "ao", "blur", "lit"};
-constexpr double kPatience_s = 300;  // for one program run
+constexpr double kStartPatience_s = 300;  // for one program run
 
 // To make a built-in scene, or to read a file and its textures.
 PassTime loading(const std::string& name) {
@@ -36,7 +36,7 @@ double start_up_ms(const FramesOptions& options, const std::string& name) {
         options.program,
         {"render", name, "--size", "320x180", "--only", "lit", "--out", scratch.path().string()},
         {},
-        kPatience_s};
+        kStartPatience_s};
     std::vector<double> wall_ms;
     for (int i = 0; i < kBenchRuns; ++i) {
         const ChildOutcome outcome = run_child(command);

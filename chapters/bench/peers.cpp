@@ -17,18 +17,18 @@ namespace crevice {
 
 namespace {
 
-constexpr std::size_t kPasses = kPeerPasses.size();
+constexpr std::size_t kPassCount = kPeerPasses.size();
 // How many times as fast as the peer each pass is meant to be; DESIGN, section 10.
-constexpr std::array<double, kPasses> kAims = {8, 15, 150, 10, 25};
+constexpr std::array<double, kPassCount> kAims = {8, 15, 150, 10, 25};
 
-using FrameClock = std::array<PassClock, kPasses>;
+using FrameClock = std::array<PassClock, kPassCount>;
 
 // The times of all frames of one side, pass by pass.
 struct Side {
-    std::array<PassSamples, kPasses> passes;
+    std::array<PassSamples, kPassCount> passes;
 
     void add(const FrameClock& frame) {
-        for (std::size_t i = 0; i < kPasses; ++i) {
+        for (std::size_t i = 0; i < kPassCount; ++i) {
             passes[i].wall_ms.push_back(frame[i].wall_ms);
             passes[i].cpu_ms.push_back(frame[i].cpu_ms);
         }
@@ -43,7 +43,7 @@ struct Duel {
 
 FrameClock times_of(const Frame& frame, const std::string& scene) {
     FrameClock times;
-    for (std::size_t i = 0; i < kPasses; ++i) {
+    for (std::size_t i = 0; i < kPassCount; ++i) {
         const auto pass = std::find_if(frame.passes.begin(), frame.passes.end(),
                                        [&](const PassTime& time) { return time.name == kPeerPasses[i]; });
         if (pass == frame.passes.end()) {
@@ -96,7 +96,7 @@ MedianInterval noise_floor(const std::vector<double>& wall_ms) {
 }
 
 void add_times(Table& table, const std::string& scene, const Duel& duel) {
-    for (std::size_t i = 0; i < kPasses; ++i) {
+    for (std::size_t i = 0; i < kPassCount; ++i) {
         const PassSamples &ours = duel.ours.passes[i], &theirs = duel.theirs.passes[i];
         const PassTime our_time = ours.summary(), their_time = theirs.summary();
         const MedianInterval ratio = ratio_interval(theirs.wall_ms, ours.wall_ms);

@@ -16,7 +16,7 @@ namespace crevice {
 
 namespace {
 
-constexpr double kPatience_s = 600;  // for one point
+constexpr double kPointPatience_s = 600;  // for one point
 
 std::string size_word(Size size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
 
@@ -101,7 +101,7 @@ PointFigures figures_from_json(const std::string& text) {
 
 PointFigures measure_apart(const BenchPoint& point) {
     const ChildOutcome outcome =
-        run_child({own_program(), {"bench", "--point", point_word(point)}, {}, kPatience_s});
+        run_child({own_program(), {"bench", "--point", point_word(point)}, {}, kPointPatience_s});
     if (outcome.exit_code != 0) {
         throw InputError(
             "bench --point " + point_word(point) + ": exit code " + std::to_string(outcome.exit_code) + " (" +

@@ -20,7 +20,7 @@ namespace crevice {
 
 namespace {
 
-using Json = nlohmann::json;
+using Answer = nlohmann::json;
 
 // How many times as fast as each of Embree's ways ours is meant to be; DESIGN, section 10.
 constexpr double kRayAim = 1;
@@ -38,11 +38,11 @@ struct Traced {
     double million_rays_a_second() const { return rays / median_interval(ms).median * 1e-3; }
 };
 
-std::string length_text(const Json& length) {
+std::string length_text(const Answer& length) {
     return length.is_string() ? length.get<std::string>() : significant_text(length.get<double>(), 6);
 }
 
-Traced traced(const Json& line) {
+Traced traced(const Answer& line) {
     return {length_text(line.at("length")),
             line.at("tracer").get<std::string>(),
             line.at("threads").get<int>(),
@@ -111,7 +111,7 @@ Table threads_table(const std::string& scene, const std::vector<Traced>& all) {
     return table;
 }
 
-std::vector<TableValue> build_row(const std::string& scene, const Json& line) {
+std::vector<TableValue> build_row(const std::string& scene, const Answer& line) {
     const auto ours = line.at("ours_ms").get<std::vector<double>>(),
                embree = line.at("embree_ms").get<std::vector<double>>();
     std::vector<TableValue> row = {scene, TableValue(line.at("threads").get<int>(), 0),
@@ -121,7 +121,7 @@ std::vector<TableValue> build_row(const std::string& scene, const Json& line) {
     return row;
 }
 
-std::vector<TableValue> agreement_row(const std::string& scene, const Json& line) {
+std::vector<TableValue> agreement_row(const std::string& scene, const Answer& line) {
     const auto number = [&](const char* name) { return line.at(name).get<double>(); };
     const double same_rays = number("same_rays_errors"), own_rays = number("own_rays_errors");
     const bool same = std::abs(same_rays) < kMostErrors && std::abs(own_rays) < kMostErrors;
@@ -176,12 +176,12 @@ Answers answers_of(const std::string& scene, const std::vector<std::string>& lin
     Answers answers;
     for (const std::string& text : lines) {
         try {
-            const Json line = Json::parse(text);
+            const Answer line = Answer::parse(text);
             const auto kind = line.at("kind").get<std::string>();
             if (kind == "trace") answers.traces.push_back(traced(line));
             if (kind == "build") answers.builds.rows.push_back(build_row(scene, line));
             if (kind == "agreement") answers.agreement.rows.push_back(agreement_row(scene, line));
-        } catch (const Json::exception&) {
+        } catch (const Answer::exception&) {
             throw InputError("embree_peer: not an answer (" + text.substr(0, 60) +
                              "); build both programs anew");
         }

@@ -11,7 +11,7 @@ namespace crevice {
 
 namespace {
 
-constexpr int kPairs = 21;
+constexpr int kThreadPairs = 21;
 
 }  // namespace
 
@@ -28,8 +28,8 @@ Table thread_table() {
 
     std::vector<std::string> names;
     std::map<std::string, std::vector<double>> one, two;
-    Progress progress("threads", kPairs + 1);
-    for (int pair = 0; pair <= kPairs; ++pair) {
+    Progress progress("threads", kThreadPairs + 1);
+    for (int pair = 0; pair <= kThreadPairs; ++pair) {
         for (const int threads : {1, 2}) {
             request.run.threads = threads;
             for (const PassTime& pass : render_frame(scene, scene.camera, request).passes) {

@@ -12,14 +12,11 @@
 // A reply is the object that is told with each, or {"error": what the program would say, "exit_code": as it would end}.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
-#include "chapters/frame/worked_frame.h"
-#include "chapters/lab/frame_reply.h"
-#include "chapters/lab/progressive_truth.h"
+#include "chapters/lab/lab_session.h"
 
 namespace crevice {
 
@@ -31,17 +28,9 @@ class Lab {
  private:
     nlohmann::ordered_json answer(const nlohmann::json& request);
     nlohmann::ordered_json frame(const LabWords& words);
-    nlohmann::ordered_json probe(int x, int y);
     nlohmann::ordered_json truth();
-    void use_scene(const std::string& name, bool surfaces);
-    const WorkedFrame& worked();
 
-    std::optional<LoadedScene> scene_;
-    std::optional<DrawnFrame> drawn_;
-    std::optional<WorkedFrame> worked_;      // the same with all buffers, as soon as somebody asks about it
-    std::optional<ProgressiveTruth> truth_;  // of what was drawn
-    ReferenceImage reference_;               // as it was told last
-    Image<float> ao_, ao_error_;             // the AO that is judged, picture size, and how far it is off
+    LabSession session_;
 };
 
 }  // namespace crevice

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view kMarker = "// %%";
 constexpr std::string_view kProse = "[markdown]";
-constexpr std::string_view kSetup = "tags=[\"setup\"]";
+constexpr std::string_view kSetupTag = "tags=[\"setup\"]";
 
 [[noreturn]] void fail(const std::string& file, int line, const std::string& what) {
     throw UsageError(file + ":" + std::to_string(line) + ": " + what);
@@ -39,7 +39,7 @@ SourceCell begun_cell(std::string_view rest, const std::string& file, int line) 
     };
     if (ends_with(kProse)) {
         cell.kind = SourceCell::Kind::prose;
-    } else if (ends_with(kSetup)) {
+    } else if (ends_with(kSetupTag)) {
         cell.kind = SourceCell::Kind::setup;
     }
     if (!is_cell_name(rest))
@@ -59,12 +59,12 @@ std::string uncommented(std::string_view line, const std::string& file, int numb
              "); begin it with // or begin a code cell before it");
 }
 
+}  // namespace
+
 void drop_empty_lines_around(std::string& text) {
     text.erase(0, std::min(text.find_first_not_of('\n'), text.size()));
     text.erase(text.find_last_not_of('\n') + 1);
 }
-
-}  // namespace
 
 std::vector<SourceCell> percent_cells(std::string_view source, const std::string& file) {
     std::vector<SourceCell> cells;

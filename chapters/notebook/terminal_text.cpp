@@ -10,14 +10,14 @@ namespace crevice {
 
 namespace {
 
-constexpr const char* kBold = "\033[1m";
-constexpr const char* kDim = "\033[2m";
-constexpr const char* kGreen = "\033[32m";
-constexpr const char* kRed = "\033[31m";
-constexpr const char* kPlain = "\033[0m";
+constexpr const char* kCodeBold = "\033[1m";
+constexpr const char* kCodeDim = "\033[2m";
+constexpr const char* kCodeGreen = "\033[32m";
+constexpr const char* kCodeRed = "\033[31m";
+constexpr const char* kCodePlain = "\033[0m";
 
 std::string styled(const std::string& text, const char* code, bool colour) {
-    return colour ? code + text + kPlain : text;
+    return colour ? code + text + kCodePlain : text;
 }
 
 // Columns on the terminal: one a code point, two where it is Chinese or another wide one.
@@ -40,7 +40,7 @@ std::string text_of(const PictureOutput& output, const TerminalStyle& style) {
         result += "  " + (style.directory / (shown.name + ".png")).string() + "  " +
                   size_text(shown.picture.size) + "\n";
         if (!shown.caption.empty()) result += "    " + lines_of(shown.caption, style);
-        result += "    " + styled(shown.about.in(style.language), kDim, style.colour) + "\n";
+        result += "    " + styled(shown.about.in(style.language), kCodeDim, style.colour) + "\n";
     }
     return result + "\n";
 }
@@ -73,13 +73,14 @@ std::string text_of(const TableOutput& table, const TerminalStyle& style) {
         text.erase(text.find_last_not_of(' ') + 1);
         return text + "\n";
     };
-    std::string result = lines_of(table.caption, style) + styled(line(table.header), kBold, style.colour);
+    std::string result = lines_of(table.caption, style) + styled(line(table.header), kCodeBold, style.colour);
     for (const auto& row : table.rows) result += line(row);
     return result + "\n";
 }
 
 std::string text_of(const CheckOutput& check, const TerminalStyle& style) {
-    const std::string mark = check.ok ? styled("✓", kGreen, style.colour) : styled("✗", kRed, style.colour);
+    const std::string mark =
+        check.ok ? styled("✓", kCodeGreen, style.colour) : styled("✗", kCodeRed, style.colour);
     const std::string detail = check.detail.empty() ? "" : "  (" + check.detail + ")";
     return mark + " " + check.claim.in(style.language) + detail + "\n";
 }
@@ -88,7 +89,7 @@ std::string text_of(const ListingOutput& output, const TerminalStyle& style) {
     const CodeListing& listing = output.listing;
     std::string result =
         lines_of(output.caption, style) +
-        styled(listing.file + ":" + std::to_string(listing.first_line), kBold, style.colour) + "\n";
+        styled(listing.file + ":" + std::to_string(listing.first_line), kCodeBold, style.colour) + "\n";
     std::istringstream lines(listing.code);
     for (std::string line; std::getline(lines, line);) result += line.empty() ? "\n" : "    " + line + "\n";
     return result + "\n";
@@ -112,7 +113,7 @@ std::string terminal_prose(const std::string& markdown, bool colour) {
     for (std::string line; std::getline(lines, line);) {
         const std::string shown = without_fold(line);
         if (shown.empty() && !line.empty()) continue;
-        result += shown.starts_with("#") ? styled(shown, kBold, colour) : shown;
+        result += shown.starts_with("#") ? styled(shown, kCodeBold, colour) : shown;
         result += '\n';
     }
     return result + '\n';

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstdio>
 
+#include "chapters/notebook/percent_format.h"
 #include "rasterizer/base/error.h"
 
 namespace crevice {
@@ -10,11 +11,6 @@ namespace crevice {
 namespace {
 
 constexpr std::string_view kOpen = "<!-- ", kClose = " -->";
-
-void drop_empty_lines_around(std::string& text) {
-    text.erase(0, text.find_first_not_of('\n') == text.npos ? text.size() : text.find_first_not_of('\n'));
-    text.erase(text.find_last_not_of('\n') + 1);
-}
 
 }  // namespace
 
