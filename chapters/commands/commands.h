@@ -23,6 +23,7 @@ Command add_chapter_command(CommandLine& program);
 Command add_scenes_command(CommandLine& program);
 Command add_methods_command(CommandLine& program);
 Command add_params_command(CommandLine& program);
+Command add_view_command(CommandLine& program);
 Command add_stability_command(CommandLine& program);
 Command add_completion_command(CommandLine& program);
 

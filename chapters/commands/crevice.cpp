@@ -19,6 +19,7 @@ int run(int argc, char** argv) {
         add_bake_command(program),    add_compare_command(program),   add_bench_command(program),
         add_chapter_command(program), add_scenes_command(program),    add_methods_command(program),
         add_params_command(program),  add_stability_command(program), add_completion_command(program),
+        add_view_command(program),
     };
     const ProgramVersion version = program_version();
     program.version("crevice " + version.number + " (commit " + version.commit + ")");

@@ -1,0 +1,174 @@
+#include "chapters/view/frame_thread.h"
+
+#include <algorithm>
+
+#include "chapters/frame/parameter_words.h"
+#include "chapters/lab/render_words.h"
+#include "chapters/probe/probe_text.h"
+#include "chapters/view/view_camera.h"
+
+namespace crevice {
+
+namespace {
+
+bool is_of_truth(const std::string& buffer) { return buffer == kTruth || buffer == kAoError; }
+
+// What must be drawn for these to be shown; the AO map where nothing else is wanted.
+WantedBuffers wanted_for(const std::vector<std::string>& shown) {
+    WantedBuffers wanted;
+    for (const std::string& buffer : shown) wanted.insert(is_of_truth(buffer) ? "ao_blurred" : buffer);
+    return wanted;
+}
+
+Picture picture_of(const DrawnFrame& drawn, const std::string& buffer) {
+    const Frame& frame = drawn.frame;
+    if (buffer == "normal") return normal_picture(frame.gbuffer.normal);
+    if (buffer == "view_depth") return view_depth_picture(frame.gbuffer.view_depth);
+    if (buffer == "ndc_depth") return ndc_depth_picture(drawn.ndc_depth, frame.camera.reversed_z);
+    if (buffer == "ao_raw") return ao_picture(frame.ao_raw);
+    if (buffer == kBentNormal) return normal_picture(frame.bent_normal);
+    if (buffer == "lit") {
+        // With its values, which a picture on a page does without.
+        Picture lit = lit_picture(frame.lit);
+        lit.values = {frame.lit.x, frame.lit.y, frame.lit.z};
+        return lit;
+    }
+    return ao_picture(frame.ao_blurred);
+}
+
+std::string hash_of(const DrawnFrame& drawn, const std::string& buffer) {
+    const Frame& frame = drawn.frame;
+    if (buffer == "normal") return content_hash(frame.gbuffer.normal);
+    if (buffer == "view_depth") return content_hash(frame.gbuffer.view_depth);
+    if (buffer == "ndc_depth") return content_hash(drawn.ndc_depth);
+    if (buffer == "ao_raw") return content_hash(frame.ao_raw);
+    if (buffer == kBentNormal) return content_hash(frame.bent_normal);
+    if (buffer == "lit") return content_hash(frame.lit);
+    return content_hash(frame.ao_blurred);
+}
+
+void tell(const LoadedScene& scene, const DrawnFrame& drawn, ViewFrame& told) {
+    told.error.clear();
+    told.words = drawn.words;
+    told.camera = drawn.camera;
+    told.passes = drawn.frame.passes;
+    told.tiles = drawn.frame.tiles;
+    told.warnings = scene.warnings;
+    for (const PrecisionLoss& loss : drawn.frame.precision) {
+        if (!loss.warning.empty()) told.warnings.push_back("warning: " + loss.warning);
+    }
+    told.left_out.clear();
+    for (const LeftOut& item : drawn.frame.left_out) told.left_out.push_back(item.what + ": " + item.why);
+    for (const SkippedWork& work : drawn.frame.skipped) {
+        if (work.count == 0) continue;
+        told.left_out.push_back(std::string(skip_name(work.skip)) + ": " + std::to_string(work.count) +
+                                " of " + std::to_string(work.of) + " " + work.unit);
+    }
+    told.pictures.clear();
+    told.hashes.clear();
+    for (const std::string& buffer : drawn.words.only) {
+        told.pictures.emplace_back(buffer, picture_of(drawn, buffer));
+        told.hashes.emplace_back(buffer, hash_of(drawn, buffer));
+    }
+    told.parameters.clear();
+    for (const Parameter<FrameSettings>& p : frame_parameters(*drawn.request.method))
+        told.parameters.emplace_back(p.name, word_of(p, drawn.request.settings));
+    told.truth.reset();
+    told.pixel.reset();
+    told.probe.clear();
+}
+
+}  // namespace
+
+FrameThread::FrameThread(const Run& run) : session_(run), thread_([this] { this->run(); }) {}
+
+FrameThread::~FrameThread() {
+    {
+        const std::lock_guard lock(mutex_);
+        ends_ = true;
+    }
+    changed_.notify_one();
+    thread_.join();
+}
+
+void FrameThread::wish(const ViewWish& wish) {
+    {
+        const std::lock_guard lock(mutex_);
+        wish_ = wish;
+        is_new_ = true;
+    }
+    changed_.notify_one();
+}
+
+std::shared_ptr<const ViewFrame> FrameThread::newest() const {
+    const std::lock_guard lock(mutex_);
+    return newest_;
+}
+
+void FrameThread::publish() {
+    auto copy = std::make_shared<const ViewFrame>(frame_);
+    const std::lock_guard lock(mutex_);
+    newest_ = std::move(copy);
+}
+
+void FrameThread::run() {
+    bool goes_on = false;
+    for (;;) {
+        ViewWish wish;
+        {
+            std::unique_lock lock(mutex_);
+            changed_.wait(lock, [&] { return ends_ || is_new_ || goes_on; });
+            if (ends_) return;
+            is_new_ = false;
+            wish = *wish_;
+        }
+        try {
+            goes_on = work(wish);
+        } catch (const std::exception& error) {
+            frame_.error = error.what();
+            goes_on = false;
+            publish();
+        }
+    }
+}
+
+bool FrameThread::work(const ViewWish& wish) {
+    if (wish.revision != seen_revision_) {
+        seen_revision_ = wish.revision;
+        draw(wish);
+        publish();
+    } else if (wish.pixel != frame_.pixel) {
+        frame_.pixel = wish.pixel;
+        frame_.probe = wish.pixel ? probe_text(session_.probe(wish.pixel->first, wish.pixel->second)) : "";
+        publish();
+    } else if (wish.truth) {
+        const TruthSoFar truth = session_.cast_truth();
+        if (truth.reference == nullptr) return true;
+        frame_.truth = {truth.rays, truth.rmse, truth.bias, ao_picture(truth.reference->mean),
+                        difference_picture(*truth.ao_error)};
+        publish();
+    }
+    return wish.truth || wish.pixel != frame_.pixel;
+}
+
+void FrameThread::draw(const ViewWish& wish) {
+    LabWords words = wish.words;
+    words.only = wanted_for(wish.shown);
+    if (wish.camera) {
+        const LoadedScene& scene = session_.scene(words.scene, wants_surfaces(words));
+        words.camera = flags_of(scene.argument, *wish.camera, words.camera);
+    }
+    std::string asked = render_command(words);
+    for (const std::string& buffer : words.only) asked += " " + buffer;
+    if (asked == drawn_) {
+        frame_.error.clear();
+        return;
+    }
+    drawn_.clear();
+    const DrawnFrame& drawn = session_.draw(words);
+    drawn_ = asked;
+    tell(session_.scene(words.scene, false), drawn, frame_);
+    ++frame_.drawn;
+}
+
+}  // namespace crevice
