@@ -1,8 +1,19 @@
 #include "chapters/props/neighbour_likeness.h"
 
-#include "chapters/props/switched_ao.h"
+#include <cmath>
+
+#include "ssao/judge/metrics.h"
+#include "ssao/methods/luna_occlusion.h"
 
 namespace crevice {
+namespace {
+
+double mean_square(const Image<float>& a, const Image<float>& b) {
+    const double rmse = compare_images(a, b).rmse;
+    return rmse * rmse;
+}
+
+}  // namespace
 
 double likeness_of_neighbours(const Image<float>& error) {
     double product = 0, square = 0;
@@ -16,20 +27,29 @@ double likeness_of_neighbours(const Image<float>& error) {
     return product / square;
 }
 
-BandsAndGrain bands_and_grain(const AoInputs& inputs, const LunaSettings& settings, const Image<float>& limit,
-                              std::uint32_t first_seed, int seeds) {
-    LunaSettings turned = settings, unturned = settings;
+BandsAndGrain bands_and_grain(const SwitchedAo& shown, const Image<float>& limit, std::uint32_t first_seed,
+                              int seeds) {
+    LunaSettings turned = shown.settings, unturned = shown.settings;
     unturned.random_vectors = RandomVectors::none;
-    const auto likeness = [&](const LunaSettings& drawn) {
-        return likeness_of_neighbours(difference_of(luna_occlusion(inputs, drawn, {}).ao, limit));
+    const Image<float> limit_blurred = bilateral_blur(limit, shown.inputs, shown.blur).ao;
+    // Squares until all seeds are there.
+    const auto add = [&](MapErrors& errors, const LunaSettings& drawn) {
+        const Image<float> map = luna_occlusion(shown.inputs, drawn, {}).ao;
+        const double likeness = likeness_of_neighbours(difference_of(map, limit));
+        errors.likeness += likeness / seeds;
+        errors.raw += mean_square(map, limit) / seeds;
+        errors.blurred +=
+            mean_square(bilateral_blur(map, shown.inputs, shown.blur).ao, limit_blurred) / seeds;
+        return likeness;
     };
     BandsAndGrain result;
     for (int i = 0; i < seeds; ++i) {
         turned.seed = unturned.seed = first_seed + static_cast<std::uint32_t>(i);
-        const double of_bands = likeness(unturned), of_grain = likeness(turned);
-        result.bands += of_bands / seeds;
-        result.grain += of_grain / seeds;
-        result.more_alike_in_bands += of_bands > of_grain ? 1 : 0;
+        if (add(result.bands, unturned) > add(result.grain, turned)) ++result.more_alike_in_bands;
+    }
+    for (MapErrors* const errors : {&result.bands, &result.grain}) {
+        errors->raw = std::sqrt(errors->raw);
+        errors->blurred = std::sqrt(errors->blurred);
     }
     return result;
 }

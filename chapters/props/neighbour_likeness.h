@@ -1,9 +1,9 @@
-// How alike the errors of neighbouring texels are: in bands they are, in grain they are not.
+// Bands against grain: how alike the errors of neighbouring texels are, and what a blur leaves of them.
 #pragma once
 
 #include <cstdint>
 
-#include "ssao/methods/luna_occlusion.h"
+#include "chapters/props/switched_ao.h"
 
 namespace crevice {
 
@@ -11,14 +11,18 @@ namespace crevice {
 // grain.
 double likeness_of_neighbours(const Image<float>& error);
 
-// Of maps of several seeds, each with its texels unturned (bands) and turned (grain).
+// Of the maps of several seeds.
+struct MapErrors {
+    double likeness = 0;          // of neighbours, the mean
+    double raw = 0, blurred = 0;  // root mean square over all texels of all maps
+};
 struct BandsAndGrain {
-    double bands = 0, grain = 0;  // means over the seeds
+    MapErrors bands, grain;       // of maps with their texels unturned and turned
     int more_alike_in_bands = 0;  // seeds
 };
-// The seeds first_seed, first_seed + 1 and so on, with the lengths and the exponent of `settings`; an error is the
-// distance from `limit`, which luna_limit() makes of the same settings.
-BandsAndGrain bands_and_grain(const AoInputs& inputs, const LunaSettings& settings, const Image<float>& limit,
-                              std::uint32_t first_seed, int seeds);
+// The seeds first_seed, first_seed + 1 and so on, all else as in `shown`. An error is the distance from `limit`, which
+// luna_limit() makes of the same, or from the limit that was blurred like the map.
+BandsAndGrain bands_and_grain(const SwitchedAo& shown, const Image<float>& limit, std::uint32_t first_seed,
+                              int seeds);
 
 }  // namespace crevice
