@@ -10,7 +10,7 @@
 namespace crevice {
 namespace {
 
-const Method& gtao() { return find_method("gtao"); }
+const Method& gtao_row() { return find_method("gtao"); }
 
 std::string listed(const std::string& list, const std::string& next) {
     return list.empty() ? next : list + ", " + next;
@@ -67,7 +67,7 @@ std::vector<std::vector<std::string>> gtao_parameter_rows() {
         {"blur_iterations", "", "passes of the filter"}};
     std::vector<std::vector<std::string>> rows;
     for (const auto& [name, symbol, meaning] : kParameters) {
-        const double value = value_of(gtao(), defaults_of(gtao()), name).value();
+        const double value = value_of(gtao_row(), defaults_of(gtao_row()), name).value();
         rows.push_back({name, symbol, significant_text(value, 4), meaning});
     }
     return rows;
@@ -75,13 +75,13 @@ std::vector<std::vector<std::string>> gtao_parameter_rows() {
 
 std::string sample_presets_text() {
     std::string list;
-    for (const int samples : gtao().samples_to_try) list = listed(list, std::to_string(samples));
+    for (const int samples : gtao_row().samples_to_try) list = listed(list, std::to_string(samples));
     return list;
 }
 
 std::string slice_plans_text() {
     std::string list;
-    for (const int samples : gtao().samples_to_try) {
+    for (const int samples : gtao_row().samples_to_try) {
         const SlicePlan plan = slice_plan(samples);
         list = listed(list, std::to_string(plan.slices) + " × " + std::to_string(plan.steps));
     }

@@ -8,8 +8,8 @@
 namespace crevice {
 namespace {
 
-std::string text(float value) { return decimal_text(static_cast<double>(value), 3); }
-std::string text(glm::vec3 v) { return text(v.x) + ", " + text(v.y) + ", " + text(v.z); }
+std::string numbers(float value) { return decimal_text(static_cast<double>(value), 3); }
+std::string numbers(glm::vec3 v) { return numbers(v.x) + ", " + numbers(v.y) + ", " + numbers(v.z); }
 
 }  // namespace
 
@@ -46,13 +46,13 @@ std::vector<std::vector<std::string>> pixel_rows(const Texel& at, const Switched
     const std::array<Texel, 4> pixels = PixelsAround(nearest.inputs).of(at);
     for (std::size_t i = 0; i < 4; ++i) {
         const auto [x, y] = pixels[i];
-        rows.push_back(
-            {names[i], text(nearest.gbuffer.normal.at(x, y)), text(nearest.gbuffer.view_depth.at(x, y))});
+        rows.push_back({names[i], numbers(nearest.gbuffer.normal.at(x, y)),
+                        numbers(nearest.gbuffer.view_depth.at(x, y))});
     }
-    rows.push_back({"mean of the four (X_Jun)", text(mixed.inputs.normal.at(at.x, at.y)),
-                    text(mixed.inputs.view_depth.at(at.x, at.y))});
-    rows.push_back({"this lab's texel", text(nearest.inputs.normal.at(at.x, at.y)),
-                    text(nearest.inputs.view_depth.at(at.x, at.y))});
+    rows.push_back({"mean of the four (X_Jun)", numbers(mixed.inputs.normal.at(at.x, at.y)),
+                    numbers(mixed.inputs.view_depth.at(at.x, at.y))});
+    rows.push_back({"this lab's texel", numbers(nearest.inputs.normal.at(at.x, at.y)),
+                    numbers(nearest.inputs.view_depth.at(at.x, at.y))});
     return rows;
 }
 
