@@ -93,9 +93,9 @@ void constant_ambient(Notebook& book) {
 // # Constant ambient light
 //
 // Here is what this book is about. Both pictures show the demo scene of X_Jun's tutorial for Direct3D 11 (the preface
-// lists all sources), with the same textures under the same lamps. Move the slider and look at the feet of the columns,
-// at the spheres where they rest, under the eaves and at the steps of the house. In the first picture things hover over
-// each other as if they had been pasted in. In the second they touch.
+// lists all sources), with the same textures under the same lamps. Compare the feet of the columns, the spheres where
+// they rest, the eaves and the steps of the house. In the first picture things hover over each other as if they had been
+// pasted in. In the second they touch.
 
 // %% headline
 const Demo demo = demo_of_2020(book.size(), book.seed());

@@ -116,8 +116,8 @@ void ray_cast_occlusion(Notebook& book) {
 // %% question [markdown]
 // # Ray-cast ambient occlusion
 //
-// A carved head on a floor, under constant ambient light: one can make out that something is there, and that is all.
-// Move the slider, and eye sockets, teeth and the contact with the floor appear. No lamp shines in either picture. How
+// A carved head on a floor, under constant ambient light: in the first picture one can make out that something is there,
+// and that is all. In the second, eye sockets, teeth and the contact with the floor appear. No lamp shines in either. How
 // does a point find out how much of its surroundings it sees?
 
 // %% start

@@ -7,12 +7,12 @@
 #include <glm/geometric.hpp>
 
 #include "chapters/diagrams/pass_graph.h"
-#include "chapters/diagrams/section_drawing.h"
+#include "chapters/diagrams/stretched_slope.h"
 #include "chapters/notebook/chapter.h"
+#include "chapters/props/buffer_count.h"
 #include "chapters/props/switched_ao.h"
 #include "chapters/props/wrong_normals.h"
 #include "chapters/terminal/number_text.h"
-#include "rasterizer/scene/normal_matrix.h"
 
 namespace crevice {
 namespace {
@@ -60,57 +60,6 @@ std::vector<std::vector<std::string>> depth_rows(const CameraMatrices& m) {
                         significant_text(static_cast<double>(z * z / -m.depth_b / kSteps), 3)});
     }
     return rows;
-}
-
-// What the pass promises, counted over all pixels.
-struct BufferCount {
-    int surface = 0, facing = 0, background = 0, dirty = 0;  // pixels
-    float length_error = 0, depth_error = 0;                 // the largest; of 1, relative
-};
-BufferCount count_pixels(const GBuffer& gbuffer, const Image<float>& ndc, const CameraMatrices& m) {
-    const ViewRays rays{m.ray_scale, ndc.size, true};
-    BufferCount count;
-    for (int i = 0; i < ndc.size.width * ndc.size.height; ++i) {
-        const int x = i % ndc.size.width, y = i / ndc.size.width;
-        const float z = gbuffer.view_depth.at(x, y), d = ndc.at(x, y);
-        const glm::vec3 n = gbuffer.normal.at(x, y);
-        if (std::isinf(z)) {
-            count.background += 1;
-            count.dirty += d == 1 && n == glm::vec3(0) ? 0 : 1;
-            continue;
-        }
-        const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(ndc.size.width);
-        const float v = (static_cast<float>(y) + 0.5f) / static_cast<float>(ndc.size.height);
-        count.surface += 1;
-        count.facing += dot(rays.p_view(u, v, z), spread<float>(n)) < 0 ? 1 : 0;
-        count.length_error = std::max(count.length_error, std::fabs(glm::length(n) - 1));
-        count.depth_error = std::max(count.depth_error, std::fabs(m.depth_b / (d - m.depth_a) / z - 1));
-    }
-    return count;
-}
-
-// A slope and its normal before and after a stretch along the horizontal, and what two matrices make of the normal.
-std::string stretched_slope(double stretch) {
-    const glm::dvec2 tangent(stretch, 1), by_world(-stretch, 1);
-    const glm::dvec3 cofactors =
-        normal_matrix(glm::dmat3(glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, stretch))) *
-        glm::dvec3(0, 1, -1);
-    const auto unit = [](double z, double across) {
-        const double length = std::sqrt(z * z + across * across);
-        return SectionPoint{z / length, across / length};
-    };
-    SectionDrawing drawing({-1.9, -1.05}, {1.9, 1.35});
-    drawing.surface({{-3 * tangent.x, -3 * tangent.y}, {3 * tangent.x, 3 * tangent.y}});
-    drawing.segment({-2, -2}, {2, 2}, kSvgSoft, true);
-    drawing.arrow({0, 0}, unit(-1, 1), kSvgSoft);
-    drawing.words(unit(-1, 1), -54, -4, "before");
-    drawing.arrow({0, 0}, unit(by_world.x, by_world.y), kSvgOccluded);
-    drawing.words(unit(by_world.x, by_world.y), -84, 4, "turned by W");
-    drawing.arrow({0, 0}, unit(cofactors.z, cofactors.y), kSvgPoint);
-    drawing.words(unit(cofactors.z, cofactors.y), -30, -10, "by the inverse transpose");
-    drawing.words({1.15, 1.15}, -108, 4, "the slope before");
-    drawing.words({1.0, 0.5}, -30, 34, "the slope, stretched");
-    return drawing.svg("A slope that is stretched, and its normal");
 }
 
 std::vector<std::string> row_of(const std::string& name, const ComparedNormals& both) {
@@ -172,7 +121,9 @@ book.table(
 
 // %% first_pass [markdown]
 // The AO maps are half as wide and half as high because occlusion changes slowly along a surface, and a quarter of the
-// work is a quarter of the time. A pixel of such a map is called a *texel* here, to tell it from the picture's pixels.
+// work is a quarter of the time. A pixel of such a map is called a *texel* here, to tell it from the picture's pixels. Up
+// to chapter 08 the book shows AO maps as they are, at half size, unless a caption says otherwise. Chapter 07 shows what half
+// size loses, chapter 09 how a map gets back to the picture's size.
 //
 // ## What the first pass writes
 //

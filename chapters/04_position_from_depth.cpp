@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "chapters/diagrams/depth_section.h"
+#include "chapters/diagrams/eye_ray.h"
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/depth_error_plot.h"
 #include "chapters/props/position_ways.h"
@@ -19,31 +19,6 @@ namespace {
 
 std::string text(float value) { return decimal_text(static_cast<double>(value), 3); }
 std::string text(Vec3<float> v) { return text(v.x) + ", " + text(v.y) + ", " + text(v.z); }
-
-// The eye's ray through a texel, in the vertical plane that holds it.
-std::string eye_ray(const AoInputs& inputs, Texel at, Vec3<float> p_view) {
-    const SectionPlane plane{at.x, at.y, {0, 1}};
-    const SectionPoint p = plane.at({p_view.x, p_view.y, p_view.z});
-    const double slope = static_cast<double>(inputs.rays.ray_scale.y), end = 1.4 * p.z;
-    const double near = static_cast<double>(inputs.near_plane);
-    // Of what the plane cuts only the ground, up to where something stands in front of it.
-    std::vector<SectionPoint> ground = depth_section(inputs, plane, 2 * slope * end);
-    std::erase_if(ground, [](const SectionPoint& point) { return std::isinf(point.z); });
-    ground.erase(std::is_sorted_until(ground.begin(), ground.end(),
-                                      [](const SectionPoint& a, const SectionPoint& b) { return a.z < b.z; }),
-                 ground.end());
-    SectionDrawing drawing({-0.12 * end, -0.42 * end}, {end, 0.42 * end});
-    drawing.surface(ground);
-    for (const double side : {-slope, slope}) drawing.segment({0, 0}, {end, side * end}, kSvgSoft, true);
-    drawing.segment({near, -slope * near}, {near, slope * near}, kSvgSoft);
-    drawing.words({near, slope * near}, -66, -8, "near plane");
-    drawing.words({0, 0}, -34, 24, "the eye");
-    drawing.segment({0, 0}, p, kSvgOpen);
-    drawing.point({0, 0}, "", kSvgInk);
-    drawing.point({near, near * p.across / p.z}, "e", kSvgOpen, SectionDrawing::Dot::ring);
-    drawing.point(p, "p", kSvgPoint);
-    return drawing.svg("The eye's ray through a texel");
-}
 
 // A way to a position: its name in pictures, and in words.
 struct Way {
@@ -135,7 +110,7 @@ const Vec3<float> far_point = interpolated(inputs.rays, u, v, far),
 book.number("x", std::to_string(at.x));
 book.number("y", std::to_string(at.y));
 book.number("fov_y", 57.29577951308232 * foot.camera().fov_y_rad, 0);
-book.draw("eye_ray", eye_ray(inputs, at, p),
+book.draw("eye_ray", eye_ray(inputs, at.x, at.y, p),
           "A vertical cut through the depth buffer at texel ({x}, {y}), which chapter 03 began to "
           "follow. The ray that leaves the eye through the texel meets the ground at p; e is another point of it, "
           "here the one on the near plane. The dashed lines are the upper and the lower rim of the view; what is "

@@ -2,17 +2,16 @@
 // Source: X_Jun, "Finishing the computation" and the full listing; Luna, Ssao.hlsl.
 // Run: crevice chapter 07
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
 #include "chapters/diagrams/sample_fans.h"
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/crops.h"
+#include "chapters/props/neighbour_likeness.h"
 #include "chapters/props/switched_ao.h"
+#include "chapters/props/texel_pixels.h"
 #include "chapters/terminal/number_text.h"
 #include "scenes/builtin_scenes.h"
-#include "ssao/inputs/linear_taps.h"
 #include "ssao/inputs/texel_fetch.h"
 #include "ssao/judge/luna_limit.h"
 #include "ssao/judge/metrics.h"
@@ -22,10 +21,13 @@
 namespace crevice {
 namespace {
 
-constexpr int kSeeds = 32;
+constexpr int kSeeds = 32;  // whose mean is the method without its noise
+// Bands and grain are measured at one size, whatever that of the pictures: in a much smaller one the shade is no wider than
+// the blur, and there are no bands.
+constexpr Size kMeasuredSize = {320, 180};
+constexpr int kMeasuredSeeds = 8;
 
 std::string text(float value) { return decimal_text(static_cast<double>(value), 3); }
-std::string text(glm::vec3 v) { return text(v.x) + ", " + text(v.y) + ", " + text(v.z); }
 
 // Four neighbours of a map in a row, the followed texel first.
 std::vector<SampleFan> four_neighbours(const SwitchedView& view, const SwitchedAo& shown) {
@@ -34,87 +36,6 @@ std::vector<SampleFan> four_neighbours(const SwitchedView& view, const SwitchedA
     for (int x = at.x; x < at.x + 4; ++x)
         fans.push_back({"AO " + text(shown.raw.at(x, at.y)), view.explanation(shown, x, at.y)});
     return fans;
-}
-
-// The four pixels that a texel's centre lies among, row by row.
-struct PixelsAround {
-    LinearTaps columns, rows;
-
-    explicit PixelsAround(const AoInputs& inputs)
-        : columns(inputs.size().width, inputs.picture.width), rows(inputs.size().height, inputs.picture.height) {}
-    std::array<Texel, 4> of(const Texel& at) const {
-        const auto x = static_cast<std::size_t>(at.x), y = static_cast<std::size_t>(at.y);
-        const int left = columns.first[x], right = columns.second[x], top = rows.first[y], bottom = rows.second[y];
-        return {{{left, top}, {right, top}, {left, bottom}, {right, bottom}}};
-    }
-};
-
-// Where the mean of four pixels' depths is farthest from the nearest one's surface, all four showing something.
-Texel most_mixed(const SwitchedAo& nearest, const SwitchedAo& mixed) {
-    Texel most;
-    float farthest = 0;
-    const PixelsAround around(nearest.inputs);
-    for (int y = 0; y < nearest.inputs.size().height; ++y) {
-        for (int x = 0; x < nearest.inputs.size().width; ++x) {
-            float sum = 0;
-            for (const Texel& pixel : around.of({x, y})) sum += nearest.gbuffer.view_depth.at(pixel.x, pixel.y);
-            const float apart = mixed.inputs.view_depth.at(x, y) - nearest.inputs.view_depth.at(x, y);
-            if (std::isfinite(sum) && apart > farthest) farthest = apart, most = {x, y};
-        }
-    }
-    return most;
-}
-
-// The pixels that a texel of half size lies between, and what becomes of them.
-std::vector<std::vector<std::string>> pixels_of(const Texel& at, const SwitchedAo& nearest,
-                                                const SwitchedAo& mixed) {
-    std::vector<std::vector<std::string>> rows;
-    const char* const names[] = {"upper left pixel", "upper right", "lower left", "lower right"};
-    const std::array<Texel, 4> pixels = PixelsAround(nearest.inputs).of(at);
-    for (std::size_t i = 0; i < 4; ++i) {
-        const auto [x, y] = pixels[i];
-        rows.push_back({names[i], text(nearest.gbuffer.normal.at(x, y)),
-                        text(nearest.gbuffer.view_depth.at(x, y))});
-    }
-    rows.push_back({"mean of the four (X_Jun)", text(mixed.inputs.normal.at(at.x, at.y)),
-                    text(mixed.inputs.view_depth.at(at.x, at.y))});
-    rows.push_back({"this lab's texel", text(nearest.inputs.normal.at(at.x, at.y)),
-                    text(nearest.inputs.view_depth.at(at.x, at.y))});
-    return rows;
-}
-
-// Those whose four pixels all show the sky.
-struct SkyTexels {
-    int count = 0, darkened = 0;
-};
-SkyTexels sky_texels(const SwitchedAo& shown) {
-    SkyTexels sky;
-    const PixelsAround around(shown.inputs);
-    for (int y = 0; y < shown.raw.size.height; ++y) {
-        for (int x = 0; x < shown.raw.size.width; ++x) {
-            const std::array<Texel, 4> pixels = around.of({x, y});
-            const bool surface = std::any_of(pixels.begin(), pixels.end(), [&](const Texel& pixel) {
-                return std::isfinite(shown.gbuffer.view_depth.at(pixel.x, pixel.y));
-            });
-            if (surface) continue;
-            ++sky.count;
-            if (shown.raw.at(x, y) != 1) ++sky.darkened;
-        }
-    }
-    return sky;
-}
-
-// The share of an error's square that two neighbours have in common: 1 bands, 0 grain.
-double likeness_of_neighbours(const Image<float>& error) {
-    double product = 0, square = 0;
-    for (int y = 0; y < error.size.height; ++y) {
-        for (int x = 0; x + 1 < error.size.width; ++x) {
-            const double own = error.at(x, y), next = error.at(x + 1, y);
-            product += own * next;
-            square += own * own;
-        }
-    }
-    return product / square;
 }
 
 // The largest change of a random vector from one quarter of the picture to the next, over a row of texels.
@@ -179,10 +100,9 @@ book.show("bands", ao_part(bands.raw, part),
 // **Fourteen samples are far too few; but if every texel looks in directions of its own, neighbours err almost
 // independently of each other, and an average over neighbours removes most of their errors.**
 //
-// Where neighbours look the same way, they hit and miss the same things, so they err alike, and a patch of equal errors is
-// a band. Chapter 05 turns the fourteen vectors by another random vector at every texel. The error of one texel does not
-// become smaller by that. But bands turn into *grain*: noise that changes from texel to texel, which chapter 08 can average
-// away.
+// Where neighbours look the same way, they hit and miss the same things. So they err alike, and a patch of equal errors is a
+// band. Chapter 05 turns the fourteen vectors by another random vector at every texel. The error of one texel does not become
+// smaller by that. But bands turn into *grain*: noise that changes from texel to texel, which chapter 08 averages away.
 
 // %% fans
 std::vector<SampleFan> fans = four_neighbours(foot, bands);
@@ -219,10 +139,10 @@ book.number("steepest", decimal_text(static_cast<double>(kSteepest), 2));
 //
 // $$ \text{access} = 1 - \frac1N \sum_{i=1}^{N} \textit{dp}_i \cdot \text{occlusion}(\textit{dz}_i), \qquad \text{AO} = \text{access}^{\,k} $$
 //
-// A sample that was rejected has taken nothing, but it stays among the $N$. At our texel $({{x}}, {{y}})$ the samples take
-// {sum} together, so $\text{access} = {{access}}$. With the exponent of X_Jun's tutorial for Direct3D 11, $k = 4$, that becomes
-// {ao_4}; with that of Luna's for Direct3D 12, $k = 6$, it would be {ao_6}. The exponent has no physical meaning: it turns
-// faint shade into strong shade.
+// A rejected sample has taken nothing, but stays among the $N$. At our texel $({{x}}, {{y}})$ the samples take {sum} together,
+// so $\text{access} = {{access}}$. With the exponent of X_Jun's tutorial for Direct3D 11, $k = 4$, that becomes {ao_4}; with that
+// of Luna's for Direct3D 12, $k = 6$, it would be {ao_6}. The exponent has no physical meaning: it turns faint shade into
+// strong shade.
 
 // %% exponents
 const SwitchedView view(book, "columns");
@@ -248,26 +168,25 @@ book.check("The exponent 6 instead of 4 raises the mean occlusion of the picture
 // take?
 //
 // X_Jun's sampler filters linearly, and gives the mean of the four. On one surface that is right. Across an edge it is the
-// normal and the depth of a surface that does not exist, as the table shows; its samples then find the real surfaces in
-// front of it, and what remains is a line of dark dots along every edge. (Luna takes the normal of one of the four pixels
-// and the mean of the stored depths.)
+// normal and the depth of a surface that does not exist. The samples find the real surfaces in front of it, and a line of dark
+// dots remains along every edge. (Luna takes the normal of one of the four pixels and the mean of the stored depths.)
 //
 // This lab tells the two cases apart. Pixel $m$ of the four has the normal $n_m$, the view depth $z_m$ and the point $p_m$, on
 // the ray through its *own* centre. The *texel's* ray is another one: let $e$ be its point with $e_z = 1$.
 //
 // 1. If all four show the sky, the texel has no surface. Steps 2 to 6 are for all others.
-// 2. The *nearest* pixel is the one with the smallest $z_m$; of equals the first, counted as in the table below.
+// 2. The *nearest* pixel has the smallest $z_m$; of equals it is the first in the order of the table below.
 // 3. The four show one surface if none shows the sky and, for each,
 //    $n_\text{nearest} \cdot n_m \ge {{cosine}}$ and $|n_\text{nearest} \cdot (p_m - p_\text{nearest})|$ is at most {pixels}
 //    times the width of a pixel at that depth, $2 \tan(\text{fov}_y/2)\, z_\text{nearest} / h$ in a picture of $h$ rows.
-// 4. If so, the texel takes the mean of the four normals, not normalised again, so that it may be shorter than 1, and the
-//    mean of the four view depths.
-// 5. If not, it takes $n_\text{nearest}$, and the depth where its ray meets the nearest pixel's plane. $z\, e$ lies in that
+// 4. If so, the texel takes the mean of the four normals, not normalised again (so it may be shorter than 1), and of the four
+//    view depths.
+// 5. If not, it takes $n_\text{nearest}$, and the depth where its ray meets the nearest pixel's plane: $z\, e$ lies in that
 //    plane if $n_\text{nearest} \cdot (z\, e - p_\text{nearest}) = 0$, so
 //    $z = (n_\text{nearest} \cdot p_\text{nearest}) / (n_\text{nearest} \cdot e)$. Where the plane is seen edge-on,
-//    $|n_\text{nearest} \cdot e| \le {{steepest}}$, or $z$ is not positive, the texel takes $z_\text{nearest}$.
-// 6. A depth from step 5 may not exceed the mean of the four depths in the map that the samples read; otherwise the mean is
-//    taken. With the sky's {background} among the four, this limits nothing.
+//    $|n_\text{nearest} \cdot e| \le {{steepest}}$, or $z$ is not positive, it takes $z_\text{nearest}$.
+// 6. A depth from step 5 is at most the mean of the four depths in the map that the samples read. With the sky's {background}
+//    among the four, this limits nothing.
 
 // %% edge_texel
 const SwitchedAo mixed = foot.ao({seed[0], "edge_texels=mixed"});
@@ -277,7 +196,7 @@ const float z_nearest = grain.inputs.view_depth.at(edge.x, edge.y);
 book.number("edge_x", std::to_string(edge.x));
 book.number("edge_y", std::to_string(edge.y));
 book.table({"texel ({edge_x}, {edge_y})", "normal", "view depth"},
-           pixels_of(edge, grain, mixed), "A texel at a silhouette, and the four pixels that it lies between.");
+           pixel_rows(edge, grain, mixed), "A texel at a silhouette, and the four pixels that it lies between.");
 book.number("z_apart", text(z_mixed - z_nearest));
 book.check("The mean lies {z_apart} units behind the nearer surface, at a depth where there is nothing.",
            z_mixed > z_nearest + 0.5f);
@@ -287,8 +206,6 @@ book.compare({"edge_mixed", ao_part(mixed.blurred, part), "Blurred, from the mea
 
 // %% nothing_there [markdown]
 // ## Where there is nothing
-//
-// Two rows of the table of nothing in chapter 03 are at work here.
 //
 // **The sky** has neither $p$ nor $n$. Its texels are computed like any other, with a depth of 1 that means nothing, and the
 // result is then replaced by 1: `select(surface, ao, 1)`.
@@ -300,9 +217,9 @@ book.compare({"edge_mixed", ao_part(mixed.blurred, part), "Blurred, from the mea
 // %% the_code [markdown]
 // ## The code
 //
-// The whole pass is a loop over texels with the following body. The HLSL of the tutorials ends in the same three steps:
-// divide by the sample count, subtract from one, `saturate(pow(access, k))`. The pictures of this book use X_Jun's numbers. This
-// is where the lab departs from its shaders, and what `--param as_published=true` undoes of it:
+// The pass is a loop over texels with the following body. The tutorials' HLSL ends in the same three steps: divide by the
+// sample count, subtract from one, `saturate(pow(access, k))`. This is where the lab departs from X_Jun's shaders, whose numbers
+// it uses, and what `--param as_published=true` undoes of it:
 
 // %% departures tags=["setup"]
 book.table({"what the lab does otherwise", "chapter", "undone by as_published=true"},
@@ -352,9 +269,9 @@ book.check("Every texel lies between 0 and 1, the darkest at {least}, and none i
 // ## How much noise
 //
 // What would the same method show without noise? The mean over many seeds tells: each draws other lengths and other random
-// vectors. Against the mean of 32 of them, with $k = 1$ and in the whole scene, we can measure what more samples buy. Errors of $N$ independent
-// samples fall like $1/\sqrt N$. These start worse: samples 1 and 2 are opposite corners of the cube, which the flip to the
-// normal's side turns into the same direction. So the second gains next to nothing.
+// vectors. Against the mean of 32, with $k = 1$ and in the whole scene, we can measure what more samples buy. Errors of $N$
+// independent samples fall like $1/\sqrt N$. These start worse: samples 1 and 2 are opposite corners of the cube, which the flip
+// to the normal's side turns into one direction.
 
 // %% noise
 const Image<float> limit_1 = luna_limit(shown.inputs, {.exponent = 1}, kSeeds).mean;
@@ -386,33 +303,36 @@ book.check("The second sample only brings it to {noise_2}; going from 2 to 4 gai
 // %% blurred_text [markdown]
 // ## Why grain is better than bands
 //
-// Texel by texel both maps of the column's foot are wrong by about as much (the first numbers of the check below). Blur both as
-// in chapter 08, and compare them with the blurred mean of 32 seeds. What remains of the bands is broad and strong, since a band
-// is as wide as the filter. The grain is gone. A weaker and smoother error remains: this seed has drawn other lengths for the
-// fourteen vectors than the mean of all seeds, the same for every texel, so neighbours err alike in this part, and no mean over
-// them removes it.
+// Texel by texel both maps of the column's foot are wrong by about as much. Blur both as in chapter 08, and compare them with
+// the blurred mean of 32 seeds. What remains of the bands is broad and strong, since a band is as wide as the filter. The grain
+// is gone, and a weaker, smoother error remains: this seed has drawn other lengths for the fourteen vectors than the mean of all
+// seeds, the same for every texel. In this part neighbours err alike, and no mean over them removes it.
 
 // %% blurred
 const Image<float> limit = luna_limit(grain.inputs, grain.settings, kSeeds).mean;
-const double alike = likeness_of_neighbours(difference_of(bands.raw, limit));
-const double unlike = likeness_of_neighbours(difference_of(grain.raw, limit));
 const Image<float> limit_blurred = bilateral_blur(limit, grain.inputs, grain.blur).ao;
-const double bands_left = compare_images(bands.blurred, limit_blurred).rmse;
-const double grain_left = compare_images(grain.blurred, limit_blurred).rmse;
 book.compare({"bands_left", error_picture(bands.blurred, limit_blurred, part), "What the blur leaves of the bands: blue is too dark, red "
               "too bright."},
              {"grain_left", error_picture(grain.blurred, limit_blurred, part), "What it leaves of the grain, on the same scale: no borders, but one weaker error all round the foot."});
-book.number("bands_raw", compare_images(bands.raw, limit).rmse, 4);
-book.number("grain_raw", compare_images(grain.raw, limit).rmse, 4);
-book.number("alike", alike, 2);
-book.number("unlike", unlike, 2);
-book.number("bands_left", bands_left, 4);
-book.number("grain_left", grain_left, 4);
-// In a map of odd size neighbours share a part of their random vectors, so that grain is coarser.
-book.check("The errors of neighbours correlate by {alike} in the bands, by {unlike} in the grain.", alike > 1.3 * unlike);
-book.check("In this view, with k = 4, the RMS error of the bands falls from {bands_raw} to {bands_left} in the blur, that of the grain from {grain_raw} to "
-           "{grain_left}.",
-           grain_left < 0.9 * bands_left);
+
+// %% several_seeds
+const SwitchedAo measured_map = column_foot(book, kMeasuredSize).ao(seed);
+const Image<float> measured_limit = luna_limit(measured_map.inputs, measured_map.settings, kSeeds).mean;
+const BandsAndGrain errors = bands_and_grain(measured_map, measured_limit, book.seed(), kMeasuredSeeds);
+book.number("measured_size", size_text(kMeasuredSize));
+book.number("alike_seeds", std::to_string(kMeasuredSeeds));
+book.number("alike", errors.bands.likeness, 2);
+book.number("unlike", errors.grain.likeness, 2);
+book.number("bands_raw", errors.bands.raw, 4);
+book.number("grain_raw", errors.grain.raw, 4);
+book.number("bands_left", errors.bands.blurred, 4);
+book.number("grain_left", errors.grain.blurred, 4);
+// If turning changed nothing, each seed would decide by chance, and all eight would agree once in 256 times.
+book.check("The errors of neighbours correlate by {alike} in the bands and by {unlike} in the grain, in the mean of {alike_seeds} seeds at {measured_size}; "
+           "with each of them the bands' do so more.", errors.more_alike_in_bands == kMeasuredSeeds);
+// Both have the error of the seed's own lengths, which the mean over seeds makes equal; bands have theirs besides.
+book.check("Over the same seeds, with k = 4, the RMS error of the bands falls from {bands_raw} to {bands_left} in the blur, that of the grain from "
+           "{grain_raw} to {grain_left}.", errors.grain.blurred < errors.bands.blurred);
 
 // %% repeats
 book.check("The random map repeats four times across the picture: a quarter of the picture further right a texel reads the "
@@ -456,8 +376,8 @@ book.check("Misplaced points darken the room by {darker} on average.", darker < 
 // **A large number that does not fit.** X_Jun keeps depths as 16-bit floats, whose largest number is 65504, and clears them to
 // 1e5. Direct3D rounds toward zero and stores 65504. Other machines round to nearest and store infinity; a linear filter
 // then computes $0 \cdot \infty$, which is NaN, and every comparison with NaN is false. So in this lab's kernel, which compares,
-// the samples that meet it take nothing, and texels at silhouettes lose their shade. (The pictures of chapter 04 are made with a
-// `max` that lets the NaN through instead.)
+// the samples that meet it take nothing, and texels at silhouettes lose their shade. (Chapter 04 shows a `max` that lets the NaN
+// through instead.)
 
 // %% sky_in_a_half
 const Words nearest_even = {seed[0], "buffer_format=float16_nearest", "edge_texels=mixed"};

@@ -6,10 +6,11 @@
 
 #include "chapters/diagrams/blur_taps.h"
 #include "chapters/notebook/chapter.h"
+#include "chapters/props/blur_reach.h"
+#include "chapters/props/blur_weights_curve.h"
 #include "chapters/props/crops.h"
 #include "chapters/props/switched_ao.h"
 #include "chapters/terminal/number_text.h"
-#include "ssao/blur/blur_edges.h"
 #include "ssao/judge/luna_limit.h"
 #include "ssao/judge/metrics.h"
 #include "ssao/judge/reference_error.h"
@@ -19,7 +20,6 @@ namespace crevice {
 namespace {
 
 constexpr int kSeeds = 64;
-constexpr int kTaps = 2 * kBlurRadius + 1;
 constexpr double kLunaSigma = 2.5;  // texels
 
 // Without a minus in front of a zero.
@@ -88,85 +88,6 @@ Texel texel_at_a_step(const AoInputs& in, const BlurSettings& blur) {
         }
     }
     return best;
-}
-
-double gaussian_weight(int i, double sigma) {
-    double total = 0;
-    for (int j = -kBlurRadius; j <= kBlurRadius; ++j) total += std::exp(-j * j / (2 * sigma * sigma));
-    return std::exp(-i * i / (2 * sigma * sigma)) / total;
-}
-
-PlotCurve weights_curve(const std::string& name, const BlurWeights& weights) {
-    PlotCurve curve{name, {}, {}};
-    for (int i = -kBlurRadius; i <= kBlurRadius; ++i) {
-        curve.x.push_back(i);
-        curve.y.push_back(static_cast<double>(weights[static_cast<std::size_t>(i + kBlurRadius)]));
-    }
-    return curve;
-}
-double variance_of(const BlurWeights& weights) {
-    double total = 0, squares = 0;
-    for (int i = -kBlurRadius; i <= kBlurRadius; ++i) {
-        const double weight = static_cast<double>(weights[static_cast<std::size_t>(i + kBlurRadius)]);
-        total += weight;
-        squares += weight * i * i;
-    }
-    return squares / total;
-}
-
-// The share of texels that one iteration took out of the range of the raw values near them in depth: within two limits,
-// one for the horizontal and one for the vertical step.
-double leaked_share(const Image<float>& blurred, const Image<float>& raw, const Image<float>& depth) {
-    double leaked = 0;
-    for (int y = 0; y < raw.size.height; ++y) {
-        for (int x = 0; x < raw.size.width; ++x) {
-            float least = raw.at(x, y), most = least;
-            for (int k = 0; k < kTaps * kTaps; ++k) {
-                const int column = std::clamp(x + k % kTaps - kBlurRadius, 0, raw.size.width - 1);
-                const int row = std::clamp(y + k / kTaps - kBlurRadius, 0, raw.size.height - 1);
-                if (!(std::fabs(depth.at(column, row) - depth.at(x, y)) <= 2 * kXjunBlur.depth_threshold))
-                    continue;
-                least = std::min(least, raw.at(column, row));
-                most = std::max(most, raw.at(column, row));
-            }
-            if (blurred.at(x, y) < least - 1e-5f || blurred.at(x, y) > most + 1e-5f) leaked += 1;
-        }
-    }
-    return leaked / (raw.size.width * raw.size.height);
-}
-
-// Vertical taps that count, 0 to 10, and how many do on the far floor.
-struct KeptTaps {
-    Image<float> kept;
-    int far_floor = 0, without = 0;  // texels
-    double taps = 0;                 // of the far floor
-};
-KeptTaps kept_taps(const AoInputs& in, const BlurSettings& settings, float limit_z) {
-    const BlurRays rays(in, BlurEdges::slope);
-    const Thresholds least = {settings.normal_threshold, settings.depth_threshold};
-    const auto surface = [&](int x, int y) {
-        return BlurSurface<float>{spread<float>(in.normal.at(x, y)), in.view_depth.at(x, y)};
-    };
-    KeptTaps taps{Image<float>(in.size(), 0.0f)};
-    for (int y = 0; y < in.size().height; ++y) {
-        for (int x = 0; x < in.size().width; ++x) {
-            const BlurSurface<float> own = surface(x, y);
-            const Vec3<float> p = rays.p_view<float>(x, y, own.view_depth);
-            float& kept = taps.kept.at(x, y);
-            for (int row = y - kBlurRadius; row <= y + kBlurRadius; ++row) {
-                if (row == y || !inside(in.size(), x, row)) continue;
-                const BlurSurface<float> other = surface(x, row);
-                const Vec3<float> q = rays.p_view<float>(x, row, other.view_depth);
-                kept += settings.edges == BlurEdges::slope ? counts_on_slope<float>(own, p, other, q, least)
-                                                           : counts<float>(own, other, least);
-            }
-            if (own.normal.y < 0.999f || own.view_depth < 1.1f * limit_z) continue;
-            ++taps.far_floor;
-            taps.without += kept == 0;
-            taps.taps += static_cast<double>(kept);
-        }
-    }
-    return taps;
 }
 
 // The left part of the house, and columns beside it.

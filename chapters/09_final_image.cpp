@@ -156,9 +156,10 @@ void final_image(Notebook& book) {
 // %% question [markdown]
 // # The final image
 //
-// Here is the scene of X_Jun's tutorial (for Direct3D 11), as its text of 2020 shows it: textured, with a strong *ambient light*, the constant that stands for all
-// light which has been reflected before it arrives. Without occlusion the columns seem to float, and the house is flat under its eaves. Move the slider: only the
-// ambient light has changed.
+// Here is the scene of X_Jun's tutorial (for Direct3D 11), as its text of 2020 shows it: textured, with a strong *ambient
+// light*, the constant that stands for all light which has been reflected before it arrives. In the first picture, without
+// occlusion, the columns seem to float, and the house is flat under its eaves. In the second only the ambient light has
+// changed.
 
 // %% headline
 const Words seed = {"seed=" + std::to_string(book.seed())};

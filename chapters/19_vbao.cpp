@@ -133,8 +133,8 @@ void vbao_chapter(Notebook& book) {
 // # Things have backs: the visibility bitmask
 //
 // A row of thin bars stands a unit in front of a wall. Light reaches the wall between the bars and past them, so rays through the
-// scene, the second picture, find it hardly shaded. GTAO, the first, draws a dark band beside each bar. Its horizon is the bar, and a horizon
-// closes everything below it, as if the bar were the edge of a plate that reaches back to the wall.
+// scene, the second picture, find it hardly shaded. GTAO, the first, draws a dark band beside each bar. Its horizon is the bar, and a
+// horizon closes everything below it, as if the bar were the edge of a plate that reaches back to the wall.
 
 // %% start
 const JudgedView bars(bars_before_a_wall(), kJudgedSize, book.seed());
@@ -153,10 +153,10 @@ book.show_row({{"bars_gtao", ao_picture(bars_gtao.image.mean), "GTAO with a radi
 // **Divide each slice into 32 sectors and keep one bit for each: closed or open. What stands there closes the sectors from its
 // front to its back, and leaves those behind it open.**
 //
-// A horizon is one number for one side of a slice; all it can say is "closed from here down". A number of 32 bits, a *bitmask*, can
-// say "closed here, open, closed there". It costs no more memory, sets are joined by an *or*, and counting the bits that are set is one
-// instruction. What must be added is a guess: a depth map shows where a thing begins and never where it ends. The method of
-// Therrien and others (2023) assumes one *thickness* for everything on the screen.
+// A horizon can only say "closed from here down". A number of 32 bits, a *bitmask*, can say "closed here, open, closed there". It takes no
+// more memory, sets are joined by an *or*, and counting the bits that are set is one instruction. What must be added is a guess: a depth
+// map shows where a thing begins and never where it ends. The method of Therrien and others (2023) assumes one *thickness* for everything
+// on the screen.
 
 // %% numbers_of_one_texel
 const JudgedView view = judged_column_foot(book, "vbao", book.size());
@@ -184,14 +184,13 @@ book.draw("sectors", sectors_diagram(inputs, settings, at.x, at.y, darkest, "One
 // ## Which bits
 //
 // A slice is that of chapter 18, with $v$ towards the eye and the angle $\gamma$ from $v$ to $n_p$, the normal's part in it. A
-// sample at $\Delta = r - p$ has its front in the direction $\Delta$. Its back lies a thickness $\tau$ further along the eye's ray, which is against $v$:
+// sample at $\Delta = r - p$ has its front in the direction $\Delta$. Its back lies a thickness $\tau$ further along the eye's ray:
 //
 // $$ \Delta_{front} = r - p, \qquad \Delta_{back} = r - p - \tau\, v $$
 //
-// Both are directions in the slice, and the sectors between them are closed. The paper gives each sector an angle of
-// $\pi/32$. Then all are not worth the same, since light at a slant counts less. This lab bends the borders instead: sector $k$
-// begins where $k/32$ of the slice's *cosine-weighted* light has gone by, and with the integral of chapter 18,
-// which for each direction tells how much light lies between it and the open plane, no border has to be looked up:
+// Both are directions in the slice, and the sectors between them are closed. In the paper each sector has an angle of $\pi/32$, though
+// light at a slant counts less. In this lab sector $k$ begins where $k/32$ of the slice's *cosine-weighted* light has gone by. The
+// integral of chapter 18 tells how much light lies between a direction and the open plane, so no border has to be looked up:
 //
 // $$ k = \frac{32\; \mathrm{loss}(\theta)}{\cos\gamma + \gamma\sin\gamma} $$
 //
@@ -199,9 +198,8 @@ book.draw("sectors", sectors_diagram(inputs, settings, at.x, at.y, darkest, "One
 //
 // $$ mask \mathrel{|}= (2^{k_{front}} - 1) - (2^{k_{back}} - 1) $$
 //
-// and in the end the slice has lost $|n_p|\,(\cos\gamma+\gamma\sin\gamma)$ times the share of bits that are set. With
-// $\tau = \infty$ all backs lie at the open plane: each sample closes all below it, and the mask is a horizon, in steps of
-// $1/32$. GTAO is a special case.
+// In the end the slice has lost $|n_p|\,(\cos\gamma+\gamma\sin\gamma)$ times the share of bits that are set. With $\tau = \infty$ each
+// sample closes all below it, and the mask is a horizon, in steps of $1/32$: GTAO is a special case.
 
 // %% the_code [markdown]
 // ## The code
@@ -259,9 +257,9 @@ book.compare({"bars_horizon", difference_picture(difference_of(bars_gtao.image.m
 // ## How wrong it is, and the one guess
 //
 // Everything hangs on $\tau$. Too thin, and stone lets light through; too thick, and bars are plates. The plot shows the error over
-// $\tau$ in both scenes, with the same radius. No value is right for both, because thickness is a property of things, and the method
-// has one number for all. Nor is the right one the true one: the bars are 0.06 thick. But most walks over the screen step across such a bar
-// without meeting it, and a thickness above the true one makes up for those in the mean.
+// $\tau$ in both scenes. No value is right for both, because thickness is a property of things, and the method has one number for all.
+// Nor is the right one the true one: the bars are 0.06 thick. But most walks over the screen step across such a bar without meeting it,
+// and a thickness above the true one makes up for those in the mean.
 
 // %% thickness
 const MethodLimit foot_gtao = judged.limit("gtao", cut), foot_vbao = judged.limit("vbao", half_thick), bars_endless = bars.limit("vbao", endless);
@@ -313,9 +311,9 @@ book.check("A thicker world is darker: the mean goes from {thickness_thin} to {t
 // %% touched_text [markdown]
 // ## What can go wrong
 //
-// **A sector that is touched is not a sector that is closed.** The published code closes every sector that a thing touches. Each thing is then up to
-// two sectors too wide, and an open floor, whose own pixels lie at the horizon, closes its last sector on both sides. Here a
-// sector is closed when its middle is covered, which is right on the average.
+// **A sector that is touched is not a sector that is closed.** The published code closes every sector that a thing touches. So each
+// thing is up to two sectors too wide, and an open floor, whose own pixels lie at the horizon, closes its last sector on both sides. Here
+// a sector is closed when its middle is covered, which is right on the average.
 
 // %% touched
 const MethodMap touched = view.map("vbao", {"closed=touched"});
@@ -327,9 +325,9 @@ book.check("The mean over the surfaces is {mean_touched} against {mean_middle}."
            mean_over_surfaces(touched.raw.ao, touched.raw.inputs) < mean_over_surfaces(shown.raw.ao, shown.raw.inputs));
 
 // %% angles_text [markdown]
-// **Equal angles forget the cosine.** Divide each slice into 32 sectors of the same angle, as the paper does, and count. Then a sector near the plane
-// is worth as much as one near the normal, although it brings next to no light. That saves the integral and its arc functions, so
-// it is faster; but it answers another question.
+// **Equal angles forget the cosine.** With 32 sectors of the same angle, as in the paper, a sector near the plane is worth as much as
+// one near the normal, although it brings next to no light. That saves the integral and its arc functions, so it is faster; but it answers
+// another question.
 
 // %% angles
 const MethodLimit angles = judged.limit("vbao", {"radius=2", "thickness=0.5", "sectors=angle"});
@@ -343,14 +341,14 @@ book.check("Judged by the light, equal angles err by {angle_rmse}, equal light b
 // %% own [markdown]
 // ## Leaving the screen: the lab's own method
 //
-// All methods so far read a depth map. What is hidden, what is beyond the rim of the picture, what a thing is like behind its first
-// surface (chapter 11), no estimator knows, and no number of samples takes that error away.
+// What is hidden, what is beyond the rim of the picture, what a thing is like behind its first surface (chapter 11), no reader of a depth
+// map knows, and no number of samples takes that error away.
 //
 // **Then ask the scene, but only twice.** On a CPU a ray through a tree of triangles (chapter 02) costs about as much as a walk
-// over the screen. Two rays a pixel are next to nothing; for a square of eight by eight pixels they are 128. So these 64 pixels share one set of 128
-// well-spread directions, and each pixel casts two of them: *interleaved sampling* (Keller and Heidrich 2001). On a plane all 64 pixels see nearly the
-// same, and the mean over such a square is the mean of 128 rays. The filter that follows takes it: along planes, with weights that even out a pattern of
-// exactly eight by eight. The method is called `crevice`, like the lab.
+// over the screen. Two rays a pixel are next to nothing, but 128 for a square of eight by eight pixels. So these 64 pixels share one set
+// of 128 well-spread directions, and each pixel casts two of them: *interleaved sampling* (Keller and Heidrich 2001). On a plane all 64
+// see nearly the same, and the mean over the square is that of 128 rays. The filter takes it along planes, with weights that even out a
+// pattern of exactly eight by eight. The method is called `crevice`, like the lab.
 
 // %% own_code tags=["setup"]
 book.listing("ssao/rows/ray_rows.cpp", "crevice_row",
@@ -378,10 +376,10 @@ book.check("With two rays a pixel the map is {own_rmse} from the truth, GTAO wit
 // %% table_text [markdown]
 // ## All methods in one table
 //
-// Here is each method with the settings of its source. *Its question* says how it weighs directions and what distance counts; then come, at the foot of
-// the column, the error of what it tends to against rays that ask this very question, the noise of one map, which a filter has to remove, and the error
-// against one question for all, that of ambient light: cosine-weighted rays of length 0.5. A method may answer a strange question well or the right one
-// badly, so look at both. The last number is the error of light at the bars, with a radius of 2 for all.
+// Each method has the settings of its source. *Its question* says how it weighs directions and what distance counts. Then come, at the
+// foot of the column, the error of what it tends to against rays that ask this very question; the noise of one map, which a filter has to
+// remove; and the error against ambient light, cosine-weighted rays of length 0.5. A method may answer a strange question well or the right
+// one badly: look at both. The last number is the error of light at the bars, with a radius of 2 for all.
 
 // %% all_methods
 std::vector<std::pair<AoQuestion, Truth>> truths = {{{0.5f, 0.5f, 0.5f, true}, light}};
@@ -410,42 +408,52 @@ book.check("As an answer to the question of ambient light, rays apart, {nearest}
 // ## Choosing a method, and defending the choice
 //
 // Begin with what you have. *No normals?* Then MSVO, or HBAO+ with normals from depth, and accept halos or facets. *Triangles at
-// hand, and rays affordable?* Then cast two of them: nothing on the screen comes near. Everything else reads normals and depth, and is chosen by what you
-// must not get wrong.
+// hand, and rays affordable?* Then cast two of them: nothing on the screen comes near. Everything else is chosen by what you must not get
+// wrong.
 //
-// - **The look of a given engine or tutorial.** Take its method with its numbers, faults included, and do not call it accurate. X_Jun's and Luna's (chapters 03 to 09) make strong, dark contacts by an exponent of 4 or 6.
-// - **Ambient light that adds up with the rest.** GTAO: it asks the right question, and gives bent normals and a fit for bounces. Cut it at the radius
-//   if you measure, keep its fade if you look.
-// - **Fences, leaves, hair, cables.** The visibility bitmask, with a thickness set to the thinnest thing that matters. On solid things it will be too light; measure how much.
-// - **Few samples and no patience for noise.** HBAO+ or HBAO: little noise for their cost. Take the bias out as far as the meshes allow.
+// - **The look of a given engine or tutorial.** Take its method with its numbers, faults included, and do not call it accurate. X_Jun's
+//   and Luna's (chapters 03 to 09) make strong, dark contacts by an exponent of 4 or 6.
+// - **Ambient light that adds up with the rest.** GTAO asks the right question, and gives bent normals and a fit for bounces. Cut it at
+//   the radius if you measure, keep its fade if you look.
+// - **Fences, leaves, hair, cables.** The visibility bitmask, with the thickness of the thinnest thing that matters. Solid things become
+//   too light; measure how much.
+// - **Few samples and no patience for noise.** HBAO+ or HBAO. Take the bias out as far as the meshes allow.
 // - **A thing that never moves.** None of them: chapter 20.
 //
-// Then defend it with four numbers, none of which replaces another: the error of what it tends to *against its own question*; the same *against
-// ambient light*; its noise at your number of samples; and its time on your machine, from `crevice bench` or, with the error beside it, chapter 21. And
-// show the picture of its worst case: a thin thing before a wall, the rim of the screen, a slope seen at a slant.
+// Then defend it with four numbers, none of which replaces another: the error of what it tends to *against its own question*; the same
+// *against ambient light*; its noise at your number of samples; and its time on your machine (`crevice bench`; chapter 21). And show the
+// picture of its worst case: a thin thing before a wall, the rim of the screen, a slope seen at a slant.
 //
 // What it costs: GTAO and the bitmask read the depth map once a sample, with about 60 and 70 to 130 operations, and 120 and 60 for each
-// slice. The bitmask needs a second direction for each sample that stands above the plane. A ray costs 20 to 100 nanoseconds of one core, and the tree must be built, again when
-// something moves.
+// slice: it needs a second direction for each sample above the plane. A ray costs 20 to 100 nanoseconds of one core, and the tree must
+// be built, again when something moves.
 
 // %% exercises [markdown]
 // ## Exercises
 //
-// 1. Run `crevice chapter 19 --cell maps --param thickness=1e30` and compare with `crevice chapter 18 --cell maps`. What is the same, and why not all?
-// 2. Two things stand in a slice: one covers the sectors 3 to 9, the other 7 to 12. How many bits does each sample take, in this order and in the other? What is the mask?
+// 1. Run `crevice chapter 19 --cell maps --param thickness=1e30` and compare with `crevice chapter 18 --cell maps`. What is the same, and
+//    why not all?
+// 2. Two things stand in a slice: one covers the sectors 3 to 9, the other 7 to 12. How many bits does each sample take, in this order
+//    and in the other? What is the mask?
 // 3. Why is the back moved along the eye's ray and not along the normal of the thing?
-// 4. A wire is 0.02 thick and four texels wide on the screen; the steps lie nine texels apart. What does the bitmask see of it, and what does a larger thickness do about that?
-// 5. `crevice` has two rays a pixel. How many different values may a texel of its raw map have, and how many after a mean over a square of eight by eight?
+// 4. A wire is 0.02 thick and four texels wide on the screen; the steps lie nine texels apart. What does the bitmask see of it, and what
+//    does a larger thickness do about that?
+// 5. `crevice` has two rays a pixel. How many different values may a texel of its raw map have, and how many after a mean over a square
+//    of eight by eight?
 // 6. (Open) Give each material its own thickness. Where would you store it, and which of the two curves of the plot would you then be on?
 //
 // <details><summary>Answers</summary>
 //
-// 1. The shade has the same shape, since without an end each sample closes all below it. The fade differs (GTAO lets the outer part of its radius count less), and so does the radius: the bitmask cuts.
+// 1. The shade has the same shape, since without an end each sample closes all below it. The fade differs (GTAO lets the outer part of
+//    its radius count less), and so does the radius: the bitmask cuts.
 // 2. First 7, then 3 of the second's 6; or first 6, then 4 of the first's 7. The mask has the bits 3 to 12 either way: ten.
-// 3. Because the depth map knows nothing of the thing but where the eye's ray enters it. Its normal there says how the front lies, not where the back is.
-// 4. In more than half of the texels no step meets the wire at all. A thickness above the true one closes more when it is met, and makes the mean right again, with more noise.
+// 3. Because the depth map knows nothing of the thing but where the eye's ray enters it. Its normal there says how the front lies, not
+//    where the back is.
+// 4. In more than half of the texels no step meets the wire at all. A thickness above the true one closes more when it is met, and makes
+//    the mean right again, with more noise.
 // 5. Three: 0, 1/2, 1. After the mean over 128 rays, 129.
-// 6. In a channel of the G-buffer, or by material number. On neither: each thing would be on its own, and the error would be the lower envelope of many curves.
+// 6. In a channel of the G-buffer, or by material number. On neither: each thing would be on its own, and the error would be the lower
+//    envelope of many curves.
 //
 // </details>
 

@@ -8,6 +8,7 @@
 
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/crops.h"
+#include "chapters/props/depth_steps.h"
 #include "chapters/props/stiff_faults.h"
 #include "chapters/props/stiff_frames.h"
 #include "chapters/stability/rounding.h"
@@ -26,16 +27,6 @@ namespace {
 
 std::string short_text(double value) { return significant_text(value, 3); }
 
-PlotCurve step_curve(const std::string& name, Camera camera, DepthFormat format, bool reversed) {
-    camera.reversed_z = reversed;
-    PlotCurve curve{name, {}, {}, {}, {}, PlotStyle::smooth};
-    for (double z = camera.near_plane * 1.01; z < camera.far_plane; z *= 1.1) {
-        curve.x.push_back(z);
-        curve.y.push_back(depth_step(camera, format, z));
-    }
-    return curve;
-}
-
 StiffView between_far_planes(StiffView view) {
     view.camera = with_planes(view.camera, 1e-4, 1e7);
     return view;
@@ -47,13 +38,6 @@ Scene without_last_instance(Scene scene) {
 }
 
 const std::vector<std::string> kShownMethods = {"xjun", "luna", "hbao", "gtao", "ray_cast"};
-
-// From where on a half-float's step is larger than `length`.
-double half_float_limit(double length) {
-    double z = 1;
-    while (z * 0x1p-10 <= length) z *= 2;
-    return z;
-}
 
 // Cells stand at the margin, where notebooks look for them.
 // clang-format off
@@ -84,8 +68,8 @@ book.compare({"coarse", ao_picture(coarse.ao_raw),
 // **Rounding is tiny until two nearly equal numbers are subtracted; so find the subtractions, and compare each difference
 // with what rounding can make of it.**
 //
-// A float keeps about seven digits. Every operation throws away the eighth, an error that nobody will ever see. But take
-// 1000.004 minus 1000.001: of the seven digits the first six cancel, and the result 0.003 has one digit left. This is
+// A float keeps about seven digits; every operation throws away the eighth, an error that nobody will ever see. But take
+// 1000.004 minus 1000.001: the first six of the seven digits cancel, and the result 0.003 has one digit left. This is
 // *cancellation*. It makes no new error; it removes what hid the old one. An AO pass is made of such subtractions: *is this
 // depth a little smaller than that one?*
 
@@ -198,10 +182,9 @@ book.check(
 // ## Pass by pass
 //
 // How much does each pass lose? To tell, we need a *judge* that makes none of these errors. Ours takes from the rasterizer
-// only which triangle a pixel shows. All else it computes in double, from the scene itself, with the same text of each
-// kernel. Errors are counted in *ulps*: one is the step from a float to the next, and a number rounded once is off by half
-// an ulp at most. The table has one block twice: as it is, and *strained*, with the near plane at 0.0001 and the far plane
-// at 10,000,000.
+// only which triangle a pixel shows, and computes all else in double, from the scene itself, with the same text of each
+// kernel. Errors are counted in *ulps*, steps from a float to the next: a number rounded once is off by half an ulp at most.
+// The table has one block twice: as it is, and *strained*, with the near plane at 0.0001 and the far plane at 10,000,000.
 
 // %% passes_against_judge
 const RoundingView at_ease = rounding_view(block_view(), {}),
@@ -248,7 +231,7 @@ book.check(
 //
 // **A ground that goes on behind the eye vanishes.** Clipping cuts it at the near plane, where $A w + B = 0$. For a vertex
 // 10,000 units away this sum, in float, no longer contains the near plane's 0.0001. So the cut falls on the plane of the
-// eye, $w = 0$, where there is no projection. The triangle is thrown away, and with it half of the picture.
+// eye, $w = 0$, where there is no projection, and the triangle is thrown away with half of the picture.
 
 // %% eye_plane
 const StiffView ground = ground_view();
@@ -292,9 +275,8 @@ book.check(
 // %% far_plane_text [markdown]
 // **Rounding is taken for an occluder.** A bare wall stands a million units away, seen through a very long lens. Floats are
 // 0.06 apart there, more than epsilon: of two neighbours on the wall one lies a step in front of the other, and occludes it.
-// The kernel therefore never counts a difference below $2^{-20} z$, which is nearly one unit here. That is more than the
-// radius, so nothing occludes any more. For a bare wall this is right; a crack in it would be lost as well, and the frame
-// says so.
+// So the kernel never counts a difference below $2^{-20} z$, nearly one unit here. That is more than the radius, and nothing
+// occludes any more. For a bare wall this is right; a crack in it would be lost as well, and the frame says so.
 
 // %% far_plane
 const StiffView wall = far_plane_view(1e6);
@@ -394,10 +376,10 @@ book.check(
 // %% suite_text [markdown]
 // ## All methods, all cases
 //
-// For each case like these mathematics knows an answer, and it is written down *before* anything is measured: an open plane
-// has AO 1, a scene that was moved or scaled has the bits that it had before, and where there is no closed form the values
-// must at least be numbers from 0 to 1. A cell is then *exact*, or *within* the error that the method states (a hundredth in
-// the mean), or *warned*: further off, but the frame says so. Further off in silence is *wrong*.
+// For each case like these mathematics knows an answer, written down *before* anything is measured: an open plane has AO 1, a
+// scene that was moved or scaled has the bits that it had before, and where there is no closed form the values must at least
+// be numbers from 0 to 1. A cell is then *exact*, or *within* the error that the method states (a hundredth in the mean), or
+// *warned*: further off, but the frame says so. Further off in silence is *wrong*.
 
 // %% suite
 const std::vector<StiffCase> cases = stiff_cases(true);

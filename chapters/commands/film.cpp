@@ -5,17 +5,16 @@
 #include <vector>
 
 #include "chapters/frame/demo_view.h"
-#include "chapters/terminal/child.h"
+#include "chapters/notebook/animated_webp.h"
 #include "chapters/terminal/output_directory.h"
 #include "chapters/terminal/progress.h"
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/write_file.h"
 #include "scenes/builtin_scenes.h"
 
 namespace crevice {
 
 namespace {
-
-constexpr double kEncoderPatience_s = 120;
 
 // The buffer that is shown: the lit picture if it is wanted, else the first there is.
 Picture shown_picture(const Frame& frame, const WantedBuffers& wanted, bool inset) {
@@ -32,22 +31,6 @@ std::string frame_name(int frame) {
     char name[32];
     std::snprintf(name, sizeof name, "frame_%04d", frame);
     return name;
-}
-
-void encode(const std::vector<std::filesystem::path>& frames, const std::filesystem::path& film,
-            std::ostream& out) {
-    if (!in_path("img2webp")) {
-        out << "no img2webp here (Debian package webp): the frames stay apart\n";
-        return;
-    }
-    const std::string milliseconds = std::to_string(static_cast<int>(1000 * kFrame_s));
-    std::vector<std::string> words = {"-loop", "0", "-lossless", "-d", milliseconds};
-    for (const std::filesystem::path& frame : frames) words.push_back(frame.string());
-    words.insert(words.end(), {"-o", film.string()});
-    const ChildOutcome outcome = run_child({"img2webp", words, {}, kEncoderPatience_s});
-    if (outcome.exit_code != 0)
-        throw OutputError(film.string() + ": img2webp failed (" + outcome.output + "); the frames are there");
-    out << film.string() << "\n";
 }
 
 // Who names a place of his own walks round that.
@@ -76,6 +59,7 @@ void render_film(const RenderOptions& options, const FilmOptions& film, std::ost
     const auto lights = scene.lights;  // at options.time_s
     const auto [first, last] = film.frames;
     std::vector<std::filesystem::path> pictures;
+    WebpFilm webp(static_cast<int>(1000 * kFrame_s));
     AoHistory history;
     Progress progress("frames", last - first + 1);
     for (int i = first; i <= last; ++i) {
@@ -85,14 +69,23 @@ void render_film(const RenderOptions& options, const FilmOptions& film, std::ost
         Frame frame = render_frame(scene, camera_on(path, prepared.camera, stops, i), request, history);
         const std::string name = frame_name(i);
         pictures.push_back(options.out / (name + ".png"));
-        write_picture(pictures.back(), shown_picture(frame, request.wanted, options.inset));
+        const Picture picture = shown_picture(frame, request.wanted, options.inset);
+        write_picture(pictures.back(), picture);
+        webp.add(picture);
         if (film.buffers)
             write_frame(options, request, options.out / name, frame, prepared.argument.load_steps);
         history = std::move(frame.history);
         progress.advance();
     }
     out << pictures.front().string() << " ... " << pictures.back().filename().string() << "\n";
-    encode(pictures, options.out / (std::string(path_name(path)) + ".webp"), out);
+    const std::optional<std::string> bytes = webp.bytes();
+    if (!bytes) {
+        out << "no animated WebP: this program was built without libwebp\n";
+        return;
+    }
+    const std::filesystem::path whole = options.out / (std::string(path_name(path)) + ".webp");
+    write_file_atomically(whole, *bytes);
+    out << whole.string() << "\n";
 }
 
 }  // namespace crevice

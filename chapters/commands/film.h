@@ -14,9 +14,9 @@ struct FilmOptions {
     bool buffers = false;             // every frame's buffers and passes.json, too, in OUT/frame_NNNN
 };
 
-// Writes OUT/frame_NNNN.png, the lit picture or the first of the buffers that were asked for, and OUT/PATH.webp where the
-// program img2webp (Debian package webp) is found; says so where it is not. With a history (--param history) each frame
-// has the next seed, and AO takes over what the frames before found. Throws as render().
+// Writes OUT/frame_NNNN.png, the lit picture or the first of the buffers that were asked for, and all of them as
+// OUT/PATH.webp; says so where the program was built without libwebp. With a history (--param history) each frame has the
+// next seed, and AO takes over what the frames before found. Throws as render().
 void render_film(const RenderOptions& options, const FilmOptions& film, std::ostream& out);
 
 }  // namespace crevice

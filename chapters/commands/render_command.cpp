@@ -106,7 +106,7 @@ Command add_render_command(CommandLine& program) {
     render.flag("--inset", words->inset,
                 "the AO map over the lower right of lit.png, as the tutorials show it");
     render.option("--frames", words->frames,
-                  "A-B: a film of a moving camera, as frame_NNNN.png and, with img2webp, PATH.webp; --param "
+                  "A-B: a film of a moving camera, as frame_NNNN.png and as PATH.webp, animated; --param "
                   "history=N: AO over N frames");
     render.option("--path", words->path,
                   "the film's: turn (round the target, 36 frames), walk (through the scene, where it has "

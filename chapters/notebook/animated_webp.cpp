@@ -3,8 +3,6 @@
 #include "rasterizer/base/error.h"
 
 #ifdef CREVICE_WEBP
-#include <memory>
-
 #include <webp/encode.h>
 #include <webp/mux.h>
 #endif
@@ -48,23 +46,34 @@ void add_frame(WebPAnimEncoder& encoder, const Picture& frame, int at_ms) {
 
 }  // namespace
 
-std::optional<std::string> animated_webp(const std::vector<Picture>& frames, int frame_ms) {
-    WebPAnimEncoderOptions options;
-    require(WebPAnimEncoderOptionsInit(&options) != 0, "its set-up");
-    const Size size = frames.front().size;
-    const std::unique_ptr<WebPAnimEncoder, void (*)(WebPAnimEncoder*)> encoder(
-        WebPAnimEncoderNew(size.width, size.height, &options), WebPAnimEncoderDelete);
-    require(encoder != nullptr, "its set-up");
-    int at_ms = 0;
-    for (const Picture& frame : frames) {
-        add_frame(*encoder, frame, at_ms);
-        at_ms += frame_ms;
+struct WebpFilm::Encoder {
+    using Webp = std::unique_ptr<WebPAnimEncoder, void (*)(WebPAnimEncoder*)>;
+
+    int frame_ms;
+    int at_ms = 0;                                 // when the next frame begins
+    Webp webp = {nullptr, WebPAnimEncoderDelete};  // of the first frame's size
+};
+
+WebpFilm::WebpFilm(int frame_ms) : encoder_(new Encoder{frame_ms}) {}
+
+void WebpFilm::add(const Picture& frame) {
+    if (!encoder_->webp) {
+        WebPAnimEncoderOptions options;
+        require(WebPAnimEncoderOptionsInit(&options) != 0, "its set-up");
+        encoder_->webp.reset(WebPAnimEncoderNew(frame.size.width, frame.size.height, &options));
+        require(encoder_->webp != nullptr, "its set-up");
     }
+    add_frame(*encoder_->webp, frame, encoder_->at_ms);
+    encoder_->at_ms += encoder_->frame_ms;
+}
+
+std::optional<std::string> WebpFilm::bytes() {
+    WebPAnimEncoder* const webp = encoder_->webp.get();
     // The time at which the last frame ends.
-    require(WebPAnimEncoderAdd(encoder.get(), nullptr, at_ms, nullptr) != 0, "its end");
+    require(WebPAnimEncoderAdd(webp, nullptr, encoder_->at_ms, nullptr) != 0, "its end");
     WebPData data;
     WebPDataInit(&data);
-    require(WebPAnimEncoderAssemble(encoder.get(), &data) != 0, "joining its frames");
+    require(WebPAnimEncoderAssemble(webp, &data) != 0, "joining its frames");
     std::string film(reinterpret_cast<const char*>(data.bytes), data.size);
     WebPDataClear(&data);
     return film;
@@ -72,8 +81,20 @@ std::optional<std::string> animated_webp(const std::vector<Picture>& frames, int
 
 #else
 
-std::optional<std::string> animated_webp(const std::vector<Picture>&, int) { return std::nullopt; }
+struct WebpFilm::Encoder {};
+
+WebpFilm::WebpFilm(int) {}
+void WebpFilm::add(const Picture&) {}
+std::optional<std::string> WebpFilm::bytes() { return std::nullopt; }
 
 #endif
+
+WebpFilm::~WebpFilm() = default;
+
+std::optional<std::string> animated_webp(const std::vector<Picture>& frames, int frame_ms) {
+    WebpFilm film(frame_ms);
+    for (const Picture& frame : frames) film.add(frame);
+    return film.bytes();
+}
 
 }  // namespace crevice

@@ -64,8 +64,10 @@ std::string SwitchedView::command(const Words& words) const {
     return text + "`";
 }
 
-SwitchedView column_foot(const Notebook& book) {
-    SwitchedView view(book, "columns");
+SwitchedView column_foot(const Notebook& book) { return column_foot(book, book.size()); }
+
+SwitchedView column_foot(const Notebook& book, Size size) {
+    SwitchedView view(book, "columns", size);
     if (view.scene().name == "columns") {
         Camera camera = view.camera();
         camera.eye = {-4.6, -1.4, -2.6};

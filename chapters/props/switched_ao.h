@@ -60,6 +60,7 @@ class SwitchedView {
 
 // X_Jun's columns from near the foot of one, where contact shade is large.
 SwitchedView column_foot(const Notebook& book);
+SwitchedView column_foot(const Notebook& book, Size size);
 
 // The texel of that view whose numbers chapters 03 to 09 carry along: ground beside the column, which hides a part of the
 // surroundings from it.

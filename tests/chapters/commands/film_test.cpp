@@ -9,6 +9,7 @@
 
 #include "chapters/frame/frame_settings.h"
 #include "chapters/frame/presets.h"
+#include "chapters/notebook/animated_webp.h"
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/image_io.h"
 #include "rasterizer/textures/texture.h"
@@ -126,6 +127,9 @@ TEST_CASE("render --preset, --time and --frames as a user meets them") {
     CHECK(first.size() == Size{48, 27});
     CHECK(content_hash(first) != content_hash(read_png(scratch / "out" / "frame_0002.png").colour));
     CHECK(!std::filesystem::exists(scratch / "out" / "frame_0003.png"));
+    // What animated_webp_test holds of the file itself.
+    const bool has_webp = animated_webp({ao_picture(Image<float>({8, 8}, 1.0f))}, 100).has_value();
+    CHECK(std::filesystem::exists(scratch / "out" / "turn.webp") == has_webp);
 }
 
 TEST_CASE(
