@@ -19,8 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kLargestFile = 1 << 28;
-
 // A value that all files must share, and the file that it was first seen in.
 struct Shared {
     std::string value, file;
@@ -119,7 +117,7 @@ class Merger {
     // None where the file is damaged, which is noted, or of another plan.
     std::optional<FinishedJob> read_job(const fs::path& file) {
         try {
-            FinishedJob job = job_from_json(read_file(file, kLargestFile), file.string());
+            FinishedJob job = job_from_json(read_file(file, kLargestSweepFile), file.string());
             if (job.id != file.stem())
                 throw InputError(file.string() + ":1: another job than its name says (" + job.id +
                                  "); make the file anew");
@@ -183,7 +181,7 @@ void write_pictures(const Merged& merged, const fs::path& out) {
         std::error_code ignored;
         const fs::path to = out / merged.results.errors[i].picture;
         if (merged.pictures[i].empty() || fs::equivalent(merged.pictures[i], to, ignored)) continue;
-        write_file_atomically(to, read_file(merged.pictures[i], kLargestFile));
+        write_file_atomically(to, read_file(merged.pictures[i], kLargestSweepFile));
     }
 }
 

@@ -24,12 +24,11 @@ void fields(Archive& archive, SweepListing& listing) {
 
 namespace {
 
-constexpr std::uintmax_t kLargestFile = 1 << 28;
 constexpr const char *kPlanFile = "plan.json", *kListingFile = "jobs.json";
 
 bool holds(const std::filesystem::path& path, const std::string& bytes) {
     try {
-        return read_file(path, kLargestFile) == bytes;
+        return read_file(path, kLargestSweepFile) == bytes;
     } catch (const InputError&) {
         return false;
     }
@@ -57,11 +56,11 @@ void SweepDirectory::begin(const SweepPlan& plan, const std::vector<SweepJob>& j
     write_shared(path_ / kListingFile, json_text(JsonWriter::written(listing)));
 }
 
-std::string SweepDirectory::plan_text() const { return read_file(path_ / kPlanFile, kLargestFile); }
+std::string SweepDirectory::plan_text() const { return read_file(path_ / kPlanFile, kLargestSweepFile); }
 
 SweepListing SweepDirectory::listing() const {
     const std::filesystem::path path = path_ / kListingFile;
-    const JsonFile file(read_file(path, kLargestFile), path.string(), ExitCode::input);
+    const JsonFile file(read_file(path, kLargestSweepFile), path.string(), ExitCode::input);
     SweepListing listing;
     JsonReader reader(file, file.root(), {});
     fields(reader, listing);
@@ -72,7 +71,7 @@ std::optional<FinishedJob> SweepDirectory::finished(const std::string& id, const
     std::error_code ignored;
     if (!std::filesystem::exists(file_of(id), ignored)) return std::nullopt;
     try {
-        FinishedJob job = job_from_json(read_file(file_of(id), kLargestFile), file_of(id).string());
+        FinishedJob job = job_from_json(read_file(file_of(id), kLargestSweepFile), file_of(id).string());
         if (job.id == id && job.version == version) return job;
     } catch (const InputError&) {
         // It is done again.

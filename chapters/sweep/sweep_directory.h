@@ -5,6 +5,7 @@
 // All files are written whole or not at all.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -26,6 +27,9 @@ struct SweepListing {
 };
 
 const char* kind_of(const SweepJob& job);
+
+// Bytes; a file that is longer is none of a sweep's.
+inline constexpr std::uintmax_t kLargestSweepFile = 1 << 28;
 
 class SweepDirectory {
  public:
