@@ -46,43 +46,15 @@ std::vector<std::string> pass_names(const fs::path& out) {
     return names;
 }
 
-void count_scene(const fs::path& program, const std::string& scene, double patience_s,
-                 InstructionFigures& figures) {
-    const BenchScratch scratch;
-    const fs::path profile = scratch.path() / "profile", out = scratch.path() / "out";
-    const ChildOutcome outcome =
-        run_child({"valgrind",
-                   {"--tool=callgrind", "--callgrind-out-file=" + profile.string(),
-                    "--dump-before=crevice::clocks()", program.string(), "render", scene, "--size", "160x90",
-                    "--threads", "1", "--isa", "avx2", "--out", out.string()},
-                   {"CREVICE_ISA=avx2"},
-                   patience_s});
-    if (outcome.exit_code != 0) {
-        throw InputError("valgrind: exit code " + std::to_string(outcome.exit_code) + " on " + scene + " (" +
-                         outcome.output.substr(0, outcome.output.find('\n')) +
-                         "); count with an optimised build without sanitizers");
-    }
-    // The clock is read when a frame begins and ends, and when each of its passes does. Before the first
-    // reading lies the start-up; dump i lies before reading i.
-    std::vector<std::string> passes = pass_names(out);
-    passes.pop_back();
-    const std::size_t readings = 2 + 2 * passes.size();
-    const auto dump = [&](std::size_t reading) { return profile.string() + "." + std::to_string(reading); };
-    if (!fs::exists(dump(readings)) || fs::exists(dump(readings + 1))) {
-        throw InputError("valgrind: not one frame of " + std::to_string(passes.size()) + " passes in " +
-                         scene + "; a pass is timed in another way than stopwatch.h does");
-    }
-    long long frame = 0;
-    for (std::size_t reading = 2; reading <= readings; ++reading) {
-        const long long instructions = counted(dump(reading));
-        frame += instructions;
-        if (reading % 2 == 1) figures.counts.push_back({scene, passes[reading / 2 - 1], instructions});
-    }
-    figures.counts.push_back({scene, "frame", frame});
+// Passes of the scene at rest, which are done before the frame.
+bool is_before_frame(const std::string& pass) { return pass == "ray_scene" || pass == "bake"; }
+
+void require_valgrind() {
+    if (!in_path("valgrind")) throw InputError("valgrind: not found; install the package valgrind");
 }
 
 InstructionFigures measured_figures(const fs::path& program) {
-    if (!in_path("valgrind")) throw InputError("valgrind: not found; install the package valgrind");
+    require_valgrind();
     if (!isa_available(Isa::avx2))
         throw InputError(
             "--instructions: this CPU has no AVX2, which the figures are for; use another machine");
@@ -90,7 +62,9 @@ InstructionFigures measured_figures(const fs::path& program) {
     const double until_ms = clocks().wall_ms + kLongestRun_s * 1e3;
     Progress progress("instructions", std::size(kScenes));
     for (const char* scene : kScenes) {
-        count_scene(program, scene, (until_ms - clocks().wall_ms) * 1e-3, figures);
+        const std::vector<InstructionCount> counts = counted_frame(
+            program, scene, {"--size", "160x90"}, Isa::avx2, (until_ms - clocks().wall_ms) * 1e-3);
+        figures.counts.insert(figures.counts.end(), counts.begin(), counts.end());
         progress.advance();
     }
     return figures;
@@ -123,6 +97,57 @@ InstructionFigures stored_figures(const fs::path& path) {
 }
 
 }  // namespace
+
+std::vector<InstructionCount> counted_frame(const fs::path& program, const std::string& scene,
+                                            const std::vector<std::string>& words, Isa isa,
+                                            double patience_s) {
+    require_valgrind();
+    const BenchScratch scratch;
+    const fs::path profile = scratch.path() / "profile", out = scratch.path() / "out";
+    std::vector<std::string> all = {"--tool=callgrind",
+                                    "--callgrind-out-file=" + profile.string(),
+                                    "--dump-before=crevice::clocks()",
+                                    program.string(),
+                                    "render",
+                                    scene};
+    all.insert(all.end(), words.begin(), words.end());
+    all.insert(all.end(), {"--threads", "1", "--isa", isa_name(isa), "--out", out.string()});
+    const ChildOutcome outcome =
+        run_child({"valgrind", all, {std::string("CREVICE_ISA=") + isa_name(isa)}, patience_s});
+    if (outcome.exit_code != 0) {
+        throw InputError("valgrind: exit code " + std::to_string(outcome.exit_code) + " on " + scene + " (" +
+                         outcome.output.substr(0, outcome.output.find('\n')) +
+                         "); count with an optimised build without sanitizers");
+    }
+    // The clock is read when a frame begins and ends, and when each of its passes does. Before the first
+    // reading lies the start-up; dump i lies before reading i.
+    std::vector<std::string> passes = pass_names(out);
+    passes.pop_back();
+    const std::size_t readings = 2 + 2 * passes.size();
+    const auto dump = [&](std::size_t reading) { return profile.string() + "." + std::to_string(reading); };
+    if (!fs::exists(dump(readings)) || fs::exists(dump(readings + 1))) {
+        throw InputError("valgrind: not one frame of " + std::to_string(passes.size()) + " passes in " +
+                         scene + "; a pass is timed in another way than stopwatch.h does");
+    }
+    std::vector<InstructionCount> counts;
+    std::size_t reading = 1;  // the next one
+    for (const std::string& pass : passes) {
+        if (!is_before_frame(pass)) continue;
+        counts.push_back({scene, pass, counted(dump(reading + 1))});
+        reading += 2;
+    }
+    long long frame = 0;
+    for (const std::string& pass : passes) {
+        if (is_before_frame(pass)) continue;
+        // Up to where the pass begins, and up to where it ends.
+        const long long before = counted(dump(reading + 1)), within = counted(dump(reading + 2));
+        counts.push_back({scene, pass, within});
+        frame += before + within;
+        reading += 2;
+    }
+    counts.push_back({scene, "frame", frame + counted(dump(readings))});
+    return counts;
+}
 
 int bench_instructions(const InstructionsOptions& options, std::ostream& out) {
     if (options.bless && std::getenv("CI") != nullptr)

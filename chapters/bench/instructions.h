@@ -10,6 +10,11 @@
 #include <filesystem>
 #include <iosfwd>
 #include <optional>
+#include <string>
+#include <vector>
+
+#include "chapters/bench/instruction_figures.h"
+#include "rasterizer/lanes/isa.h"
 
 namespace crevice {
 
@@ -25,5 +30,11 @@ struct InstructionsOptions {
 // InputError without valgrind, AVX2 or figures, or when the counting goes wrong or takes over a minute;
 // OutputError.
 int bench_instructions(const InstructionsOptions& options, std::ostream& out);
+
+// The instructions of each pass of one frame of `crevice render SCENE WORDS...` on one thread, last those of the whole frame.
+// Throws InputError without valgrind, and when it takes longer than `patience_s` seconds.
+std::vector<InstructionCount> counted_frame(const std::filesystem::path& program, const std::string& scene,
+                                            const std::vector<std::string>& words, Isa isa,
+                                            double patience_s);
 
 }  // namespace crevice

@@ -39,14 +39,19 @@ std::string compiler_name() {
     return name + how;
 }
 
-Facts machine_facts(const Run& run) {
+Machine machine_of(const Run& run) {
     const std::string model = line_after("/proc/cpuinfo", "model name");
-    return {{"cpu", (model.empty() ? "unknown" : model) + ", " +
-                        std::to_string(std::thread::hardware_concurrency()) + " threads"},
-            {"compiler", compiler_name()},
+    return {model.empty() ? "unknown" : model, static_cast<int>(std::thread::hardware_concurrency()),
+            compiler_name(), isa_name(isa_of(run)), lane_count(run)};
+}
+
+Facts machine_facts(const Run& run) {
+    const Machine machine = machine_of(run);
+    return {{"cpu", machine.cpu + ", " + std::to_string(machine.cores) + " threads"},
+            {"compiler", machine.compiler},
             {"threads", std::to_string(thread_count(run))},
-            {"lanes", std::to_string(lane_count(run))},
-            {"isa", isa_name(isa_of(run))}};
+            {"lanes", std::to_string(machine.lanes)},
+            {"isa", machine.isa}};
 }
 
 std::string busy_note(const PassTime& frame, int threads) {

@@ -1,6 +1,8 @@
 // What a figure was measured on, without which it says nothing.
 #pragma once
 
+#include <string>
+
 #include "chapters/notebook/table.h"
 #include "chapters/terminal/stopwatch.h"
 #include "rasterizer/base/run.h"
@@ -9,6 +11,15 @@ namespace crevice {
 
 // "GCC 12.2.0, optimised": the compiler of this program, and how it was called.
 std::string compiler_name();
+
+// What of a machine and of the program's form decides how long work takes.
+struct Machine {
+    std::string cpu;  // its model; "unknown" where the system does not tell
+    int cores = 0;    // hardware threads
+    std::string compiler, isa;
+    int lanes = 0;
+};
+Machine machine_of(const Run& run);
 
 // CPU model and cores, compiler, threads, lanes and instruction set.
 Facts machine_facts(const Run& run);

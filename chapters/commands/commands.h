@@ -25,6 +25,8 @@ Command add_methods_command(CommandLine& program);
 Command add_params_command(CommandLine& program);
 Command add_view_command(CommandLine& program);
 Command add_stability_command(CommandLine& program);
+Command add_sweep_command(CommandLine& program);
+Command add_merge_command(CommandLine& program);
 Command add_completion_command(CommandLine& program);
 
 }  // namespace crevice

@@ -15,14 +15,13 @@ int run(int argc, char** argv) {
         "Crevice: ambient occlusion on the CPU, step by step.\n"
         "Try: crevice render columns --out out     and open out/lit.png");
     const Command commands[] = {
-        add_render_command(program),  add_probe_command(program),     add_truth_command(program),
-        add_bake_command(program),    add_compare_command(program),   add_bench_command(program),
-        add_chapter_command(program), add_scenes_command(program),    add_methods_command(program),
-        add_params_command(program),  add_stability_command(program), add_completion_command(program),
-        add_view_command(program),
+        add_render_command(program),  add_probe_command(program),      add_truth_command(program),
+        add_bake_command(program),    add_compare_command(program),    add_bench_command(program),
+        add_chapter_command(program), add_scenes_command(program),     add_methods_command(program),
+        add_params_command(program),  add_stability_command(program),  add_sweep_command(program),
+        add_merge_command(program),   add_completion_command(program), add_view_command(program),
     };
-    const ProgramVersion version = program_version();
-    program.version("crevice " + version.number + " (commit " + version.commit + ")");
+    program.version("crevice " + version_text(program_version()));
     if (!program.parse(argc, argv)) return static_cast<int>(ExitCode::done);
     for (const Command& command : commands) {
         if (command.words.chosen()) return command.run();

@@ -3,25 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "chapters/study/turns.h"
+
 namespace crevice {
 
 void time_in_turns(std::vector<Candidate>& all, int rounds, int slow_rounds, const StudyProgress& progress) {
-    std::vector<PassSamples> samples(all.size());
-    for (int round = -1; round < rounds; ++round) {
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            PassSamples& own = samples[i];
-            const bool slow = !own.wall_ms.empty() && own.wall_ms.front() > kSlow_ms;
-            if (slow && round >= slow_rounds) continue;
-            const Clocks before = clocks();
-            all[i].timed();
-            const Clocks after = clocks();
-            if (round < 0) continue;
-            own.wall_ms.push_back(after.wall_ms - before.wall_ms);
-            own.cpu_ms.push_back(after.cpu_ms - before.cpu_ms);
-        }
-        if (progress) progress("timing", round + 2, rounds + 1);
+    std::vector<TimedWork> works;
+    for (const Candidate& candidate : all) {
+        works.emplace_back([&candidate](Stopwatch& watch) { watch.time("timed", candidate.timed); });
     }
-    for (std::size_t i = 0; i < all.size(); ++i) all[i].point.time = samples[i].summary();
+    long long done = 0;
+    const std::vector<Stopwatch> watches =
+        take_turns(works, {rounds, kFirstStudySeed, slow_rounds, kSlow_ms}, [&] {
+            if (progress) progress("timing", ++done, rounds + 1);
+        });
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].point.time = watches[i].samples().front().summary();
 }
 
 ErrorSpread spread_of(std::span<const MeanError> errors) {

@@ -20,8 +20,7 @@ struct Candidate {
     std::function<void()> timed;
 };
 
-// All candidates in turns, so that they share the machine's moods; each point's time is set. The first round is thrown
-// away. Those that take more than kSlow_ms have `slow_rounds` rounds.
+// All candidates in turns (turns.h); each point's time is set. Those that take more than kSlow_ms have `slow_rounds` rounds.
 void time_in_turns(std::vector<Candidate>& all, int rounds, int slow_rounds, const StudyProgress& progress);
 
 // Roots of each image's mean square; the mean square of all for the middle.

@@ -24,7 +24,7 @@ ReferenceImage limit_of(const MethodView& view, const FrameSettings& settings, i
 ChainImage blurred_limit(const MethodView& view, const FrameSettings& settings, const Image<float>& before,
                          int limit_seeds, const Run& run) {
     const ReferenceImage limit = limit_of(view, settings, limit_seeds, run);
-    RawAo raw = view.method->ao(ao_view_of(view, settings), settings.method.ao, run);
+    RawAo raw = raw_ao_of(view, settings, run);
     raw.format = BufferFormat::float32;
     const auto half = [&](std::size_t i) {
         raw.ao = limit.half[i];
@@ -35,19 +35,26 @@ ChainImage blurred_limit(const MethodView& view, const FrameSettings& settings, 
     return {"blur, bias", half(0), half(1)};
 }
 
+constexpr const char* kMapFormat = "ao_format";
+
+bool stores_half_floats(const Method& method, const FrameSettings& settings) {
+    return settings.buffers.buffer_format != BufferFormat::float32 ||
+           value_of(method, settings.method, kMapFormat).value_or(0) != 0;
+}
+
+FrameSettings in_float32(const Method& method, FrameSettings settings) {
+    settings.buffers.buffer_format = BufferFormat::float32;
+    settings.method = with_value(method, settings.method, kMapFormat, 0);
+    return settings;
+}
+
 constexpr Size kFitSize{160, 90};
 constexpr int kFitRays = 128, kFitSeeds = 64;
 
 }  // namespace
 
 std::vector<ChainImage> error_chain(const MethodView& view, const References& references,
-                                    const ErrorSetting& setting, std::uint32_t seed, int limit_seeds,
-                                    const Run& run) {
-    const auto settings_with = [&](bool half_floats) {
-        ErrorSetting changed = setting;
-        changed.half_floats = half_floats;
-        return settings_of(*view.method, changed, view.length_unit, seed);
-    };
+                                    const FrameSettings& settings, int limit_seeds, const Run& run) {
     const auto noisy = [](const char* step, const Reference& r) {
         return ChainImage{step, r.image.half[0], r.image.half[1]};
     };
@@ -55,8 +62,8 @@ std::vector<ChainImage> error_chain(const MethodView& view, const References& re
                                      noisy("depth buffer", references.screen),
                                      noisy("definition", references.limit)};
     const Method& method = *view.method;
-    const FrameSettings plain = settings_with(false);
-    if (setting.ao_scale < 1) {
+    const FrameSettings plain = in_float32(method, settings);
+    if (value_of(method, settings.method, "ao_scale").value_or(1) < 1) {
         const ReferenceImage limit = limit_of(view, plain, limit_seeds, run);
         chain.push_back({"half size", ao_at_picture_size(limit.half[0], view.size, run),
                          ao_at_picture_size(limit.half[1], view.size, run)});
@@ -64,20 +71,16 @@ std::vector<ChainImage> error_chain(const MethodView& view, const References& re
     const auto add = [&](const char* step, const Image<float>& map) {
         chain.push_back({step, ao_at_picture_size(map, view.size, run)});
     };
-    const auto raw = [&](const FrameSettings& settings) {
-        return method.ao(ao_view_of(view, settings), settings.method.ao, run).ao;
-    };
     if (method.ao_in_double) {
         add("sampling", method.ao_in_double(ao_view_of(view, plain), plain.method.ao, run));
-        add("rounding", raw(plain));
+        add("rounding", raw_ao_of(view, plain, run).ao);
     } else {
-        add("sampling", raw(plain));
+        add("sampling", raw_ao_of(view, plain, run).ao);
     }
-    const FrameSettings last = settings_with(setting.half_floats);
-    if (setting.half_floats) add("float16", raw(last));
-    if (setting.blur_iterations > 0) {
-        chain.push_back(blurred_limit(view, last, chain.back().first, limit_seeds, run));
-        chain.push_back({"blur, noise removed", ao_picture_of(view, last, run)});
+    if (stores_half_floats(method, settings)) add("float16", raw_ao_of(view, settings, run).ao);
+    if (has_blur(method, settings)) {
+        chain.push_back(blurred_limit(view, settings, chain.back().first, limit_seeds, run));
+        chain.push_back({"blur, noise removed", ao_picture_of(view, settings, run)});
     }
     return chain;
 }

@@ -10,10 +10,9 @@ namespace crevice {
 
 // truth -> depth buffer (S) -> definition (C) -> half size -> sampling -> rounding -> float16 -> blur, bias ->
 // blur, noise removed. Steps that the setting does not take are left out. The method's images are those of
-// `seed`; "blur, bias" is what the blur does to the method's limit, the rest of what it does is noise removed.
+// the settings' seed; "blur, bias" is what the blur does to the method's limit, the rest of what it does is noise removed.
 std::vector<ChainImage> error_chain(const MethodView& view, const References& references,
-                                    const ErrorSetting& setting, std::uint32_t seed, int limit_seeds,
-                                    const Run& run);
+                                    const FrameSettings& settings, int limit_seeds, const Run& run);
 
 // The exponent that brings the method's limit nearest to its truth on some built-in scenes other than `name`.
 struct FittedElsewhere {

@@ -77,8 +77,10 @@ class Study {
     void take_apart() {
         study.parts_setting = default_setting(*study.method);
         study.parts_setting.half_floats = true;
-        const std::vector<ChainImage> chain = error_chain(view_, study.references, study.parts_setting,
-                                                          kFirstStudySeed, study.plan.limit_seeds, run_);
+        const FrameSettings settings =
+            settings_of(*study.method, study.parts_setting, scene_.length_unit, kFirstStudySeed);
+        const std::vector<ChainImage> chain =
+            error_chain(view_, study.references, settings, study.plan.limit_seeds, run_);
         study.parts = error_parts(chain, region_mask(kinds_, Region::surface));
     }
 

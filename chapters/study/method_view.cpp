@@ -10,14 +10,23 @@ namespace crevice {
 
 MethodView method_view(const Scene& scene, const Camera& camera, Size size, const Method& method,
                        const Run& run) {
-    MethodView view{&method, &scene, scene.length_unit, camera, size, {}, {}, {}};
-    const BufferFormat formats[] = {BufferFormat::float32, BufferFormat::float16_toward_zero};
-    for (std::size_t i = 0; i < view.gbuffer.size(); ++i) {
+    std::array<GBuffer, 3> gbuffers;
+    for (const BufferFormat format : {BufferFormat::float32, BufferFormat::float16_toward_zero,
+                                      BufferFormat::float16_nearest_even}) {
         NormalDepthSettings settings;
-        settings.buffer_format = formats[i];
-        view.gbuffer[i] = normal_depth(scene, camera, size, settings, run);
+        settings.buffer_format = format;
+        gbuffers[static_cast<std::size_t>(format)] = normal_depth(scene, camera, size, settings, run);
     }
-    if (method.casts_rays) view.rays = std::make_shared<const RayScene>(ray_scene(scene, camera.eye, run));
+    MethodView view{nullptr, &scene, scene.length_unit, camera, size, {}, {}, {}};
+    view.gbuffers = std::make_shared<const std::array<GBuffer, 3>>(std::move(gbuffers));
+    return for_method(std::move(view), method, run);
+}
+
+MethodView for_method(MethodView view, const Method& method, const Run& run) {
+    view.method = &method;
+    view.baked = nullptr;
+    if (method.casts_rays && view.rays == nullptr)
+        view.rays = std::make_shared<const RayScene>(ray_scene(*view.scene, view.camera.eye, run));
     return view;
 }
 
@@ -27,19 +36,28 @@ MethodView with_bake(MethodView view, const FrameSettings& settings, const Run& 
 }
 
 AoView ao_view_of(const MethodView& view, const FrameSettings& settings) {
-    const bool half_floats = settings.buffers.buffer_format != BufferFormat::float32;
-    return {*view.scene, view.camera, view.gbuffer[half_floats ? 1 : 0], view.rays.get(), view.baked.get()};
+    const auto format = static_cast<std::size_t>(settings.buffers.buffer_format);
+    return {*view.scene, view.camera, (*view.gbuffers)[format], view.rays.get(), view.baked.get()};
+}
+
+RawAo raw_ao_of(const MethodView& view, const FrameSettings& settings, const Run& run) {
+    return view.method->ao(ao_view_of(view, settings), settings.method.ao, run);
+}
+
+bool has_blur(const Method& method, const FrameSettings& settings) {
+    return method.denoiser.denoised && value_of(method, settings.method, "blur_iterations") != 0;
+}
+
+Image<float> map_of_raw(const MethodView& view, RawAo raw, const FrameSettings& settings, const Run& run) {
+    Image<float> map = has_blur(*view.method, settings)
+                           ? denoised(*view.method, raw, settings.method, run).ao
+                           : std::move(raw.ao);
+    if (settings.ao_lookup == AoLookup::exact) return map;
+    return looked_up(map, raw.inputs, ao_view_of(view, settings).gbuffer, settings.ao_lookup, run);
 }
 
 Image<float> ao_map_of(const MethodView& view, const FrameSettings& settings, const Run& run) {
-    const Method& method = *view.method;
-    const AoView ao_view = ao_view_of(view, settings);
-    RawAo raw = method.ao(ao_view, settings.method.ao, run);
-    Image<float> map = value_of(method, settings.method, "blur_iterations") == 0
-                           ? std::move(raw.ao)
-                           : denoised(method, raw, settings.method, run).ao;
-    if (settings.ao_lookup == AoLookup::exact) return map;
-    return looked_up(map, raw.inputs, ao_view.gbuffer, settings.ao_lookup, run);
+    return map_of_raw(view, raw_ao_of(view, settings, run), settings, run);
 }
 
 Image<float> ao_picture_of(const MethodView& view, const FrameSettings& settings, const Run& run) {

@@ -47,7 +47,7 @@ class ReferenceMaker {
         const MethodSettings settings = with_value(method, request_.settings, "ao_scale", 1);
         const std::string name = key_of_limit(view, settings) + "-limit";
         if (auto found = find(name)) return counted(std::move(*found), request_.limit_seeds, 0, true);
-        Progress progress("limit", request_.limit_seeds);
+        Progress progress("limit", request_.limit_seeds, request_.shows_progress);
         const Clocks before = clocks();
         ReferenceImage image = method.limit(view, settings.ao, request_.limit_seeds, request_.run,
                                             [&](long long done) { progress.advance(done); });
@@ -68,7 +68,7 @@ class ReferenceMaker {
             pair.soft = counted(std::move(*soft), rays.rays, 0, true);
             return pair;
         }
-        Progress progress(label, static_cast<long long>(from.size()));
+        Progress progress(label, static_cast<long long>(from.size()), request_.shows_progress);
         const Clocks before = clocks();
         const RayAoReference traced = ray_cast_reference(scene, from, rays, &fade, request_.run,
                                                          [&](long long done) { progress.advance(done); });
@@ -158,6 +158,8 @@ class ReferenceMaker {
         try {
             store_reference(*request_.cache, name, image);
         } catch (const OutputError& error) {
+            // Another program may have stored the same at the same time.
+            if (find(name)) return;
             std::cerr << error.what() << "\n";
             cache_failed_ = true;
         }
@@ -167,6 +169,16 @@ class ReferenceMaker {
     const SurfacePoints& points_;
     bool cache_failed_ = false;
 };
+
+// What is cast and counted is a multiple of the replicates. Throws UsageError where it is out of range.
+ReferenceRequest valid_request(ReferenceRequest request) {
+    validate(request.run);
+    validate(request.rays);
+    validate(*request.method, request.settings);
+    request.rays.rays = round_up(request.rays.rays, kReplicates);
+    request.limit_seeds = round_up(request.limit_seeds, kReplicates);
+    return request;
+}
 
 }  // namespace
 
@@ -187,14 +199,8 @@ RayAoSettings rays_asking(const AoQuestion& question) {
 }
 
 References make_references(const Scene& scene, const Camera& camera, const ReferenceRequest& asked) {
-    validate(asked.run);
-    validate(asked.rays);
-    validate(*asked.method, asked.settings);
+    const ReferenceRequest request = valid_request(asked);
     References references;
-    // What is cast and counted is a multiple of the replicates.
-    ReferenceRequest request = asked;
-    request.rays.rays = round_up(asked.rays.rays, kReplicates);
-    request.limit_seeds = round_up(asked.limit_seeds, kReplicates);
     const Clocks start = clocks();
     // Truth does not depend on how a frame stores its depths: the most precise way decides what is seen.
     Camera precise = camera;
@@ -203,7 +209,9 @@ References make_references(const Scene& scene, const Camera& camera, const Refer
     references.points = surface_points(scene, precise, references.gbuffer, request.run);
     const Clocks drawn = clocks();
     const RayScene rays = ray_scene(scene, camera.eye, request.run);
-    const RayScene screen = depth_mesh(references.gbuffer, precise, request.rays.radius, request.run);
+    RayScene screen;
+    if (request.wants_screen)
+        screen = depth_mesh(references.gbuffer, precise, request.rays.radius, request.run);
     references.points_ms = drawn.wall_ms - start.wall_ms;
     references.build_ms = clocks().wall_ms - drawn.wall_ms;
     references.dropped_triangles = rays.not_finite;
@@ -215,15 +223,22 @@ References make_references(const Scene& scene, const Camera& camera, const Refer
     references.hard = std::move(truth.hard);
     references.soft = std::move(truth.soft);
     references.lifted_far = truth.lifted_far;
-    const SurfacePoints in_buffer =
-        points_on_depth_mesh(references.points, references.gbuffer, precise, request.run);
-    references.screen = maker.traced("screen", in_buffer, screen, fade).soft;
+    if (request.wants_screen) {
+        const SurfacePoints in_buffer =
+            points_on_depth_mesh(references.points, references.gbuffer, precise, request.run);
+        references.screen = maker.traced("screen", in_buffer, screen, fade).soft;
+    }
     if (request.limit_seeds > 0) {
         const GBuffer as_frame = normal_depth(scene, camera, request.size, request.run);
         references.limit =
             maker.limit_of({scene, camera, as_frame, request.method->casts_rays ? &rays : nullptr});
     }
     return references;
+}
+
+Reference make_limit(const AoView& view, const SurfacePoints& points, const ReferenceRequest& asked) {
+    const ReferenceRequest request = valid_request(asked);
+    return ReferenceMaker(request, points).limit_of(view);
 }
 
 }  // namespace crevice

@@ -23,6 +23,8 @@ struct ReferenceRequest {
         rays;  // of all rays, rounded up to kReplicates; the fade of `soft` and `screen` is the question's
     double wanted_error = 0;  // > 0: rays are doubled until the mean standard error is at most this
     int limit_seeds = 256;    // rounded up to kReplicates; 0: no `limit`
+    bool wants_screen = true;
+    bool shows_progress = true;  // a bar for each image that is made
     std::optional<std::filesystem::path> cache;  // the directory; none: nothing is kept or looked up
     Run run;
 };
@@ -47,7 +49,7 @@ struct References {
     GBuffer gbuffer;  // with reversed depths, the most precise there are; `limit` has the camera's own
     SurfacePoints points;
     Reference hard, soft, screen;       // `hard` and `soft` are one trace: each says its time
-    Reference limit;                    // empty images when not asked for
+    Reference limit;                    // this and `screen`: empty images when not asked for
     std::size_t lifted_far = 0;         // points whose rays start further than radius / 100 off their surface
     std::size_t dropped_triangles = 0;  // with corners that are not finite numbers
     double points_ms = 0, build_ms = 0;  // G-buffer and points; both trees
@@ -55,5 +57,8 @@ struct References {
 
 // Throws UsageError for requests out of range. A cache that cannot be written is told on stderr, once.
 References make_references(const Scene& scene, const Camera& camera, const ReferenceRequest& request);
+
+// `limit` alone, of a view whose points are known; request.limit_seeds > 0. Throws likewise.
+Reference make_limit(const AoView& view, const SurfacePoints& points, const ReferenceRequest& request);
 
 }  // namespace crevice

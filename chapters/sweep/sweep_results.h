@@ -18,15 +18,15 @@ namespace crevice {
 // What is looked at, and at how many pixels.
 struct SweepView {
     std::string scene;   // SCENE on the command line
-    std::string camera;  // its camera flags as words, "--eye 0,1,5 --fov 60"; empty: the scene's own camera
+    std::string camera;  // its camera flags as words, "--eye 0,1,5 --fov-y 60"; empty: the scene's own camera
     Size size{1280, 720};
     long long triangles = 0;
 
     bool operator==(const SweepView&) const = default;
 };
 
-// How a method runs: what differs from its defaults, lengths in scene units, in the order of the method's parameters,
-// without the seed.
+// How a method runs: what the plan sets, lengths in scene units, in the order of the method's parameters,
+// without the seed; all else as the method's defaults.
 struct SweepSetting {
     std::string method;
     std::vector<std::pair<std::string, std::string>> parameters;  // {"samples", "8"}, {"ao_scale", "1"}
@@ -46,7 +46,8 @@ struct SweepError {
 
 // A step of truth -> screen -> limit -> image, as ErrorPart has it.
 struct SweepErrorPart {
-    std::string step;  // "depth buffer", "definition", "sampling", "resolution", "storage", "blur"
+    // "depth buffer", "definition", "half size", "sampling", "rounding", "float16", "blur, bias", "blur, noise removed"
+    std::string step;
     double bias = 0, rmse = 0, share = 0;
 };
 
@@ -58,17 +59,17 @@ struct SweepErrorResult {
     std::uint32_t seed = 0;
     long long nan_or_inf = 0;           // pixels left out of the errors; above 0 the job has failed
     SweepError soft, hard;              // against ray-cast truth with the method's own fade, and without any
-    std::vector<SweepErrorPart> parts;  // against soft truth; empty where the plan does not ask for them
+    std::vector<SweepErrorPart> parts;  // against soft truth; of the first seed, where the plan asks for them
     std::string hash;                   // of the AO image, as `crevice render` prints it
     std::string picture;  // PNG of the AO image, at most 320 pixels wide, relative to the results
     std::string command;  // that makes the same image, whole
 };
 
 struct SweepPassTime {
-    std::string pass;          // "ao", "blur", "ao and blur", "frame"
+    std::string pass;          // "ao", its inputs included; "blur", where there is one; "ao and blur"
     MedianInterval wall, cpu;  // ms, over the rounds after the warm-up
     double wall_mad = 0;       // median absolute deviation
-    double instructions = 0;   // a round; 0 where they were not counted
+    double instructions = 0;   // a frame; 0 where they were not counted
 };
 
 // What times were measured on and by.
@@ -100,6 +101,7 @@ struct SweepResults {
     std::vector<SweepTimeResult> times;    // in the plan's order
     std::optional<SweepMachine> machine;   // none where nothing was timed
     std::vector<std::string> missing;      // what the plan asks for and no job has done, in words
+    std::string version;                   // of the program that did the jobs, with its commit
 };
 
 }  // namespace crevice

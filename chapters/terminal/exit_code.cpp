@@ -1,7 +1,11 @@
 #include "chapters/terminal/exit_code.h"
 
+#include <unistd.h>
+
+#include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <iostream>
 #include <new>
 
@@ -12,8 +16,14 @@ namespace crevice {
 
 namespace {
 
+std::atomic<const char*> stopped_text = nullptr;
+
 void end_without_partial_files(int signal_number) {
     remove_partial_files();
+    if (const char* const text = stopped_text) {
+        // A handler may call little more than this, and has nobody to tell that it failed.
+        [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text, std::strlen(text));
+    }
     std::signal(signal_number, SIG_DFL);
     std::raise(signal_number);
 }
@@ -37,6 +47,8 @@ void check_standard_output() {
 }
 
 }  // namespace
+
+void say_when_stopped(const char* text) { stopped_text = text; }
 
 int exit_code_of(const std::function<int()>& body) {
     try {

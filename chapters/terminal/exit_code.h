@@ -10,4 +10,7 @@ namespace crevice {
 // else. A signal that ends the program (Ctrl-C, kill) still does, and no partial file is left behind then.
 int exit_code_of(const std::function<int()>& body);
 
+// What such a signal is to say before it ends the program, on stderr; null: nothing. The text must outlive the work.
+void say_when_stopped(const char* text);
+
 }  // namespace crevice

@@ -1,6 +1,9 @@
 #include "chapters/terminal/output_directory.h"
 
+#include <string>
 #include <system_error>
+
+#include <unistd.h>
 
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/write_file.h"
@@ -13,7 +16,8 @@ void try_output_directory(const std::filesystem::path& out) {
     if (error)
         throw OutputError(out.string() + ": cannot make this directory (" + error.message() +
                           "); choose another --out");
-    const std::filesystem::path trial = out / ".crevice";
+    // Programs that share the directory try it at the same time.
+    const std::filesystem::path trial = out / (".crevice." + std::to_string(getpid()));
     write_file_atomically(trial, "");
     std::filesystem::remove(trial, error);
 }

@@ -12,4 +12,9 @@ struct ProgramVersion {
 // Written at build time by cmake/program_version.cmake.
 ProgramVersion program_version();
 
+// "0.1.0 (commit 0123456789ab)"
+inline std::string version_text(const ProgramVersion& version) {
+    return version.number + " (commit " + version.commit + ")";
+}
+
 }  // namespace crevice

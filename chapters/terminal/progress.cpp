@@ -33,10 +33,10 @@ std::string progress_line(const std::string& label, long long done, long long to
     return line;
 }
 
-Progress::Progress(std::string label, long long total_steps)
+Progress::Progress(std::string label, long long total_steps, bool wanted)
     : label_(std::move(label)),
       total_(total_steps),
-      shown_(isatty(STDERR_FILENO) == 1),
+      shown_(wanted && isatty(STDERR_FILENO) == 1),
       last_drawn_(start_) {}
 
 Progress::~Progress() {

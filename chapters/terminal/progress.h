@@ -15,7 +15,8 @@ std::string progress_line(const std::string& label, long long done, long long to
 
 class Progress {
  public:
-    Progress(std::string label, long long total_steps);
+    // `wanted` false: nothing is shown, because another bar is.
+    Progress(std::string label, long long total_steps, bool wanted = true);
     ~Progress();  // clears the line
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;

@@ -44,7 +44,9 @@ class Stopwatch {
         add(name, before, clocks());
     }
 
-    // Each pass in the order in which it first ended, and last the frame.
+    // Each pass in the order in which it first ended.
+    const std::vector<PassSamples>& samples() const { return samples_; }
+    // The same, and last the frame.
     std::vector<PassTime> summaries() const;
 
  private:

@@ -29,7 +29,8 @@ std::vector<std::string> unfinished_below(const fs::path& directory) {
     std::vector<std::string> names;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(directory)) {
         const fs::path& path = entry.path();
-        if (path.extension() == ".partial" || path.filename() == ".crevice") names.push_back(path.string());
+        if (path.extension() == ".partial" || path.filename().string().starts_with(".crevice"))
+            names.push_back(path.string());
         if (path.extension() == ".npy") CHECK_NOTHROW(read_npy(path));
     }
     return names;

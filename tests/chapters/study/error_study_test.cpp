@@ -79,7 +79,7 @@ TEST_CASE("error chain: one step for each thing that a setting does") {
     const References references = make_references(scene, scene.camera, request);
     const MethodView view = method_view(scene, scene.camera, request.size, method, {});
     const auto chain_of = [&](const ErrorSetting& setting) {
-        return error_chain(view, references, setting, 5, 8, {});
+        return error_chain(view, references, settings_of(method, setting, 1, 5), 8, {});
     };
     using Steps = std::vector<std::string>;
     CHECK(steps_of(chain_of({14, 1, 0, false})) ==

@@ -1,0 +1,218 @@
+#include "chapters/sweep/merge_sweep.h"
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <ostream>
+
+#include "chapters/sweep/results_tables.h"
+#include "chapters/sweep/sweep_directory.h"
+#include "chapters/sweep/sweep_jobs.h"
+#include "chapters/terminal/output_directory.h"
+#include "rasterizer/base/error.h"
+#include "rasterizer/base/file_bytes.h"
+#include "rasterizer/base/write_file.h"
+
+namespace crevice {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A value that all files must share, and the file that it was first seen in.
+struct Shared {
+    std::string value, file;
+
+    // `what`: "version of the program".
+    void require(const std::string& found, const std::string& in, const std::string& what,
+                 const std::string& cure) {
+        if (file.empty()) *this = {found, in};
+        if (found != value)
+            throw InputError(in + ": of another " + what + " (" + found + ") than " + file + " (" + value +
+                             "); " + cure);
+    }
+};
+
+std::string words_of(const SweepMachine& machine) {
+    return machine.cpu + ", " + std::to_string(machine.cores) + " threads, " + machine.isa + ", " +
+           std::to_string(machine.lanes) + " lanes, " + machine.compiler;
+}
+
+class Merger {
+ public:
+    // Throws as merged().
+    void add(const fs::path& path) {
+        const SweepDirectory directory(path);
+        SweepListing listing = directory.listing();
+        const std::string text = directory.plan_text();
+        if (directories_.empty()) {
+            listing_ = std::move(listing);
+            merged_.results.plan = listing_.plan;
+            merged_.results.plan_text = text;
+            for (const ListedJob& job : listing_.jobs) wanted_.emplace(job.id, &job);
+        } else {
+            require_same(path, listing, text);
+        }
+        directories_.push_back(path);
+        std::vector<fs::path> files;
+        for (const fs::directory_entry& entry : fs::directory_iterator(path / "jobs")) {
+            if (entry.path().extension() == ".json") files.push_back(entry.path());
+        }
+        std::ranges::sort(files);
+        for (const fs::path& file : files) add_job(file, path);
+    }
+
+    Merged result() && {
+        for (const ListedJob& job : listing_.jobs) {
+            const auto found = jobs_.find(job.id);
+            if (found == jobs_.end()) {
+                merged_.results.missing.push_back(job.words);
+            } else {
+                take(found->second);
+            }
+        }
+        merged_.results.version = version_.value;
+        require_same_images();
+        return std::move(merged_);
+    }
+
+ private:
+    struct Found {
+        FinishedJob job;
+        fs::path file, directory;
+    };
+
+    void require_same(const fs::path& path, const SweepListing& listing, const std::string& text) const {
+        const std::string both = path.string() + ": of another ", first = directories_.front().string();
+        if (text != merged_.results.plan_text)
+            throw InputError(both + "plan (" + listing.plan + ") than " + first + " (" + listing_.plan +
+                             "); merge each by itself");
+        for (std::size_t i = 0; i < std::max(listing.jobs.size(), listing_.jobs.size()); ++i) {
+            if (i < listing.jobs.size() && i < listing_.jobs.size() &&
+                listing.jobs[i].id == listing_.jobs[i].id)
+                continue;
+            const std::string words =
+                i < listing.jobs.size() ? listing.jobs[i].words : listing_.jobs[i].words;
+            throw InputError(both + "scene or --instructions than " + first + " (" + words +
+                             "); sweep the same files everywhere");
+        }
+    }
+
+    void add_job(const fs::path& file, const fs::path& directory) {
+        std::optional<FinishedJob> job = read_job(file);
+        if (!job) return;
+        version_.require(job->version, file.string(), "version of the program",
+                         "sweep both with the same one");
+        if (job->machine)
+            machine_.require(words_of(*job->machine), file.string(), "machine",
+                             "compare times of one machine only");
+        const auto [found, is_new] = jobs_.try_emplace(job->id, Found{*job, file, directory});
+        // The same job may have been done twice; its errors follow from it alone.
+        if (!is_new && job->error && job_json(found->second.job) != job_json(*job))
+            merged_.faults.push_back(file.string() + ": not the same as " + found->second.file.string() +
+                                     " (" + job->error->hash + ", " + found->second.job.error->hash +
+                                     "); report this, errors must not depend on the machine");
+    }
+
+    // None where the file is damaged, which is noted, or of another plan.
+    std::optional<FinishedJob> read_job(const fs::path& file) {
+        try {
+            FinishedJob job = job_from_json(read_file(file, kLargestSweepFile), file.string());
+            if (job.id != file.stem())
+                throw InputError(file.string() + ":1: another job than its name says (" + job.id +
+                                 "); make the file anew");
+            const auto wanted = wanted_.find(job.id);
+            if (wanted == wanted_.end()) {
+                ++merged_.not_of_plan;
+                return std::nullopt;
+            }
+            const bool is_error = wanted->second->kind == "error";
+            if (job.error.has_value() != is_error || job.machine.has_value() == is_error)
+                throw InputError(file.string() + ":1: not what such a job has done (" + wanted->second->kind +
+                                 "); make the file anew");
+            return job;
+        } catch (const InputError& error) {
+            merged_.damaged.emplace_back(error.what());
+            return std::nullopt;
+        }
+    }
+
+    void take(const Found& found) {
+        SweepResults& results = merged_.results;
+        results.times.insert(results.times.end(), found.job.times.begin(), found.job.times.end());
+        if (found.job.machine) results.machine = found.job.machine;
+        if (!found.job.error) return;
+        results.errors.push_back(*found.job.error);
+        std::error_code ignored;
+        const fs::path picture = found.directory / SweepDirectory::picture_name(found.job.id);
+        const bool there = fs::exists(picture, ignored);
+        results.errors.back().picture = there ? SweepDirectory::picture_name(found.job.id) : "";
+        merged_.pictures.push_back(there ? picture : fs::path());
+        if (results.errors.back().nan_or_inf > 0)
+            merged_.faults.push_back(wanted_.at(found.job.id)->words + ": " +
+                                     std::to_string(results.errors.back().nan_or_inf) +
+                                     " pixels are NaN or infinite");
+    }
+
+    // The image that was timed is the image that was judged.
+    void require_same_images() {
+        std::map<std::string, const SweepErrorResult*> judged;  // of each setting the first seed
+        for (const SweepErrorResult& error : merged_.results.errors)
+            judged.emplace(json_line(error.view) + json_line(error.setting), &error);
+        for (const SweepTimeResult& time : merged_.results.times) {
+            const auto found = judged.find(json_line(time.view) + json_line(time.setting));
+            if (found == judged.end() || found->second->hash == time.hash) continue;
+            merged_.faults.push_back(words_of(time.view) + ", " + words_of(time.setting) +
+                                     ": another image was timed than judged (" + time.hash + ", " +
+                                     found->second->hash + "); do both jobs again");
+        }
+    }
+
+    Merged merged_;
+    std::vector<fs::path> directories_;
+    SweepListing listing_;
+    std::map<std::string, const ListedJob*> wanted_;  // of listing_, by their ids
+    std::map<std::string, Found> jobs_;
+    Shared version_, machine_;
+};
+
+void write_pictures(const Merged& merged, const fs::path& out) {
+    for (std::size_t i = 0; i < merged.pictures.size(); ++i) {
+        std::error_code ignored;
+        const fs::path to = out / merged.results.errors[i].picture;
+        if (merged.pictures[i].empty() || fs::equivalent(merged.pictures[i], to, ignored)) continue;
+        write_file_atomically(to, read_file(merged.pictures[i], kLargestSweepFile));
+    }
+}
+
+}  // namespace
+
+Merged merged(const std::vector<fs::path>& directories) {
+    Merger merger;
+    for (const fs::path& directory : directories) merger.add(directory);
+    return std::move(merger).result();
+}
+
+int merge_sweeps(const std::vector<fs::path>& directories, const fs::path& out, std::ostream& told) {
+    const Merged merged = crevice::merged(directories);
+    try_output_directory(out / "jobs");
+    write_pictures(merged, out);
+    const auto write = [&](const char* name, const std::string& text) {
+        write_file_atomically(out / name, text);
+        told << (out / name).string() << "\n";
+    };
+    for (const auto* lines : {&merged.damaged, &merged.faults}) {
+        for (const std::string& line : *lines) std::cerr << line << "\n";
+    }
+    for (const std::string& words : merged.results.missing) std::cerr << "missing: " << words << "\n";
+    if (merged.not_of_plan > 0)
+        told << merged.not_of_plan << " finished jobs are not of this plan and were left out\n";
+    write("results.csv", csv_text(results_table(merged.results)));
+    write("results.md", results_markdown(merged.results));
+    write("results.json", results_json(merged.results));
+    if (!merged.damaged.empty()) return static_cast<int>(ExitCode::input);
+    const bool whole = merged.faults.empty() && merged.results.missing.empty();
+    return static_cast<int>(whole ? ExitCode::done : ExitCode::check_failed);
+}
+
+}  // namespace crevice

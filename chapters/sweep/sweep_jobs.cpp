@@ -1,0 +1,239 @@
+#include "chapters/sweep/sweep_jobs.h"
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+
+#include "chapters/study/reference_cache.h"
+#include "chapters/sweep/error_job.h"
+#include "chapters/sweep/results_json.h"
+#include "chapters/sweep/scene_key.h"
+#include "chapters/terminal/number_text.h"
+#include "rasterizer/base/float_text.h"
+
+namespace crevice {
+
+namespace {
+
+using Json = JsonFile::Json;
+
+// A new one when an equal job means another result.
+constexpr int kJobVersion = 1;
+
+std::string flag_words(const CameraFlags& flags) {
+    std::string words;
+    const auto add = [&](const char* flag, const std::optional<std::string>& word) {
+        if (word) words += (words.empty() ? "" : " ") + std::string(flag) + " " + *word;
+    };
+    add("--eye", flags.eye);
+    add("--target", flags.target);
+    add("--fov-y", flags.fov_y);
+    add("--near", flags.near_plane);
+    add("--far", flags.far_plane);
+    add("--ortho", flags.ortho);
+    return words;
+}
+
+bool has_seed(const std::string& name) {
+    const Method& method = find_method(name);
+    return value_of(method, defaults_of(method), "seed").has_value();
+}
+
+// As a shell reads it.
+std::string quoted(const std::string& word) {
+    const auto is_plain = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+               std::string("_-+=.,:/%@").find(c) != std::string::npos;
+    };
+    if (std::ranges::all_of(word, is_plain)) return word;
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+}
+
+SweepScene loaded_scene(const PlannedScene& planned, const JsonFile& file, const Run& run) {
+    SweepScene scene{load_scene(planned.name, {.surfaces = false, .run = run}),
+                     {},
+                     planned.name,
+                     flag_words(planned.camera),
+                     {}};
+    if (triangle_count(scene.argument.scene) == 0)
+        file.refuse("scenes: nothing to be seen (" + planned.name + " has 0 triangles); leave it away",
+                    planned.place);
+    scene.camera = file.at(planned.place, [&] { return chosen_camera(scene.argument, planned.camera); });
+    scene.key = scene_key(scene.argument.scene);
+    return scene;
+}
+
+// The question that truth answers, as a word.
+std::string question_of(const Method& method, const FrameSettings& settings) {
+    const AoQuestion question = method.question(settings.method.ao);
+    std::string words = question.cosine_weighted ? "cosine" : "uniform";
+    for (const float length : {question.radius, question.fade_start, question.fade_end})
+        words += " " + shortest_text(length);
+    return words;
+}
+
+// "samples: must be at least 1 (0); ..." of the plan's words, where they stand.
+FrameSettings checked_settings(const SweepPlan& plan, const PlannedMethod& method,
+                               const SweepSetting& setting, const SweepScene& scene) {
+    try {
+        return frame_settings(setting, plan.seeds.front(), scene.argument.scene.length_unit);
+    } catch (const UsageError& error) {
+        const std::string refusal = error.what(), member = refusal.substr(0, refusal.find(':'));
+        JsonPlace place = method.place;
+        for (const PlannedValues& values : method.values) {
+            if (values.parameter == member) place = values.place;
+        }
+        plan.file.refuse(setting.method + ": " + refusal, place);
+    }
+}
+
+std::string id_of(const SweepJob& job) {
+    Json settings = Json::array();
+    for (const SweepSetting& setting : job.settings) settings.push_back(json_line(setting));
+    const Json canonical = {{"job", kJobVersion},
+                            {"timed", job.timed},
+                            {"view", json_line(job.view)},
+                            {"scene", job.scene->key},
+                            {"settings", settings},
+                            {"seed", job.seed},
+                            {"parts", job.parts},
+                            {"threads", job.threads},
+                            {"rounds", job.rounds},
+                            {"instructions", job.instructions},
+                            {"reference_rays", job.reference_rays}};
+    ContentKey key;
+    key.add_all(canonical.dump(-1, ' ', false, Json::error_handler_t::replace));
+    return key.hex();
+}
+
+int samples_of(const Method& method, const FrameSettings& settings) {
+    return static_cast<int>(value_of(method, settings.method, "samples").value_or(1));
+}
+
+double pixels_of(const SweepView& view) { return static_cast<double>(view.size.width) * view.size.height; }
+
+// What all jobs of a view have in common.
+SweepJob job_on(const std::shared_ptr<const SweepScene>& scene, Size size, std::uint32_t seed) {
+    SweepJob job;
+    job.scene = scene;
+    job.view = {scene->name, scene->camera_words, size,
+                static_cast<long long>(triangle_count(scene->argument.scene))};
+    job.seed = seed;
+    return job;
+}
+
+class JobMaker {
+ public:
+    JobMaker(const SweepPlan& plan, bool instructions) : plan_(plan), instructions_(instructions) {}
+
+    void add_view(const std::shared_ptr<const SweepScene>& scene, Size size) {
+        SweepJob timed = job_on(scene, size, plan_.seeds.front());
+        timed.timed = true;
+        timed.rounds = plan_.repetitions;
+        timed.instructions = instructions_;
+        for (const PlannedMethod& method : plan_.methods) {
+            for (const SweepSetting& setting : settings_of(method)) {
+                const FrameSettings settings = checked_settings(plan_, method, setting, *scene);
+                add_errors(scene, size, *method.method, setting, settings);
+                timed.settings.push_back(setting);
+                timed.work += samples_of(*method.method, settings) * pixels_of(timed.view) * timed.rounds;
+            }
+        }
+        if (timed.rounds == 0) return;
+        for (const int threads : plan_.threads) {
+            timed.threads = threads;
+            timed.id = id_of(timed);
+            times_.push_back(timed);
+        }
+    }
+
+    std::vector<SweepJob> jobs() && {
+        errors_.insert(errors_.end(), times_.begin(), times_.end());
+        return std::move(errors_);
+    }
+
+ private:
+    void add_errors(const std::shared_ptr<const SweepScene>& scene, Size size, const Method& method,
+                    const SweepSetting& setting, const FrameSettings& settings) {
+        for (const std::uint32_t seed : plan_.seeds) {
+            SweepJob job = job_on(scene, size, seed);
+            job.settings = {setting};
+            job.parts = plan_.parts && seed == plan_.seeds.front();
+            job.asks = question_of(method, settings);
+            job.reference_rays = plan_.reference_rays;
+            job.work = (samples_of(method, settings) * (job.parts ? 3.0 * kPartsSeeds : 1.0) + kMeasures) *
+                       pixels_of(job.view);
+            job.id = id_of(job);
+            errors_.push_back(std::move(job));
+        }
+    }
+
+    // Judging an image takes about as long as so many samples of it.
+    static constexpr double kMeasures = 100;
+
+    const SweepPlan& plan_;
+    const bool instructions_;
+    std::vector<SweepJob> errors_, times_;
+};
+
+}  // namespace
+
+std::vector<SweepJob> sweep_jobs(const SweepPlan& plan, bool instructions, const Run& run) {
+    JobMaker maker(plan, instructions);
+    for (const PlannedScene& planned : plan.scenes) {
+        const auto scene = std::make_shared<const SweepScene>(loaded_scene(planned, plan.file, run));
+        for (const Size size : plan.sizes) maker.add_view(scene, size);
+    }
+    return std::move(maker).jobs();
+}
+
+std::string words_of(const SweepSetting& setting) {
+    std::string words = setting.method;
+    for (const auto& [name, word] : setting.parameters) words += " " + name + "=" + word;
+    return words;
+}
+
+std::string words_of(const SweepView& view) {
+    return view.scene + (view.camera.empty() ? "" : " " + view.camera) + " " + size_text(view.size);
+}
+
+std::string words_of(const SweepJob& job) {
+    if (!job.timed)
+        return words_of(job.view) + ", " + words_of(job.settings.front()) + ", seed " +
+               std::to_string(job.seed);
+    const std::size_t n = job.settings.size();
+    return words_of(job.view) + ", times of " + std::to_string(n) +
+           (n == 1 ? " setting on " : " settings on ") + std::to_string(job.threads) +
+           (job.threads == 1 ? " thread" : " threads");
+}
+
+FrameSettings frame_settings(const SweepSetting& setting, std::uint32_t seed, float length_unit) {
+    std::vector<std::string> words;
+    for (const auto& [name, word] : setting.parameters) words.push_back(name + "=" + word);
+    if (has_seed(setting.method)) words.push_back("seed=" + std::to_string(seed));
+    return settings_of(find_method(setting.method), words, length_unit);
+}
+
+std::vector<std::string> render_words(const SweepView& view, const SweepSetting& setting,
+                                      std::uint32_t seed) {
+    std::vector<std::string> words = {"render", view.scene, "--size", size_text(view.size)};
+    std::istringstream camera(view.camera);
+    for (std::string word; camera >> word;) words.push_back(word);
+    words.insert(words.end(), {"--ao", setting.method});
+    for (const auto& [name, word] : setting.parameters)
+        words.insert(words.end(), {"--param", name + "=" + word});
+    if (has_seed(setting.method)) words.insert(words.end(), {"--param", "seed=" + std::to_string(seed)});
+    words.insert(words.end(), {"--only", "ao_blurred"});
+    return words;
+}
+
+std::string command_of(const SweepView& view, const SweepSetting& setting, std::uint32_t seed, int threads) {
+    std::string command = "crevice";
+    for (const std::string& word : render_words(view, setting, seed)) command += " " + quoted(word);
+    if (threads > 0) command += " --threads " + std::to_string(threads);
+    return command + " --out out";
+}
+
+}  // namespace crevice
