@@ -99,9 +99,10 @@ std::string drawn_curve(const PlotCurve& curve, const Axes& axes, std::string_vi
         const SvgPoint at = axes.at(curve.x[i], curve.y[i]);
         if (curve.style == PlotStyle::front) marks += svg_ring(at, 6, colour);
         if (curve.style == PlotStyle::line || curve.style == PlotStyle::dots) {
-            marks +=
-                svg_dot(at, 3, colour,
-                        curve.points.empty() ? "" : " data-point=\"" + escape_html(curve.points[i]) + "\"");
+            marks += svg_dot(at, 3, colour,
+                             curve.points.empty() || curve.points[i].empty()
+                                 ? ""
+                                 : " data-point=\"" + escape_html(curve.points[i]) + "\"");
         }
         marks += drawn_bars(curve, i, axes, colour);
     }

@@ -49,8 +49,8 @@ std::string error_clause(const Contest& contest, const std::string& alone) {
     }
     std::vector<std::string> tied;
     for (const Contestant& one : winners(contest)) {
-        tied.push_back(phrase(one) + " (" + number(one.rmse()) + " ± " + number(one.errors().rmse_margin()) +
-                       time_text(one) + ")");
+        tied.push_back(phrase(one) + (tied.empty() ? " (RMSE " : " (") + number(one.rmse()) + " ± " +
+                       number(one.errors().rmse_margin()) + time_text(one) + ")");
     }
     return listed(tied) + " tie for the least error: their differences are smaller than the noise";
 }

@@ -34,43 +34,33 @@ BarFigure magnitude(const BarFigure& figure) {
     return {std::fabs(figure.value), crosses_zero ? 0 : std::min(a, b), std::max(a, b)};
 }
 
-// One method's settings as a curve; the line goes through those that no other of them beats.
-PlotCurve method_curve(const std::string& method, std::span<const NamedErrorPoint> points) {
-    PlotCurve curve{method, {}, {}};
-    std::vector<ErrorPoint> own;
-    for (const NamedErrorPoint& named : points) {
-        const ErrorPoint& point = named.point;
-        if (point.method != method) continue;
-        own.push_back(point);
-        curve.x.push_back(point.time_ms);
-        curve.y.push_back(point.error);
-        curve.x_low.push_back(named.ms.low);
-        curve.x_high.push_back(named.ms.high);
-        curve.y_low.push_back(point.error_min);
-        curve.y_high.push_back(point.error_max);
-        curve.points.push_back(named.name);
+// The points of a curve, which come by time, that none before them beats.
+std::vector<std::size_t> unbeaten(const PlotCurve& curve) {
+    std::vector<std::size_t> points;
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+        if (points.empty() || curve.y[i] < curve.y[points.back()]) points.push_back(i);
     }
-    curve.line_through = pareto_front(own);
-    return curve;
+    return points;
 }
 
-PlotCurve front_curve(std::span<const NamedErrorPoint> points) {
-    PlotCurve front{"Pareto front", {}, {}};
-    front.style = PlotStyle::front;
-    std::vector<ErrorPoint> all;
-    for (const NamedErrorPoint& named : points) all.push_back(named.point);
-    for (const std::size_t i : pareto_front(all)) {
-        front.x.push_back(all[i].time_ms);
-        front.y.push_back(all[i].error);
+// One curve a method in their order, also of those without a point; last the Pareto front.
+std::vector<PlotCurve> curves_of(std::span<const ErrorPoint> points, std::span<const std::string> methods) {
+    std::vector<PlotCurve> known = error_curves(points), curves;
+    for (const std::string& method : methods) {
+        const auto curve = std::find_if(known.begin(), known.end(),
+                                        [&](const PlotCurve& one) { return one.name == method; });
+        curves.push_back(curve == known.end() ? PlotCurve{method, {}, {}} : *curve);
+        curves.back().line_through = unbeaten(curves.back());
     }
-    return front;
+    curves.push_back(known.back());
+    return curves;
 }
 
 // The points that a logarithmic axis has no place for.
-std::string not_drawn(std::span<const NamedErrorPoint> points) {
+std::string not_drawn(std::span<const ErrorPoint> points) {
     std::vector<std::string> names;
-    for (const NamedErrorPoint& named : points) {
-        if (!(named.point.error > 0)) names.push_back(named.point.method + " (" + named.point.setting + ")");
+    for (const ErrorPoint& point : points) {
+        if (!(point.error > 0)) names.push_back(point.method + " (" + point.setting + ")");
     }
     if (names.empty()) return "";
     return " Not drawn, because there is no error that could be told from 0: " + listed(names) + ".";
@@ -78,11 +68,11 @@ std::string not_drawn(std::span<const NamedErrorPoint> points) {
 
 DrawingOutput error_plot(const ViewFigures& view, int threads, const ErrorMeasure& measure,
                          std::span<const std::string> methods) {
-    const std::vector<NamedErrorPoint> points = error_points(view, threads, measure);
+    const std::vector<ErrorPoint> points = error_points(view, threads, measure);
     std::vector<double> x, y;
-    for (const NamedErrorPoint& named : points) {
-        x.insert(x.end(), {named.ms.low, named.ms.value, named.ms.high});
-        y.insert(y.end(), {named.point.error, named.point.error_max});
+    for (const ErrorPoint& point : points) {
+        x.insert(x.end(), {point.time_min, point.time_ms, point.time_max});
+        y.insert(y.end(), {point.error, point.error_max});
     }
     Plot plot{measure.name + (" over time: " + view_words(view.view)) + ", " + counted(threads, "thread"),
               {},
@@ -100,8 +90,7 @@ DrawingOutput error_plot(const ViewFigures& view, int threads, const ErrorMeasur
     }
     plot.x = snug_axis("median wall time of AO and blur, ms", x);
     plot.y = snug_axis(measure.axis, y);
-    for (const std::string& method : methods) plot.curves.push_back(method_curve(method, points));
-    plot.curves.push_back(front_curve(points));
+    plot.curves = curves_of(points, methods);
     return drawing(
         view.id + " " + view_words(view.view) + " " + counted(threads, "thread") + " " + measure.file,
         plot_svg(plot), not_drawn(points));
@@ -132,31 +121,29 @@ Plot snug_plot(const std::string& title, const std::string& x_label, const std::
 
 }  // namespace
 
-std::vector<NamedErrorPoint> error_points(const ViewFigures& view, int threads, const ErrorMeasure& measure) {
-    std::vector<NamedErrorPoint> points;
+std::vector<ErrorPoint> error_points(const ViewFigures& view, int threads, const ErrorMeasure& measure) {
+    std::vector<ErrorPoint> points;
     for (const SettingFigures& figures : view.settings) {
         const SettingTime* const time = figures.time(threads);
         if (!figures.errors || time == nullptr) continue;
         const BarFigure error = magnitude(*figures.errors.*measure.figure);
-        points.push_back({{figures.setting.method, setting_words(figures.setting), time->ms.value,
-                           error.value, error.low, error.high},
-                          time->ms,
-                          time->point});
+        points.push_back({figures.setting.method, setting_words(figures.setting), time->ms.value, error.value,
+                          error.low, error.high, time->ms.low, time->ms.high, time->point});
     }
     return points;
 }
 
-std::vector<ErrorPoint> best_of_each(std::span<const NamedErrorPoint> points) {
-    std::vector<std::string> methods;
+std::vector<ErrorPoint> best_of_each(std::span<const ErrorPoint> points) {
     std::vector<ErrorPoint> best;
-    for (const NamedErrorPoint& named : points) {
-        const std::string& method = named.point.method;
-        if (std::find(methods.begin(), methods.end(), method) != methods.end()) continue;
-        methods.push_back(method);
+    for (std::size_t first = 0; first < points.size(); ++first) {
         std::vector<ErrorPoint> own;
-        for (const NamedErrorPoint& other : points) {
-            if (other.point.method == method) own.push_back(other.point);
+        bool known = false;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (points[i].method != points[first].method) continue;
+            known = known || i < first;
+            own.push_back(points[i]);
         }
+        if (known) continue;
         for (const std::size_t i : pareto_front(own)) best.push_back(own[i]);
     }
     return best;

@@ -28,16 +28,11 @@ inline constexpr ErrorMeasure kErrorMeasures[] = {
     {"RMSE, hard", "rmse_hard", "RMSE against hard truth, debiased", &SettingErrors::hard_rmse, true},
 };
 
-// A setting with this time and error; where the measure has a sign, its size.
-struct NamedErrorPoint {
-    ErrorPoint point;
-    BarFigure ms;
-    std::string name;  // in the page
-};
-std::vector<NamedErrorPoint> error_points(const ViewFigures& view, int threads, const ErrorMeasure& measure);
+// The settings with a time at so many threads and an error; where the measure has a sign, its size.
+std::vector<ErrorPoint> error_points(const ViewFigures& view, int threads, const ErrorMeasure& measure);
 
 // Of each method the points that none of its own beats, for tables of what a method can do.
-std::vector<ErrorPoint> best_of_each(std::span<const NamedErrorPoint> points);
+std::vector<ErrorPoint> best_of_each(std::span<const ErrorPoint> points);
 
 // Error over time by each of kErrorMeasures: one line a method through those of its settings that none of its own beats, the
 // Pareto front of all, and both noise floors.

@@ -105,13 +105,13 @@ TEST_CASE("write_sweep_report: every point of a plot is a row of its view's tabl
     for (const ViewFigures& view : view_figures(results)) {
         const TableOutput table = points_table(view);
         for (const int threads : view.threads) {
-            for (const NamedErrorPoint& named : error_points(view, threads, kErrorMeasures[0])) {
-                CAPTURE(named.name);
-                REQUIRE(named.name.starts_with(view.id + "-"));
-                const auto row = static_cast<std::size_t>(std::stoi(named.name.substr(view.id.size() + 1)));
+            for (const ErrorPoint& point : error_points(view, threads, kErrorMeasures[0])) {
+                CAPTURE(point.name);
+                REQUIRE(point.name.starts_with(view.id + "-"));
+                const auto row = static_cast<std::size_t>(std::stoi(point.name.substr(view.id.size() + 1)));
                 REQUIRE(row < table.rows.size());
-                CHECK(table.rows[row][0].en == named.point.method);
-                CHECK(table.rows[row][1].en == named.point.setting);
+                CHECK(table.rows[row][0].en == point.method);
+                CHECK(table.rows[row][1].en == point.setting);
                 CHECK(table.rows[row][2].en == std::to_string(threads));
             }
         }
