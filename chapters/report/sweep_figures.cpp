@@ -57,7 +57,9 @@ BarFigure mean_figure(const std::vector<const SweepErrorResult*>& seeds, double 
     return figure;
 }
 
-std::vector<SweepErrorPart> mean_parts(const std::vector<const SweepErrorResult*>& seeds) {
+// Of the seeds whose errors were taken apart.
+std::vector<SweepErrorPart> mean_parts(std::vector<const SweepErrorResult*> seeds) {
+    std::erase_if(seeds, [](const SweepErrorResult* seed) { return seed->parts.empty(); });
     std::vector<SweepErrorPart> parts;
     for (const SweepErrorResult* const seed : seeds) {
         for (const SweepErrorPart& part : seed->parts) {

@@ -27,7 +27,7 @@ struct SettingErrors {
     BarFigure rmse, hard_rmse;
     BarFigure bias, p99, flip;  // mean, lowest and highest of the seeds
     double mae = 0, ssim = 0, reference_error = 0;
-    std::vector<SweepErrorPart> parts;  // mean of the seeds
+    std::vector<SweepErrorPart> parts;  // mean of the seeds that have them
 
     // Half the width of the RMSE's interval.
     double rmse_margin() const { return rmse.high - rmse.value; }

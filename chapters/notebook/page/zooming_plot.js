@@ -57,7 +57,8 @@ class ZoomingPlot {
     this.clip();
     svg.classList.add("zooms");
     svg.tabIndex = 0;
-    this.whole();
+    this.zoom = { x: 1, y: 1 };
+    this.shift = { x: 0, y: 0 };
   }
 
   remember(mark) {
@@ -79,7 +80,11 @@ class ZoomingPlot {
     this.marks.setAttribute("clip-path", `url(#${id})`);
   }
 
-  whole() { this.zoom = { x: 1, y: 1 }; this.shift = { x: 0, y: 0 }; this.place(); }
+  whole() {
+    this.zoom = { x: 1, y: 1 };
+    this.shift = { x: 0, y: 0 };
+    this.place();
+  }
 
   // By a factor, about a point in the picture's own coordinates.
   zoomBy(factor, at) {
@@ -94,7 +99,7 @@ class ZoomingPlot {
   zoomTo(a, b) {
     for (const [axis, { from, to }] of Object.entries({ x: this.x, y: this.y })) {
       const low = Math.min(a[axis], b[axis]), extent = Math.abs(a[axis] - b[axis]);
-      const factor = Math.min(Math.abs(to - from) / extent, kLargestZoom / this.zoom[axis]);
+      const factor = Math.max(1 / this.zoom[axis], Math.min(Math.abs(to - from) / extent, kLargestZoom / this.zoom[axis]));
       this.shift[axis] = Math.min(from, to) + (this.shift[axis] - low) * factor;
       this.zoom[axis] *= factor;
     }

@@ -29,6 +29,19 @@ TEST_CASE("view_figures: seeds of a setting are one figure, their mean square wi
     CHECK(total == doctest::Approx(errors->rmse.value * errors->rmse.value));
 }
 
+TEST_CASE("view_figures: parts of the seeds that have them") {
+    SweepResults results;
+    results.errors.push_back(synthetic_error(kSmallView, with_samples("xjun", 4), 0.03, 0.001, 1));
+    results.errors.push_back(synthetic_error(kSmallView, with_samples("xjun", 4), 0.05, 0.001, 2));
+    results.errors.back().parts.clear();
+    const std::vector<ViewFigures> views = view_figures(results);
+    REQUIRE(views[0].settings[0].errors);
+    const auto& parts = views[0].settings[0].errors->parts;
+    REQUIRE(parts.size() == results.errors[0].parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        CHECK(parts[i].share == doctest::Approx(results.errors[0].parts[i].share));
+}
+
 TEST_CASE("view_figures: an image with NaN counts in no figure") {
     SweepResults results;
     results.errors.push_back(synthetic_error(kSmallView, with_samples("xjun", 4), 0.03, 0.001, 1));
