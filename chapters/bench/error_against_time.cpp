@@ -1,5 +1,6 @@
 #include "chapters/bench/error_against_time.h"
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <ostream>
@@ -125,8 +126,9 @@ class StageBars {
 std::vector<ErrorPoint> points_against_truth(std::span<const StudyPoint> of) {
     std::vector<ErrorPoint> points;
     for (const StudyPoint& p : of)
-        points.push_back(
-            {p.method, p.setting, p.time.wall_ms, p.truth.rmse, p.truth.lowest, p.truth.highest});
+        points.push_back({p.method, p.setting, p.time.wall_ms, p.truth.rmse, p.truth.lowest, p.truth.highest,
+                          std::max(0.0, p.time.wall_ms - p.time.wall_ms_mad),
+                          p.time.wall_ms + p.time.wall_ms_mad});
     return points;
 }
 

@@ -27,13 +27,14 @@ std::string line_name(const StudyPoint& point) {
 // The points as `error_of` sees them.
 template <class ErrorOf>
 std::vector<PlotCurve> curves_of(const ErrorStudy& study, const ErrorOf& error_of) {
-    std::vector<ErrorPoint> points;
+    std::vector<StudyPoint> shown;
     for (const StudyPoint& p : study.points) {
         if (p.of && (p.of->half_floats || p.of->blur_iterations % 2 == 1)) continue;
-        const ErrorSpread error = error_of(p);
-        points.push_back({line_name(p), p.setting, p.time.wall_ms, error.rmse, error.lowest, error.highest});
+        shown.push_back(p);
+        shown.back().method = line_name(p);
+        shown.back().truth = error_of(p);
     }
-    return error_curves(points);
+    return error_curves(points_against_truth(shown));
 }
 
 std::string error_plot(const ErrorStudy& study) {
@@ -95,8 +96,13 @@ std::string methods_section(const MethodsStudy& all) {
 
 std::string error_page(const BenchReport& report, const MethodsStudy& all,
                        const std::vector<ErrorStudy>& studies) {
-    std::string body =
-        "<h1>Error against run time</h1>\n" + facts_element(report.facts) + methods_section(all);
+    std::string body = "<h1>Error against run time</h1>\n" + facts_element(report.facts) +
+                       "<p>Bars upright: the lowest and the highest seed; across: the median absolute "
+                       "deviation of the times. "
+                       "With intervals, noise floors and points that tell what they are: <code>crevice sweep "
+                       "full</code> and "
+                       "<code>crevice merge out/sweep_full</code>.</p>\n" +
+                       methods_section(all);
     std::vector<StackedBar> bars;
     for (const ErrorStudy& study : studies) bars.push_back(error_bar(study.method->name, study.parts));
     for (const ErrorStudy& study : studies) body += section(study);

@@ -25,7 +25,10 @@ std::string memory_plot(const ScaleStudy& study) {
 }  // namespace
 
 std::string scale_page(const BenchReport& report, const std::vector<ScaleStudy>& studies) {
-    std::string body = "<h1>How time and memory grow</h1>\n" + facts_element(report.facts);
+    std::string body = "<h1>How time and memory grow</h1>\n" + facts_element(report.facts) +
+                       "<p>Here grow whole frames of one method, each in a program of its own. How the AO "
+                       "passes of every method grow, with "
+                       "intervals, the report of <code>crevice sweep full</code> shows.</p>\n";
     for (const ScaleStudy& study : studies) {
         body += "<h2>Over " + escape_html(study.name) + "</h2>\n" + time_plot(study);
         if (study.name != "samples") body += memory_plot(study);

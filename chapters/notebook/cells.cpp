@@ -8,7 +8,8 @@ bool is_numeric_column(const TableOutput& table, std::size_t column) {
     const auto is_number = [column](const std::vector<BookText>& row) {
         const std::string& text = row[column].en;
         const std::size_t first = text.find_first_not_of("+-.");
-        return first != std::string::npos && text[first] >= '0' && text[first] <= '9';
+        const bool is_list = text.find(", ") != std::string::npos;
+        return first != std::string::npos && text[first] >= '0' && text[first] <= '9' && !is_list;
     };
     return !table.rows.empty() && std::all_of(table.rows.begin(), table.rows.end(), is_number);
 }

@@ -77,12 +77,16 @@ std::string html_page(std::string_view title, std::string_view body, const PageP
     page += "<link rel=\"icon\" href=\"data:,\">\n<title>" + escape_html(title) + "</title>\n<style>";
     page += embedded_file("page/page.css").value_or("");
     if (parts.mathematics) page += katex_style();
+    if (parts.plots) page += embedded_file("page/plots.css").value_or("");
     page += "</style>\n</head>\n<body>\n";
     page += body;
     if (parts.mathematics) page += "<script>" + katex_script() + "</script>\n";
     if (parts.code) page += "<script>" + highlight_script() + "</script>\n";
     if (parts.script)
         page += "<script>" + std::string(embedded_file("page/page.js").value_or("")) + "</script>\n";
+    for (const char* const script : {"page/point_card.js", "page/zooming_plot.js", "page/plots.js"}) {
+        if (parts.plots) page += "<script>" + std::string(embedded_file(script).value_or("")) + "</script>\n";
+    }
     return page + "</body>\n</html>\n";
 }
 

@@ -31,6 +31,7 @@ struct PageParts {
     bool script = false;          // page.js: languages, pictures that enlarge and tell their values, sliders
     bool mathematics = false;     // KaTeX, for <x-equation>
     bool code = false;            // highlight.js, for <code class="language-cpp">
+    bool plots = false;           // plots.js: plots that zoom and whose points tell what they are
 };
 
 // A whole page. `title` is plain text, `body` HTML.

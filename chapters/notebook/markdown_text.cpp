@@ -70,6 +70,10 @@ std::string markdown_of(const ListingOutput& output, BookLanguage language) {
 
 }  // namespace
 
+std::string output_markdown(const Output& output, BookLanguage language) {
+    return std::visit([language](const auto& known) { return markdown_of(known, language); }, output);
+}
+
 std::string code_markdown(const SourceCell& cell) {
     if (cell.kind != SourceCell::Kind::setup) return fenced(cell.text);
     return "<details><summary>" + cell.name + "</summary>\n\n" + fenced(cell.text) + "</details>\n\n";
@@ -83,9 +87,7 @@ std::string markdown_from_cells(const std::vector<NotebookCell>& cells, BookLang
             continue;
         }
         result += code_markdown(cell.source);
-        for (const Output& output : cell.outputs)
-            result +=
-                std::visit([language](const auto& known) { return markdown_of(known, language); }, output);
+        for (const Output& output : cell.outputs) result += output_markdown(output, language);
     }
     return result;
 }

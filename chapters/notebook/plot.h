@@ -1,9 +1,13 @@
 // Curves as an SVG inside a page: axes with their units, ticks and a legend.
+// Page: the marks of each curve stand in <g class="curve" data-name="NAME">, all marks in <g class="marks">, the ticks in
+//       <g class="grid"> with what its axes show; plots.js zooms, filters and tells points by these
 #pragma once
 
-#include <limits>
+#include <cstddef>
 #include <string>
 #include <vector>
+
+#include "chapters/notebook/plot_axis.h"
 
 namespace crevice {
 
@@ -19,18 +23,21 @@ struct PlotCurve {
     std::vector<double> x, y;  // of one length; points that the axes cannot show are left out
     std::vector<double> y_low = {}, y_high = {};  // empty, or one a point: a bar from low to high
     PlotStyle style = PlotStyle::line;
+    std::vector<double> x_low = {}, x_high = {};  // the same across
+    std::vector<std::size_t> line_through = {};   // the points that the line goes through; empty: all
+    std::vector<std::string> points = {};         // empty, or the name of each dot in the page, as data-point
 };
 
-// An axis from `low` to `high`; where they are NaN, as far as the curves go, in whole ticks or decades.
-struct PlotAxis {
-    std::string label;  // what, and in which unit
-    bool logarithmic = false;
-    double low = std::numeric_limits<double>::quiet_NaN(), high = std::numeric_limits<double>::quiet_NaN();
-};
-
-// A dashed line at one x, with its name.
+// A dashed line with its name.
 struct PlotLine {
-    double x = 0;
+    double at = 0;  // its x
+    std::string label;
+    bool level = false;  // `at` is its y
+};
+
+// A bar as long as from `low` to `high`, ratios of two x on a logarithmic axis: how far apart equals may lie.
+struct PlotSpan {
+    double low = 1, high = 1;
     std::string label;
 };
 
@@ -39,6 +46,7 @@ struct Plot {
     PlotAxis x, y;
     std::vector<PlotCurve> curves;
     std::vector<PlotLine> lines = {};
+    std::vector<PlotSpan> spans = {};
 };
 
 // An <svg>; where nothing can be drawn, it says so. A bar that reaches below what a logarithmic axis can show is drawn to

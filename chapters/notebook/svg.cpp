@@ -39,9 +39,9 @@ std::string svg_polyline(const std::vector<SvgPoint>& points, std::string_view c
            attribute("points", text) + "/>\n";
 }
 
-std::string svg_dot(SvgPoint centre, double radius, std::string_view colour) {
+std::string svg_dot(SvgPoint centre, double radius, std::string_view colour, std::string_view more) {
     return "<circle" + attribute("cx", centre.x) + attribute("cy", centre.y) + attribute("r", radius) +
-           attribute("fill", colour) + "/>\n";
+           attribute("fill", colour) + std::string(more) + "/>\n";
 }
 
 std::string svg_ring(SvgPoint centre, double radius, std::string_view colour) {
@@ -114,8 +114,11 @@ std::string with_words(std::string_view svg,
 
 std::string_view series_colour(std::size_t index) {
     static constexpr std::array<std::string_view, 14> kColours = {
-        "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#332288", "#e69f00", "#56b4e9",
-        "#7f3c8d", "#8c564b", "#8a8a00", "#4d4d4d", "#e31a1c", "#8dd35f", "#b39ddb"};
+        "var(--series-0, #0072b2)",  "var(--series-1, #d55e00)",  "var(--series-2, #009e73)",
+        "var(--series-3, #cc79a7)",  "var(--series-4, #332288)",  "var(--series-5, #e69f00)",
+        "var(--series-6, #56b4e9)",  "var(--series-7, #7f3c8d)",  "var(--series-8, #8c564b)",
+        "var(--series-9, #8a8a00)",  "var(--series-10, #4d4d4d)", "var(--series-11, #e31a1c)",
+        "var(--series-12, #8dd35f)", "var(--series-13, #b39ddb)"};
     return kColours[index % kColours.size()];
 }
 
@@ -123,9 +126,10 @@ std::string svg_legend(SvgPoint top, const std::vector<LegendEntry>& entries) {
     std::string svg;
     SvgPoint at = top;
     for (const LegendEntry& entry : entries) {
+        svg += "<g data-name=\"" + escape_html(entry.name) + "\">\n";
         svg += entry.ring ? svg_ring({at.x + 5, at.y}, 5, entry.colour)
                           : svg_box({at.x, at.y - 5}, {at.x + 10, at.y + 5}, entry.colour, entry.name);
-        svg += svg_text({at.x + 17, at.y + 4}, entry.name);
+        svg += svg_text({at.x + 17, at.y + 4}, entry.name) + "</g>\n";
         at.y += kLegendLine;
     }
     return svg;

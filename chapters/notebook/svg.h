@@ -32,7 +32,7 @@ std::string svg_line(SvgPoint from, SvgPoint to, std::string_view colour);
 // `more` is further attributes, as they are written.
 std::string svg_polyline(const std::vector<SvgPoint>& points, std::string_view colour,
                          std::string_view more = "");
-std::string svg_dot(SvgPoint centre, double radius, std::string_view colour);
+std::string svg_dot(SvgPoint centre, double radius, std::string_view colour, std::string_view more = "");
 std::string svg_ring(SvgPoint centre, double radius, std::string_view colour);
 // `hint` is shown where the pointer rests. Corners in any order.
 std::string svg_box(SvgPoint corner, SvgPoint opposite, std::string_view colour, std::string_view hint);
@@ -53,7 +53,8 @@ std::string standalone_svg(std::string_view svg);
 std::string with_words(std::string_view svg,
                        const std::function<std::string(const std::string&)>& translated);
 
-// Colours that can be told apart, also by most who cannot tell red from green; they repeat after ten.
+// Colours that can be told apart, also by most who cannot tell red from green, and that a dark page makes lighter; they repeat
+// after fourteen.
 std::string_view series_colour(std::size_t index);
 
 // Names with their colours, one below the other from `top` down.

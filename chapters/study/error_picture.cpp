@@ -78,7 +78,7 @@ std::string drawn_axis(const ValueAxis& axis, double right) {
     std::string svg;
     for (int tick = axis.first; tick <= axis.last; ++tick) {
         const double value = tick * axis.step, at = axis.at(value);
-        svg += svg_line({kLeft, at}, {right, at}, tick == 0 ? "#000" : "#ddd") +
+        svg += svg_line({kLeft, at}, {right, at}, tick == 0 ? kSvgInk : kSvgGrid) +
                svg_text({kLeft - 6, at + 4}, significant_text(value, 3), TextAnchor::end);
     }
     return svg;
@@ -98,7 +98,7 @@ std::string drawn_bar(const StackedBar& bar, const ValueAxis& axis, double left,
     }
     const double sum = axis.at(heights_of(bar).sum);
     return svg +
-           svg_box({left - 6, sum - 1}, {left + kBar + 6, sum + 1}, "#000",
+           svg_box({left - 6, sum - 1}, {left + kBar + 6, sum + 1}, kSvgInk,
                    bar.name + ": " + significant_text(heights_of(bar).sum, 3)) +
            svg_text({left + kBar / 2, kHeight - kBottom + 18}, bar.name, TextAnchor::middle);
 }
@@ -126,7 +126,7 @@ std::string stacked_bars(const std::string& title, const std::string& y_label,
         drawn += svg_text({kLeft + room / 2, kHeight / 2}, "nothing to draw", TextAnchor::middle);
     std::vector<LegendEntry> legend;
     for (std::size_t i = 0; i < names.size(); ++i) legend.push_back({names[i], series_colour(i)});
-    if (!bars.empty()) legend.push_back({"sum", "#000"});
+    if (!bars.empty()) legend.push_back({"sum", kSvgInk});
     return svg_picture(title, kLeft + room + kRight, kHeight,
                        drawn + svg_legend({kLeft + room + 16, kTop + 8}, legend) +
                            svg_upward_text({16, (kTop + kHeight - kBottom) / 2}, y_label));

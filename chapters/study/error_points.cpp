@@ -17,7 +17,8 @@ namespace {
 void check_points(std::span<const ErrorPoint> points) {
     for (const ErrorPoint& point : points) {
         bool sound = point.time_ms > 0;
-        for (const double value : {point.time_ms, point.error, point.error_min, point.error_max})
+        for (const double value :
+             {point.time_ms, point.error, point.error_min, point.error_max, point.time_min, point.time_max})
             sound = sound && value >= 0 && std::isfinite(value);
         if (sound) continue;
         throw UsageError("point \"" + point.method + "\", \"" + point.setting +
@@ -132,6 +133,10 @@ std::vector<PlotCurve> error_curves(std::span<const ErrorPoint> points) {
             append(curve, point);
             curve.y_low.push_back(point.error_min);
             curve.y_high.push_back(point.error_max);
+            const bool timed = point.time_max > 0;
+            curve.x_low.push_back(timed ? point.time_min : point.time_ms);
+            curve.x_high.push_back(timed ? point.time_max : point.time_ms);
+            curve.points.push_back(point.name);
         }
     }
     PlotCurve front{"Pareto front", {}, {}};

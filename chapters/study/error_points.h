@@ -17,7 +17,9 @@ struct ErrorPoint {
     std::string method, setting;
     double time_ms = 0;                   // > 0, median
     double error = 0;                     // >= 0, mean over seeds
-    double error_min = 0, error_max = 0;  // over seeds
+    double error_min = 0, error_max = 0;  // over seeds, or how sure it is: its bar
+    double time_min = 0, time_max = 0;    // the bar of the time, ms; both 0: none
+    std::string name = "";                // of its dot in the page; may be empty
 };
 
 // Indices of the points that no other point beats: none is as fast and as good, and better in one of the two.
@@ -38,8 +40,8 @@ Table equal_error_table(std::span<const ErrorPoint> points, std::span<const doub
 inline constexpr double kBudgets_ms[] = {5, 20, 80};
 inline constexpr double kErrorLevels[] = {0.05, 0.02};
 
-// One series a method, its points by time, with bars from error_min to error_max; last the Pareto front. A
-// point with error 0 has no place on a logarithmic axis and is not drawn.
+// One series a method, its points by time, with their bars both ways; last the Pareto front. A point with error 0 has no place
+// on a logarithmic axis and is not drawn.
 std::vector<PlotCurve> error_curves(std::span<const ErrorPoint> points);
 
 }  // namespace crevice

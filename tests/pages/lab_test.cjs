@@ -7,35 +7,19 @@
 // Ends with 77, which CTest takes for skipped, where the page, Chromium or playwright-core is missing, and names it.
 "use strict";
 const fs = require("node:fs");
+const { launched, skip } = require("./chromium.cjs");
 
-const kSkipped = 77;
 const [group, lab_page] = process.argv.slice(2);
-const chromium_path = process.env.CHROMIUM ?? "/usr/bin/chromium";
-
-function skip(what) {
-  console.log(`skipped: ${what}`);
-  process.exit(kSkipped);
-}
-
-function requiredChromium() {
-  try {
-    return require("playwright-core").chromium;
-  } catch {
-    return skip("playwright-core was not found; npm install --prefix build/playwright playwright-core");
-  }
-}
 
 async function main() {
-  const chromium = requiredChromium();
-  if (!fs.existsSync(chromium_path)) skip(`${chromium_path} was not found; install chromium, or name one in CHROMIUM`);
   if (lab_page === undefined || !fs.existsSync(lab_page)) skip(`${lab_page} was not found; ./crevice.sh web makes it`);
+  const browser = await launched();
   const { failures, scratch } = require("./lab/page.cjs");
   const groups = { ...require("./lab/bits.cjs"), ...require("./lab/use.cjs"), ...require("./lab/answers.cjs") };
   if (!(group in groups)) {
     console.error(`give one of ${Object.keys(groups).join(", ")}`);
     process.exit(2);
   }
-  const browser = await chromium.launch({ executablePath: chromium_path, args: ["--no-sandbox"] });
   try {
     await groups[group](browser);
   } catch (error) {

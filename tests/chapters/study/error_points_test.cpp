@@ -98,9 +98,19 @@ TEST_CASE("error_curves: a series a method by time, with its spread, and the fro
     CHECK(curves[0].y == std::vector<double>{0.3, 0.1});
     CHECK(curves[0].y_low == std::vector<double>{0.15, 0.05});
     CHECK(curves[0].y_high == std::vector<double>{0.6, 0.2});
+    CHECK(curves[0].x_low == curves[0].x);  // times without a bar
+    CHECK(curves[0].x_high == curves[0].x);
     CHECK(curves[1].name == "luna");
     CHECK(curves[2].style == PlotStyle::front);
     CHECK(curves[2].x == std::vector<double>{4, 5, 20});
+}
+
+TEST_CASE("error_curves: bars of times, and names of dots") {
+    const ErrorPoint points[] = {{"rays", "1", 4, 0.3, 0.2, 0.4, 3, 6, "v1-0"}};
+    const std::vector<PlotCurve> curves = error_curves(points);
+    CHECK(curves[0].x_low == std::vector<double>{3});
+    CHECK(curves[0].x_high == std::vector<double>{6});
+    CHECK(curves[0].points == std::vector<std::string>{"v1-0"});
 }
 
 TEST_CASE("error points that failed are refused by name") {

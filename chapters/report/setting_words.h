@@ -1,0 +1,40 @@
+// Settings, views and lists in words, as tables and sentences of a sweep's report name them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "chapters/sweep/sweep_results.h"
+
+namespace crevice {
+
+// "8 samples, half size, no blur, radius 0.5"; "defaults" where nothing differs from them.
+std::string setting_words(const SweepSetting& setting);
+
+// The method and its setting inside a sentence: "gtao with 8 samples at half size with no blur", "gtao with its defaults".
+std::string setting_phrase(const SweepSetting& setting);
+
+// The setting without one of its parameters.
+SweepSetting without(SweepSetting setting, const std::string& parameter);
+
+// The value of a parameter, the method's default where the setting does not change it. None where the method has no such
+// number.
+std::optional<double> parameter_value(const SweepSetting& setting, const std::string& parameter);
+
+// "columns, 640x360"; with the camera's words where it is not the scene's own.
+std::string view_words(const SweepView& view);
+
+// "1 thread", "2 threads"; the plural is the word with an s.
+std::string counted(long long count, const std::string& word);
+
+// "a", "a and b", "a, b and c".
+std::string listed(const std::vector<std::string>& words);
+
+// Between back ticks, as Markdown writes what is typed; back ticks inside become quotes.
+std::string as_code(const std::string& text);
+
+// Plain text for Markdown: nothing in it means more than itself.
+std::string escaped_markdown(const std::string& text);
+
+}  // namespace crevice

@@ -1,0 +1,92 @@
+// A sweep's results as its report reads them: what belongs to one view stands together, and the errors of a setting, over its
+// seeds, beside its times.
+// Errors: against soft truth, that is with the method's own fade, unless another is named; of the seeds that did not fail
+// Times:  of AO and blur together, median wall time of the rounds
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "chapters/sweep/sweep_results.h"
+
+namespace crevice {
+
+// A number and how far it may be off.
+struct BarFigure {
+    double value = 0, low = 0, high = 0;
+};
+
+// So many standard errors on both sides hold a value with 95 %, as order statistics do a median.
+inline constexpr double kErrors95 = 1.96;
+
+struct SettingErrors {
+    int seeds = 0;
+    // Root of the mean square over seeds; two standard errors, of pixels and reference, on both sides. 0 where it is below
+    // the noise of the reference.
+    BarFigure rmse, hard_rmse;
+    BarFigure bias, p99, flip;  // mean, lowest and highest of the seeds
+    double mae = 0, ssim = 0, reference_error = 0;
+    std::vector<SweepErrorPart> parts;  // mean of the seeds that have them
+
+    // Half the width of the RMSE's interval.
+    double rmse_margin() const { return rmse.high - rmse.value; }
+};
+
+struct SettingTime {
+    int threads = 1;
+    BarFigure ms;  // median and its 95 % interval
+    const SweepTimeResult* result = nullptr;
+    std::string point =
+        "";  // its name in the page: VIEW-ROW, counted from 0, of the view's table of all settings
+};
+
+struct SettingFigures {
+    SweepSetting setting;
+    std::vector<const SweepErrorResult*> seeds;  // in the plan's order
+    std::optional<SettingErrors> errors;         // none: no seed is done, or all have failed
+    std::vector<SettingTime> times;              // one a number of threads, ascending
+    std::string point = "";                      // of the first of its times, or its own where there is none
+
+    const SettingTime* time(int threads) const;
+    // The seeds whose image had pixels with NaN or infinity.
+    int failed_seeds() const;
+};
+
+struct ViewFigures {
+    SweepView view;
+    std::string id;                        // "v1"
+    std::vector<SettingFigures> settings;  // in the plan's order
+    std::vector<int> threads;              // for which there are times, ascending
+
+    // A/A: between which ratios two runs of one setting lie, of all that were run twice. None: nothing was.
+    std::optional<BarFigure> same_again(int threads) const;
+    // The largest standard error of the references that the errors are against; 0 where there are none.
+    double reference_error() const;
+};
+
+// Views in the order in which they first appear. The figures point into `results`.
+std::vector<ViewFigures> view_figures(const SweepResults& results);
+
+// Of each method the setting with the most samples whose error was taken apart, the first of equals.
+std::vector<const SettingFigures*> settings_apart(const ViewFigures& view);
+
+// The steps from truth to frame as three terms: what the depth buffer does not hold (T -> S), what the method's definition
+// changes (S -> C), and all that comes of samples, resolution, storage and blur (C -> frame).
+struct ErrorTerms {
+    double screen_bias = 0, limit_bias = 0, frame_bias = 0;     // add up to the bias
+    double screen_share = 0, limit_share = 0, frame_share = 0;  // add up to the mean squared error
+
+    // What ever more samples would leave: the error of the method's limit.
+    double floor_bias() const { return screen_bias + limit_bias; }
+    double floor_rmse() const;
+};
+ErrorTerms error_terms(const std::vector<SweepErrorPart>& parts);
+
+// The step with the largest share, the first of equals; null where there are no parts or none adds to the error.
+const SweepErrorPart* largest_part(const std::vector<SweepErrorPart>& parts);
+
+// In the order in which they first appear: a method has the same place, and colour, in all plots with one line a method.
+std::vector<std::string> methods_of(const SweepResults& results);
+
+}  // namespace crevice
