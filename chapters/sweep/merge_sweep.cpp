@@ -193,8 +193,7 @@ Merged merged(const std::vector<fs::path>& directories) {
     return std::move(merger).result();
 }
 
-int merge_sweeps(const std::vector<fs::path>& directories, const fs::path& out, std::ostream& told) {
-    const Merged merged = crevice::merged(directories);
+int write_merged(const Merged& merged, const fs::path& out, std::ostream& told) {
     try_output_directory(out / "jobs");
     write_pictures(merged, out);
     const auto write = [&](const char* name, const std::string& text) {

@@ -25,8 +25,7 @@ struct Merged {
 Merged merged(const std::vector<std::filesystem::path>& directories);
 
 // Writes OUT/results.json, results.csv, results.md and jobs/ID.png. Returns 0; 1 where something is missing or wrong, which
-// stderr names; 3 where files were damaged. Throws as merged(), and OutputError.
-int merge_sweeps(const std::vector<std::filesystem::path>& directories, const std::filesystem::path& out,
-                 std::ostream& told);
+// stderr names; 3 where files were damaged. Throws OutputError.
+int write_merged(const Merged& merged, const std::filesystem::path& out, std::ostream& told);
 
 }  // namespace crevice
