@@ -64,7 +64,9 @@ case "${1-}" in
     demo)
         shift
         build demo
-        "$program" bench --error columns --quick --out "$(out_of "$@")"
+        sweep=$(out_of "$@")/sweep_quick
+        "$program" sweep quick --out "$sweep"
+        "$program" merge "$sweep"
         exec "$program" chapter all "$@"
         ;;
     test)
