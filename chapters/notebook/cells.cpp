@@ -1,17 +1,18 @@
 #include "chapters/notebook/cells.h"
 
-#include <algorithm>
-
 namespace crevice {
 
 bool is_numeric_column(const TableOutput& table, std::size_t column) {
-    const auto is_number = [column](const std::vector<BookText>& row) {
+    bool any = false;
+    for (const std::vector<BookText>& row : table.rows) {
         const std::string& text = row[column].en;
+        if (text.empty()) continue;
         const std::size_t first = text.find_first_not_of("+-.");
         const bool is_list = text.find(", ") != std::string::npos;
-        return first != std::string::npos && text[first] >= '0' && text[first] <= '9' && !is_list;
-    };
-    return !table.rows.empty() && std::all_of(table.rows.begin(), table.rows.end(), is_number);
+        if (first == std::string::npos || text[first] < '0' || text[first] > '9' || is_list) return false;
+        any = true;
+    }
+    return any;
 }
 
 }  // namespace crevice

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kWidth = 760, kHeight = 400;  // of the picture, SVG units
 constexpr double kLeft = 70, kRight = 190, kTop = 40, kBottom = 55;
-constexpr double kLabelWidth = 110;              // room that the name of a dashed line may need, SVG units
-constexpr double kSpanTop = 12, kSpanLine = 16;  // of the bars of ratios, above the lower axis
+constexpr double kLabelWidth = 110;                 // room that the name of a dashed line may need, SVG units
+constexpr double kSpanMargin = 12, kSpanLine = 30;  // of the bars of ratios, in the lower left corner
 constexpr std::string_view kDashes = " stroke-dasharray=\"4 4\"";  // of lines that are no curves
 constexpr double kCap = 4;                                         // half the height of such a bar's ends
 
@@ -151,13 +151,13 @@ std::string drawn_lines(const Plot& plot, const Axes& axes) {
 // From the lower left corner, one above the other.
 std::string drawn_spans(const Plot& plot, const Axes& axes) {
     std::string svg;
-    double y = axes.y.from - kSpanTop;
+    double y = axes.y.from - kSpanMargin;
     for (const PlotSpan& span : plot.spans) {
         const double decade = (axes.x.to - axes.x.from) / (axes.x.high - axes.x.low);
-        const double from = axes.x.from + kSpanTop,
+        const double from = axes.x.from + kSpanMargin,
                      to = from + decade * std::max(0.0, std::log10(span.high / span.low));
         svg += svg_line({from, y}, {to, y}, kSvgInk) + svg_line({from, y - kCap}, {from, y + kCap}, kSvgInk) +
-               svg_line({to, y - kCap}, {to, y + kCap}, kSvgInk) + svg_text({to + 6, y + 4}, span.label);
+               svg_line({to, y - kCap}, {to, y + kCap}, kSvgInk) + svg_text({from, y - 8}, span.label);
         y -= kSpanLine;
     }
     return svg.empty() ? "" : group("class=\"spans\"", svg);

@@ -25,9 +25,9 @@ TableOutput facts_table(const SweepResults& results) {
         table.rows.push_back({{name, ""}, {value, ""}});
     };
     add("made by", sweep_command(results));
-    add("errors", counted(static_cast<long long>(results.errors.size()), "image") + " judged");
-    add("times", counted(static_cast<long long>(results.times.size()), "setting") +
-                     " timed, one on one view at one number of threads each");
+    add("errors", "of " + counted(static_cast<long long>(results.errors.size()), "image"));
+    add("times", counted(static_cast<long long>(results.times.size()), "median") +
+                     ", each of a setting on a view with a number of threads");
     if (results.machine) {
         add("processor", results.machine->cpu + ", " + counted(results.machine->cores, "core"));
         add("instruction set", results.machine->isa + ", " + counted(results.machine->lanes, "lane"));
@@ -127,7 +127,8 @@ ReportBlock budgets_block(const ViewFigures& view, int threads, const SweepResul
     return block;
 }
 
-ReportBlock convergence_block(const ViewFigures& view, const SweepResults& results) {
+ReportBlock convergence_block(const ViewFigures& view, const SweepResults& results,
+                              std::span<const std::string> methods) {
     ReportBlock block{.heading = "How errors fall with samples"};
     const std::vector<FittedSeries> series = convergence(view);
     if (series.empty()) {
@@ -137,8 +138,9 @@ ReportBlock convergence_block(const ViewFigures& view, const SweepResults& resul
     block.prose =
         "The exponent *e* of RMSE ∝ samples*ᵉ*, by least squares of the logarithms, with its standard error. "
         "Independent "
-        "samples give −0.5; a method that nears its floor gives less.";
-    DrawingOutput plot = convergence_plot(view, series);
+        "samples give −0.5; a method that nears its floor falls more slowly. Drawn is, of each method, the "
+        "series that ends lowest.";
+    DrawingOutput plot = convergence_plot(view, series, methods);
     TableOutput table = convergence_table(series);
     plot.caption.en = table.caption.en = made_by(results);
     block.outputs = {std::move(plot), std::move(table)};
@@ -173,7 +175,7 @@ ReportSection view_section(const ViewFigures& view, const SweepResults& results,
     std::set<int> tabled(view.threads.begin(), view.threads.end());
     if (!results.times.empty()) tabled.insert(std::begin(kTabledThreads), std::end(kTabledThreads));
     for (const int threads : tabled) section.blocks.push_back(budgets_block(view, threads, results));
-    section.blocks.push_back(convergence_block(view, results));
+    section.blocks.push_back(convergence_block(view, results, methods));
     section.blocks.push_back(floors_block(view, results));
     section.blocks.push_back({.id = view.id + "-points",
                               .heading = "All settings, with the command of each",

@@ -157,14 +157,22 @@ std::vector<DrawingOutput> error_over_time(const ViewFigures& view, int threads,
     return plots;
 }
 
-DrawingOutput convergence_plot(const ViewFigures& view, std::span<const FittedSeries> series) {
+DrawingOutput convergence_plot(const ViewFigures& view, std::span<const FittedSeries> series,
+                               std::span<const std::string> methods) {
     std::vector<PlotCurve> curves;
-    for (const FittedSeries& one : series) {
-        curves.push_back(series_curve(one, one.method + (one.rest == "defaults" ? "" : ", " + one.rest)));
+    for (const std::string& method : methods) {
+        const FittedSeries* lowest = nullptr;
+        for (const FittedSeries& one : series) {
+            if (one.method != method) continue;
+            if (lowest == nullptr || one.y.back().value < lowest->y.back().value) lowest = &one;
+        }
+        curves.push_back(lowest == nullptr ? PlotCurve{method, {}, {}}
+                                           : series_curve(*lowest, method + ", " + lowest->rest));
     }
-    Plot plot = snug_plot("RMSE over samples: " + view_words(view.view), "samples",
-                          "RMSE against soft truth, debiased", std::move(curves));
-    return drawing(view.id + " " + view_words(view.view) + " samples", plot_svg(plot), "");
+    return drawing(view.id + " " + view_words(view.view) + " samples",
+                   plot_svg(snug_plot("RMSE over samples: " + view_words(view.view), "samples",
+                                      "RMSE against soft truth, debiased", std::move(curves))),
+                   "");
 }
 
 DrawingOutput error_parts_plot(const ViewFigures& view) {

@@ -39,8 +39,9 @@ std::vector<ErrorPoint> best_of_each(std::span<const ErrorPoint> points);
 std::vector<DrawingOutput> error_over_time(const ViewFigures& view, int threads,
                                            std::span<const std::string> methods);
 
-// RMSE against samples, one line a series.
-DrawingOutput convergence_plot(const ViewFigures& view, std::span<const FittedSeries> series);
+// RMSE against samples: of each method the series that ends lowest.
+DrawingOutput convergence_plot(const ViewFigures& view, std::span<const FittedSeries> series,
+                               std::span<const std::string> methods);
 
 // The shares of each step in the mean squared error of each method, at its setting with the most samples.
 DrawingOutput error_parts_plot(const ViewFigures& view);

@@ -115,9 +115,8 @@ class ZoomingPlot {
     }
     const to_x = (x) => this.zoom.x * x + this.shift.x, to_y = (y) => this.zoom.y * y + this.shift.y;
     for (const [mark, place] of this.places) {
-      const span = mark.closest(".spans") !== null;
-      const gap = mark.tagName === "text" ? 6 : 0, start = this.x.from + 12;  // of a bar of ratios, which stays where it is
-      const place_x = span ? (x) => start + (x - gap - start) * this.zoom.x + gap : mark.closest(".level") ? (x) => x : to_x;
+      const span = mark.closest(".spans") !== null, start = this.x.from + 12;  // of a bar of ratios, which stays where it is
+      const place_x = span ? (x) => start + (x - start) * this.zoom.x : mark.closest(".level") ? (x) => x : to_x;
       const place_y = span || mark.closest(".upright") ? (y) => y : to_y;
       for (const [name, value] of Object.entries(place)) {
         const set = name === "points" ? value.map(([x, y]) => `${place_x(x)},${place_y(y)}`).join(" ")
