@@ -80,14 +80,17 @@ void fill_open_maps(Frame& frame, const FrameRequest& request) {
 
 Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest& request,
                    const AoHistory& last) {
-    WorkedFrame worked = worked_frame(scene, camera, request, last);
+    return frame_of(worked_frame(scene, camera, request, last), request);
+}
+
+Frame frame_of(WorkedFrame worked, const FrameRequest& request) {
     worked.frame.ao_raw = std::move(worked.raw.ao);
     fill_open_maps(worked.frame, request);
     return std::move(worked.frame);
 }
 
 WorkedFrame worked_frame(const Scene& scene, const Camera& camera, const FrameRequest& request,
-                         const AoHistory& last) {
+                         const AoHistory& last, const AtRest& at_rest) {
     const FrameSettings& settings = request.settings;
     const Method& method = *request.method;
     const Needs needs = needs_of(scene, request.wanted, ao_work(method, settings),
@@ -97,8 +100,8 @@ WorkedFrame worked_frame(const Scene& scene, const Camera& camera, const FrameRe
     ScreenGeometry& geometry = worked.geometry;
     RawAo& raw = worked.raw;
     Image<float>& at_pixels = worked.at_pixels;
-    ShadowMap& shadow = worked.shadow;
-    std::optional<RayScene>& rays = worked.rays;
+    std::shared_ptr<const ShadowMap>& shadow = worked.shadow;
+    std::shared_ptr<const RayScene>& rays = worked.rays;
     std::shared_ptr<const VertexAo>& baked = worked.baked;
     frame.camera = camera;
     frame.camera.reversed_z = settings.reversed_z;
@@ -106,8 +109,16 @@ WorkedFrame worked_frame(const Scene& scene, const Camera& camera, const FrameRe
 
     Stopwatch stopwatch;
     // Of the scene at rest: built once for all repeats.
-    if (needs.ao && method.casts_rays)
-        stopwatch.time("ray_scene", [&] { rays = ray_scene(scene, frame.camera.eye, request.run); });
+    if (needs.ao && method.casts_rays) {
+        if (at_rest.rays && at_rest.rays->origin == frame.camera.eye)
+            rays = at_rest.rays;
+        else
+            stopwatch.time("ray_scene", [&] {
+                rays = std::make_shared<const RayScene>(ray_scene(scene, frame.camera.eye, request.run));
+            });
+    }
+    if (needs.shadow) shadow = at_rest.shadow;
+    const bool draws_shadow = needs.shadow && !shadow;
     if (needs.ao && method.bake)
         stopwatch.time("bake", [&] { baked = method.bake(scene, *rays, settings.method.ao, request.run); });
     for (int repeat = 0; repeat < request.repeats; ++repeat) {
@@ -122,9 +133,8 @@ WorkedFrame worked_frame(const Scene& scene, const Camera& camera, const FrameRe
             });
             if (needs.ao) {
                 stopwatch.time("ao", [&] {
-                    raw =
-                        method.ao({scene, frame.camera, frame.gbuffer, rays ? &*rays : nullptr, baked.get()},
-                                  settings.method.ao, request.run);
+                    raw = method.ao({scene, frame.camera, frame.gbuffer, rays.get(), baked.get()},
+                                    settings.method.ao, request.run);
                 });
             }
             if (needs.ao && settings.history.longest > 1) {
@@ -153,11 +163,15 @@ WorkedFrame worked_frame(const Scene& scene, const Camera& camera, const FrameRe
                     at_pixels = looked_up(map, raw.inputs, frame.gbuffer, settings.ao_lookup, request.run);
                 });
             }
-            if (needs.shadow) stopwatch.time("shadow", [&] { shadow = scene_shadow(scene, request.run); });
+            if (draws_shadow) {
+                stopwatch.time("shadow", [&] {
+                    shadow = std::make_shared<const ShadowMap>(scene_shadow(scene, request.run));
+                });
+            }
             if (needs.lit) {
                 stopwatch.time("lit", [&] {
                     LitImage lit = lit_image(scene, geometry, frame, lit_map(worked), raw.inputs.normal,
-                                             needs.shadow ? &shadow : nullptr, request);
+                                             shadow.get(), request);
                     frame.lit = std::move(lit.image);
                     frame.tiles.lit = std::move(lit.tiles);
                 });
@@ -171,8 +185,8 @@ WorkedFrame worked_frame(const Scene& scene, const Camera& camera, const FrameRe
         });
     }
     frame.passes = stopwatch.summaries();
-    frame.precision = precision_account(scene, frame.camera, geometry, frame.gbuffer, raw.inputs,
-                                        rays ? &*rays : nullptr, method, settings, request.run);
+    frame.precision = precision_account(scene, frame.camera, geometry, frame.gbuffer, raw.inputs, rays.get(),
+                                        method, settings, request.run);
     frame.tiles.ao = raw.tiles;
     frame.tiles.raster = raster_tiles(geometry, request.run);
     frame.skipped = skipped_work(geometry, frame.gbuffer, frame.tiles);
@@ -194,7 +208,7 @@ LitExplanation explain_lit(const Scene& scene, const FrameRequest& request, cons
         lit = explain_deferred_point_light(scene, frame.camera, frame.gbuffer, ao, settings.light_space,
                                            settings.ambient.multi_bounce, x, y);
     } else {
-        const ShadowMap* const shadow = worked.shadow.depth.codes.empty() ? nullptr : &worked.shadow;
+        const ShadowMap* const shadow = worked.shadow.get();
         const AmbientUse ambient = ambient_use(settings, frame, worked.raw.inputs.normal);
         lit = shares_geometry(settings)
                   ? explain_shade(scene, frame.camera, worked.geometry, frame.gbuffer, ao, x, y, request.run,

@@ -107,7 +107,7 @@ LoadedScene loaded_scene(const std::string& name, bool surfaces, const Run& run)
     return loaded;
 }
 
-DrawnFrame drawn_frame(const LoadedScene& scene, const LabWords& words, const Run& run) {
+DrawnFrame drawn_frame(const LoadedScene& scene, const LabWords& words, const Run& run, AtRest& at_rest) {
     DrawnFrame drawn{words, chosen_camera(scene.argument, words.camera), {}, {}, {}};
     FrameRequest& request = drawn.request;
     request.run = run;
@@ -116,7 +116,10 @@ DrawnFrame drawn_frame(const LoadedScene& scene, const LabWords& words, const Ru
     request.settings = settings_for(scene.argument, scene.name, *request.method, words.params);
     named_as({{"history", "--param history"}}, [&] { require_no_history(request); });
     request.wanted = words.only;
-    drawn.frame = render_frame(scene.argument.scene, drawn.camera, request);
+    WorkedFrame worked = worked_frame(scene.argument.scene, drawn.camera, request, {}, at_rest);
+    if (worked.shadow) at_rest.shadow = worked.shadow;
+    if (worked.rays) at_rest.rays = worked.rays;
+    drawn.frame = frame_of(std::move(worked), request);
     if (request.wanted.contains("ndc_depth")) drawn.ndc_depth = ndc_depth(drawn.frame.gbuffer.depth, run);
     return drawn;
 }

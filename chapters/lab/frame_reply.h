@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "chapters/frame/frame.h"
 #include "chapters/frame/scene_argument.h"
+#include "chapters/frame/worked_frame.h"
 
 namespace crevice {
 
@@ -41,8 +41,9 @@ struct DrawnFrame {
 bool wants_surfaces(const LabWords& words);
 // Throws InputError.
 LoadedScene loaded_scene(const std::string& name, bool surfaces, const Run& run);
-// Throws UsageError, as `crevice render` does.
-DrawnFrame drawn_frame(const LoadedScene& scene, const LabWords& words, const Run& run);
+// Throws UsageError, as `crevice render` does. Takes over what is in `at_rest`, which is of the same scene, and leaves there
+// what the next frame may take over.
+DrawnFrame drawn_frame(const LoadedScene& scene, const LabWords& words, const Run& run, AtRest& at_rest);
 
 // {"scene": {"triangles", "from_obj", "length_unit", "load_ms"}, "camera": {"eye", "target", "up", "fov_y", "near", "far",
 //   "ortho" (null: perspective), "ray_scale"}, "parameters": {name: word}, "size": [width, height], "passes", "precision",

@@ -16,8 +16,10 @@ constexpr std::size_t kPointsAtOnce = 1 << 15;
 }  // namespace
 
 const LoadedScene& LabSession::scene(const std::string& name, bool surfaces) {
-    if (!scene_ || scene_->name != name || (surfaces && !scene_->surfaces))
+    if (!scene_ || scene_->name != name || (surfaces && !scene_->surfaces)) {
+        at_rest_ = {};
         scene_ = loaded_scene(name, surfaces, run_);
+    }
     return *scene_;
 }
 
@@ -25,7 +27,7 @@ const DrawnFrame& LabSession::draw(const LabWords& words) {
     drawn_.reset();
     worked_.reset();
     truth_.reset();
-    drawn_ = drawn_frame(scene(words.scene, wants_surfaces(words)), words, run_);
+    drawn_ = drawn_frame(scene(words.scene, wants_surfaces(words)), words, run_, at_rest_);
     return *drawn_;
 }
 

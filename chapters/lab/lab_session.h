@@ -39,6 +39,7 @@ class LabSession {
 
     Run run_;
     std::optional<LoadedScene> scene_;
+    AtRest at_rest_;  // of that scene, which nothing moves
     std::optional<DrawnFrame> drawn_;
     std::optional<WorkedFrame> worked_;      // the same with all buffers, as soon as somebody asks about it
     std::optional<ProgressiveTruth> truth_;  // of what was drawn

@@ -1,5 +1,7 @@
 #include "chapters/notebook/cells.h"
 
+#include <sstream>
+
 namespace crevice {
 
 bool is_numeric_column(const TableOutput& table, std::size_t column) {
@@ -13,6 +15,18 @@ bool is_numeric_column(const TableOutput& table, std::size_t column) {
         any = true;
     }
     return any;
+}
+
+std::vector<TranscriptLine> lines_of(const TranscriptOutput& transcript) {
+    std::vector<TranscriptLine> lines;
+    std::istringstream stream(transcript.text);
+    bool goes_on = false;
+    for (std::string text; std::getline(stream, text);) {
+        const bool typed = goes_on || text.starts_with("$ ") || text.starts_with("(gdb) ");
+        goes_on = typed && text.ends_with('\\');
+        lines.push_back({text, typed});
+    }
+    return lines;
 }
 
 }  // namespace crevice

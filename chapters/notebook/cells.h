@@ -32,6 +32,8 @@ struct NotebookPicture {
     std::string png;   // the file's bytes
     BookText caption;  // Markdown, one sentence or two; may be empty
     BookText about;    // plain text: its mapping and statistics
+    std::string
+        command;  // `crevice render` or `crevice probe` that shows it, too; pages lead from it into the lab; or empty
 };
 struct PictureOutput {
     enum class Layout {
@@ -76,11 +78,24 @@ struct ListingOutput {
     BookText caption;  // Markdown, may be empty
 };
 
+// What was typed at a prompt, `$` or `(gdb)`, and what was answered.
+struct TranscriptOutput {
+    std::string text;  // in lines, the prompts among them
+    BookText caption;  // Markdown, may be empty
+};
+
+// Its lines without their newlines, and whether each was typed: after a prompt, or after a typed line that ends in a backslash.
+struct TranscriptLine {
+    std::string text;
+    bool typed = false;
+};
+std::vector<TranscriptLine> lines_of(const TranscriptOutput& transcript);
+
 // Whether every cell of a table's column reads as a number, so that it is set flush right.
 bool is_numeric_column(const TableOutput& table, std::size_t column);
 
-using Output =
-    std::variant<PictureOutput, FilmOutput, DrawingOutput, TableOutput, CheckOutput, ListingOutput>;
+using Output = std::variant<PictureOutput, FilmOutput, DrawingOutput, TableOutput, CheckOutput, ListingOutput,
+                            TranscriptOutput>;
 
 struct NotebookCell {
     SourceCell source;

@@ -44,6 +44,22 @@ std::string unescape_html(std::string_view html) {
     return text;
 }
 
+std::string lab_address(std::string_view command) {
+    // As JavaScript's encodeURIComponent(), but for the characters that a command may well show.
+    constexpr std::string_view kKept = "-_.~,=";
+    constexpr const char* kHex = "0123456789ABCDEF";
+    std::string address = "lab.html#";
+    for (const char c : command) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool alphanumeric = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+        if (alphanumeric || kKept.find(c) != kKept.npos)
+            address += c;
+        else
+            address += {'%', kHex[byte >> 4], kHex[byte & 15]};
+    }
+    return address;
+}
+
 std::string base64(std::string_view bytes) {
     std::string digits;
     digits.reserve((bytes.size() + 2) / 3 * 4);

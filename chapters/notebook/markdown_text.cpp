@@ -31,6 +31,9 @@ std::string markdown_of(const PictureOutput& output, BookLanguage language) {
         result += "![" + shown.name + "](" + shown.name + ".png)\n\n" + paragraph(shown.caption, language) +
                   "*" + shown.name + ", " + size_text(shown.picture.size) + ": " +
                   escape_html(shown.about.in(language)) + "*\n\n";
+        // The lab's page lies beside the book's, this file in a directory of its own.
+        if (!shown.command.empty())
+            result += "[`" + shown.command + "`](../" + lab_address(shown.command) + ")\n\n";
     }
     return result;
 }
@@ -66,6 +69,10 @@ std::string markdown_of(const ListingOutput& output, BookLanguage language) {
     const CodeListing& listing = output.listing;
     return paragraph(output.caption, language) + "`" + listing.file + ":" +
            std::to_string(listing.first_line) + "`\n\n" + fenced(listing.code);
+}
+
+std::string markdown_of(const TranscriptOutput& output, BookLanguage language) {
+    return paragraph(output.caption, language) + "```console\n" + output.text + "```\n\n";
 }
 
 }  // namespace

@@ -261,9 +261,12 @@ void Notebook::claim_name(const std::string& name) {
 
 NotebookPicture Notebook::store(const Named& named) {
     claim_name(named.name);
-    NotebookPicture stored{named.name, named.picture,
+    NotebookPicture stored{named.name,
+                           named.picture,
                            png_bytes(named.picture.size, named.picture.channels, named.picture.pixels),
-                           text_of(named.caption), about(named.picture)};
+                           text_of(named.caption),
+                           about(named.picture),
+                           named.command};
     write_file_atomically(directory() / (named.name + ".png"), stored.png);
     // For the notebooks, whose cells go on computing with what a cell of the chapter has shown.
     if (!options_.cell.empty() && !named.picture.values.empty())
@@ -277,6 +280,8 @@ void Notebook::show(const std::string& name, const Picture& picture, const std::
     put(PictureOutput{PictureOutput::Layout::row, {store({name, picture, caption})}, {}},
         wall_ms ? "    " + decimal_text(*wall_ms, 2) + " ms\n" : "");
 }
+
+void Notebook::show(const Named& named, int line) { show_row({named}, "", line); }
 
 void Notebook::show_row(const std::vector<Named>& pictures, const std::string& caption, int line) {
     if (!begins(line)) return;
@@ -355,6 +360,11 @@ void Notebook::listing_part(const std::string& file, const std::string& symbol, 
     if (!begins(line)) return;
     put(ListingOutput{part_of(code_listing(embedded_source(file), file, symbol), from, to),
                       text_of(caption)});
+}
+
+void Notebook::transcript(const std::string& text, const std::string& caption, int line) {
+    if (!begins(line)) return;
+    put(TranscriptOutput{text, text_of(caption)});
 }
 
 void Notebook::write_files() const {

@@ -81,7 +81,9 @@ class Notebook {
         std::string name;
         Picture picture;
         std::string caption = "";
+        std::string command = "";  // NotebookPicture::command
     };
+    void show(const Named& named, int line = __builtin_LINE());
     // Pictures to be seen side by side.
     void show_row(const std::vector<Named>& pictures, const std::string& caption = "",
                   int line = __builtin_LINE());
@@ -109,6 +111,9 @@ class Notebook {
                  int line = __builtin_LINE());
     void listing_part(const std::string& file, const std::string& symbol, const std::string& from,
                       const std::string& to, const std::string& caption = "", int line = __builtin_LINE());
+
+    // What was typed and what was answered (TranscriptOutput).
+    void transcript(const std::string& text, const std::string& caption = "", int line = __builtin_LINE());
 
     // What follows the last output. Called once, after the chapter's function.
     void finish();

@@ -34,9 +34,16 @@ std::string picture_html(const NotebookPicture& shown) {
     return html;
 }
 
+std::string lab_link(const std::string& command) {
+    if (command.empty()) return "";
+    return " · <a class=\"lab\" href=\"" + escape_html(lab_address(command)) + "\" title=\"" +
+           escape_html(command) + "\">" + plain_html({"in the lab", "在实验台中"}) + "</a>";
+}
+
 std::string about_html(const NotebookPicture& shown) {
     return captioned("div", "caption", shown.caption) + "<p class=\"about\"><b>" + escape_html(shown.name) +
-           "</b> " + size_text(shown.picture.size) + " · " + plain_html(shown.about) + "</p>";
+           "</b> " + size_text(shown.picture.size) + " · " + plain_html(shown.about) +
+           lab_link(shown.command) + "</p>";
 }
 
 std::string pair_html(const PictureOutput& output) {
@@ -105,6 +112,16 @@ std::string html_of(const ListingOutput& output) {
            std::to_string(listing.first_line) + "</code></figcaption>\n" +
            numbered_code(listing.code, listing.first_line) + captioned("div", "caption", output.caption) +
            "</figure>\n";
+}
+
+std::string html_of(const TranscriptOutput& output) {
+    std::string lines;
+    for (const TranscriptLine& line : lines_of(output)) {
+        const std::string text = escape_html(line.text);
+        lines += (line.typed ? "<b>" + text + "</b>" : text) + "\n";
+    }
+    return "<figure class=\"transcript\">\n<pre>" + lines + "</pre>\n" +
+           captioned("figcaption", "", output.caption) + "</figure>\n";
 }
 
 }  // namespace

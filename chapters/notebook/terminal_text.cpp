@@ -41,6 +41,7 @@ std::string text_of(const PictureOutput& output, const TerminalStyle& style) {
                   size_text(shown.picture.size) + "\n";
         if (!shown.caption.empty()) result += "    " + lines_of(shown.caption, style);
         result += "    " + styled(shown.about.in(style.language), kCodeDim, style.colour) + "\n";
+        if (!shown.command.empty()) result += "    " + styled(shown.command, kCodeDim, style.colour) + "\n";
     }
     return result + "\n";
 }
@@ -92,6 +93,13 @@ std::string text_of(const ListingOutput& output, const TerminalStyle& style) {
         styled(listing.file + ":" + std::to_string(listing.first_line), kCodeBold, style.colour) + "\n";
     std::istringstream lines(listing.code);
     for (std::string line; std::getline(lines, line);) result += line.empty() ? "\n" : "    " + line + "\n";
+    return result + "\n";
+}
+
+std::string text_of(const TranscriptOutput& output, const TerminalStyle& style) {
+    std::string result = lines_of(output.caption, style);
+    for (const TranscriptLine& line : lines_of(output))
+        result += "    " + (line.typed ? styled(line.text, kCodeBold, style.colour) : line.text) + "\n";
     return result + "\n";
 }
 

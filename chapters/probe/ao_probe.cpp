@@ -27,7 +27,7 @@ AoProbe probe_ao(const Scene& scene, const FrameRequest& request, const WorkedFr
         probe.pixels.push_back({at.x, at.y, at.weight, depth.at(at.x, at.y)});
     probe.left_out = left_out_reason(worked.frame, "ao");
     if (!probe.left_out.empty()) return probe;
-    const AoView view{scene, worked.frame.camera, worked.frame.gbuffer, worked.rays ? &*worked.rays : nullptr,
+    const AoView view{scene, worked.frame.camera, worked.frame.gbuffer, worked.rays.get(),
                       worked.baked.get()};
     probe.explanation = method.explain(view, worked.raw, settings, probe.x, probe.y);
     for (const ExplainedSample& sample : probe.explanation.samples)

@@ -46,6 +46,8 @@ class EnlargedPart {
         scale_ = std::clamp(kWanted_px / longest, 1, kMost);
         result_.size = {(part.x1 - part.x0) * scale_, (part.y1 - part.y0) * scale_};
         result_.channels = 3;
+        result_.mapping = picture.mapping + "; enlarged";
+        result_.statistics = picture.statistics;
         for (int y = 0; y < result_.size.height; ++y) {
             for (int x = 0; x < result_.size.width; ++x) {
                 const std::size_t from = (static_cast<std::size_t>(part.y0 + y / scale_) *

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "chapters/terminal/number_text.h"
 #include "rasterizer/base/error.h"
 #include "scenes/builtin_scenes.h"
 
@@ -33,10 +34,14 @@ void SwitchedView::look(const Camera& camera, const std::string& flags) {
     flags_ += " " + flags;
 }
 
-SwitchedAo SwitchedView::ao(const Words& words, float ao_scale) const {
+FrameSettings SwitchedView::settings(const Words& words) const {
     Words all = words;
     all.insert(all.end(), reader_words_.begin(), reader_words_.end());
-    FrameSettings settings = settings_of(method_, all, scene_.length_unit);
+    return settings_of(method_, all, scene_.length_unit);
+}
+
+SwitchedAo SwitchedView::ao(const Words& words, float ao_scale) const {
+    FrameSettings settings = this->settings(words);
     settings.method = with_value(method_, settings.method, "ao_scale", ao_scale);
     Camera camera = camera_;
     camera.reversed_z = settings.reversed_z;
@@ -62,6 +67,22 @@ std::string SwitchedView::command(const Words& words) const {
     std::string text = "`crevice render " + scene_.name + flags_;
     for (const std::string& word : words) text += " --param " + word;
     return text + "`";
+}
+
+FrameRequest SwitchedView::request(const Words& words) const {
+    FrameRequest request;
+    request.size = size_;
+    request.method = &method_;
+    request.settings = settings(words);
+    return request;
+}
+
+std::string SwitchedView::flags(const Words& words) const {
+    std::string text = "--size " + size_text(size_) + flags_;
+    for (const Words& some : {words, reader_words_}) {
+        for (const std::string& word : some) text += " --param " + word;
+    }
+    return text;
 }
 
 SwitchedView column_foot(const Notebook& book) { return column_foot(book, book.size()); }

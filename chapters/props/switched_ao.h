@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "chapters/frame/frame_settings.h"
+#include "chapters/frame/frame.h"
 #include "chapters/notebook/notebook.h"
 #include "ssao/blur/bilateral_blur.h"
 #include "ssao/methods/luna_settings.h"
@@ -45,11 +45,17 @@ class SwitchedView {
     Explanation explanation(const SwitchedAo& shown, int x, int y) const;
     // "crevice render SCENE ...", Markdown.
     std::string command(const Words& words) const;
+    // The whole frame, all of its buffers. Throws UsageError as settings_of().
+    FrameRequest request(const Words& words) const;
+    // All that follows SCENE in a command of the same frame: size, camera, method and every parameter, the reader's too.
+    std::string flags(const Words& words) const;
 
     const Scene& scene() const { return scene_; }
     const Camera& camera() const { return camera_; }
 
  private:
+    FrameSettings settings(const Words& words) const;
+
     Scene scene_;
     Camera camera_;
     Size size_;

@@ -1,6 +1,7 @@
 // Why a pixel is as it is: what the probe tells of each pass, its samples in the picture and in a cut, step by step.
 import { drawOverlay } from "./overlay.js";
 import { sectionOf } from "./section.js";
+import { probeText } from "./probe_texts.js";
 import { Steps } from "./steps.js";
 import { cellText, isList, membersOf, tableOf } from "./tables.js";
 import { translated } from "./texts.js";
@@ -47,7 +48,7 @@ export class PixelPanel {
     this.#stop();
     this.#probe = probe;
     this.#frame = frame;
-    const answer = Object.assign(document.createElement("p"), { textContent: probe.answer });
+    const answer = Object.assign(document.createElement("p"), { textContent: probeText(probe.answer) });
     const passes = Object.entries(probe.passes).map(([name, pass]) => this.#passElement(name, pass));
     this.#place.replaceChildren(answer, ...passes);
     this.#mark([]);
@@ -87,7 +88,7 @@ export class PixelPanel {
 
   // One pass of the blur.
   #taps({ name, taps, last_step, value }) {
-    const details = foldOf(`${name}: ${cellText(value)}`, "iteration");
+    const details = foldOf(`${probeText(name)}: ${cellText(value)}`, "iteration");
     const { width, height } = this.#frame.size, [map_width, map_height] = this.#probe.passes.ao.map_size;
     // As the kernel adds up: floats, tap after tap.
     let sum = 0;
@@ -95,7 +96,7 @@ export class PixelPanel {
     const show = (done, lit) => this.#mark(taps.slice(0, done).map(({ texel: [x, y], weight }, number) =>
       ({ x: (x + 0.5) * width / map_width, y: (y + 0.5) * height / map_height, kind: weight > 0 ? "open" : "occludes", lit: number === lit })));
     const rows = taps.map((tap, number) => ({ number, ...tap, sum: sums[number] }));
-    details.append(this.#stepped(rows, sums, `${last_step} = ${cellText(value)}`, show, details));
+    details.append(this.#stepped(rows, sums, `${probeText(last_step)} = ${cellText(value)}`, show, details));
     return details;
   }
 

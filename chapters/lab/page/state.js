@@ -56,7 +56,7 @@ function decoded(text) {
 export function stateOfHash(hash) {
   const state = firstState();
   const command = decoded(hash.replace(/^#/, ""));
-  if (command.startsWith("crevice render ")) return stateOfCommand(command);
+  if (/^crevice (render|probe) /.test(command)) return stateOfCommand(command);
   for (const [key, word] of new URLSearchParams(hash.replace(/^#/, ""))) {
     if (key === "param") {
       setParam(state, word);
@@ -71,14 +71,16 @@ export function stateOfHash(hash) {
   return state;
 }
 
-// "crevice render SCENE --flag word --flag=word ..."; flags that mean nothing to the lab, such as --out, are passed over.
+// "crevice render SCENE --flag word --flag=word ..." or "crevice probe SCENE X Y ...", which shows the raw AO; flags that mean
+// nothing to the lab, such as --out, are passed over.
 function stateOfCommand(command) {
-  const state = firstState();
-  const [, , ...words] = command.trim().split(/\s+/);
+  const state = firstState(), places = [];
+  const [, what, ...words] = command.trim().split(/\s+/);
+  if (what === "probe") state.show = "ao_raw";
   while (words.length > 0) {
     const [flag, joined] = words.shift().split(/=(.*)/s);
     if (!flag.startsWith("--")) {
-      state.scene = flag;
+      places.push(flag);
       continue;
     }
     const word = joined ?? words.shift() ?? "";
@@ -89,6 +91,8 @@ function stateOfCommand(command) {
     else if (flag === "--only") [state.show] = word.split(",");
     else if (flag === "--size" || flag === "--ao") state[flag.slice(2)] = word;
   }
+  if (places.length > 0) [state.scene] = places;
+  if (what === "probe" && places.length === 3) state.pixel = `${places[1]},${places[2]}`;
   return state;
 }
 

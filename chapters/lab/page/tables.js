@@ -1,17 +1,18 @@
 // Tables: of buffers with their hashes, of the time of each pass, and of whatever lists of numbers a probe tells.
 import { shortest } from "./colour.js";
+import { probeText } from "./probe_texts.js";
 
 const kCellDigits = 6;
 
 const rounded = (value) => (value === null ? "inf" : String(Number(value.toPrecision(kCellDigits))));
 
-// A number that came as a float has its fewest digits, null stands for what is not finite.
+// A number that came as a float has its fewest digits, null stands for what is not finite, and words are in the page's language.
 export function cellText(value) {
   if (value === null) return "inf";
   if (Array.isArray(value)) return value.map(cellText).join(", ");
   if (typeof value === "object") return Object.entries(value).map(([name, part]) => `${name} ${cellText(part)}`).join("; ");
   if (typeof value === "number" && !Number.isInteger(value)) return shortest(Math.fround(value));
-  return String(value);
+  return probeText(String(value));
 }
 
 function cellOf(tag, text) {

@@ -42,7 +42,7 @@ function colourCode() {
 // What a command draws in a terminal the lab draws in the browser. `./crevice.sh web` puts it beside these pages.
 function linkCommandsToLab() {
   for (const code of document.querySelectorAll("code")) {
-    if (!code.textContent.startsWith("crevice render ") || code.closest("pre, a") !== null) continue;
+    if (!/^crevice (render|probe) /.test(code.textContent) || code.closest("pre, a") !== null) continue;
     const link = document.createElement("a");
     link.href = "lab.html#" + encodeURIComponent(code.textContent);
     link.title = "in the lab: ./crevice.sh web";

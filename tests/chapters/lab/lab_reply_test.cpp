@@ -1,4 +1,5 @@
 // The lab of the browser as its worker meets it: JSON in, JSON and buffers out.
+#include <algorithm>
 #include <cstdint>
 #include <fstream>
 #include <set>
@@ -57,6 +58,45 @@ TEST_CASE("lab: a frame of every method has the bits of the program's") {
         CHECK(buffers["ao_blurred"]["hash"] == content_hash(frame.ao_blurred));
         CHECK(buffers["lit"]["hash"] == content_hash(frame.lit));
     }
+}
+
+TEST_CASE("lab: what is kept of a scene at rest changes no bit, whatever moves or changes in between") {
+    Lab lab;
+    const auto eye_at = [](Json request, const char* eye) {
+        request["camera"] = {{"eye", eye}};
+        return request;
+    };
+    Json only_ao = frame_request("columns", "xjun");
+    only_ao["only"] = {"ao_raw"};
+    const Json requests[] = {
+        frame_request("columns", "ray_cast"),
+        frame_request("columns", "ray_cast"),  // the same eye again: rays and shadow are kept
+        eye_at(frame_request("columns", "ray_cast"), "-3,2,-9"),
+        only_ao,  // needs no shadow, which stays for the next one
+        eye_at(frame_request("columns", "xjun"), "2,3,-8"),
+        frame_request("columns_luna", "luna"),
+        frame_request("columns_luna", "ray_cast"),
+        frame_request("columns", "xjun")};
+    std::size_t number = 0;
+    for (const Json& request : requests) {
+        CAPTURE(number++);
+        Lab from_scratch;
+        const Json kept = asked(lab, request), made = asked(from_scratch, request);
+        REQUIRE_MESSAGE(kept.contains("buffers"), kept.dump());
+        for (const auto& [name, buffer] : made["buffers"].items()) {
+            CAPTURE(name);
+            CHECK(kept["buffers"][name]["hash"] == buffer["hash"]);
+        }
+    }
+    // A pass that was not needed is not timed.
+    const auto draws_shadow = [](const Json& reply) {
+        return std::ranges::any_of(reply["passes"],
+                                   [](const Json& pass) { return pass["name"] == "shadow"; });
+    };
+    Lab fresh;
+    const Json request = frame_request("columns", "xjun");
+    CHECK(draws_shadow(asked(fresh, request)));
+    CHECK(!draws_shadow(asked(fresh, request)));
 }
 
 TEST_CASE("lab: parameters of a request change the frame as --param does") {

@@ -9,6 +9,7 @@
 
 #include "chapters/notebook/chapter_page.h"
 #include "chapters/notebook/html.h"
+#include "chapters/notebook/output_html.h"
 #include "rasterizer/base/error.h"
 #include "tests/tools/notebook_source.h"
 #include "tests/tools/scratch_directory.h"
@@ -292,6 +293,30 @@ TEST_CASE("step: values, previews, files; a parameter runs the chapter again; q 
     why = run("", said);
     CHECK(!contains(said, "ao_raw"));
     CHECK(contains(said, "every pixel is in [0,1]"));
+}
+
+TEST_CASE(
+    "a picture leads into the lab by its command; a transcript tells what was typed from what was answered") {
+    const ScratchDirectory scratch;
+    std::ostringstream terminal;
+    std::istringstream answers;
+    Notebook book(options_in(scratch), notebook_source("07_raw_ao", ""), terminal, answers);
+    const std::string command = "crevice probe columns 1 2 --eye=-1,2,3 --param epsilon=0";
+    book.show({"ao", ao_picture(Image<float>({2, 2}, 1.0f)), "open", command}, 1);
+    book.transcript("$ crevice probe a \\\n    --pass ao\nAO 1 < 2\n(gdb) run\n", "what it says", 1);
+    book.write_files();
+    const std::string address =
+        "lab.html#crevice%20probe%20columns%201%202%20--eye=-1,2,3%20--param%20epsilon=0";
+    const std::string html =
+        output_html(book.cells()[0].outputs[0]) + output_html(book.cells()[0].outputs[1]);
+    CHECK(contains(html, "<a class=\"lab\" href=\"" + address + "\""));
+    CHECK(
+        contains(html, "<b>$ crevice probe a \\</b>\n<b>    --pass ao</b>\nAO 1 &lt; 2\n<b>(gdb) run</b>\n"));
+    const std::string markdown = bytes_in(scratch / "07_raw_ao" / "07_raw_ao.md");
+    CHECK(contains(markdown, "[`" + command + "`](../" + address + ")"));
+    CHECK(contains(markdown, "```console\n$ crevice probe a \\\n    --pass ao\nAO 1 < 2\n(gdb) run\n```"));
+    CHECK(contains(terminal.str(), "    " + command + "\n"));
+    CHECK(contains(terminal.str(), "    AO 1 < 2\n"));
 }
 
 TEST_CASE("checks are counted and passed through") {

@@ -3,7 +3,7 @@
 const fs = require("node:fs");
 const os = require("node:os");
 const path = require("node:path");
-const { lab_page, expect, expectEqual, expectDrawn, openLab, rest, after, hashOf, addressOf, colourAt, drag, rendered } = require("./page.cjs");
+const { lab_page, expect, expectEqual, expectDrawn, openLab, rest, after, go, hashOf, addressOf, colourAt, drag, rendered } = require("./page.cjs");
 
 const screenshots = process.argv[5];
 
@@ -136,6 +136,32 @@ async function checkChinese(browser) {
     await page.locator("#ao").selectOption(method);
     const texts = [await page.locator("#method_about").textContent(), ...await page.locator(".parameter .about").allTextContents()];
     for (const text of texts) expect(`${method} has its texts in Chinese`, /[\u4e00-\u9fff]/.test(text), text);
+  }
+  await checkChineseAnswers(page);
+  await page.context().close();
+}
+
+// Whatever the probe says of pixels: the foot of a column, its edge before the sky, the open floor, the sky.
+async function checkChineseAnswers(page) {
+  const places = ["15,27", "20,20", "32,34", "32,2"], columns = ["verdict", "why", "term"];
+  for (const [method, param] of [...await page.locator("#ao option").allTextContents()].flatMap((name) => [[name, ""], [name, "&param=blur_iterations=0"]])) {
+    for (const place of param === "" ? places : places.slice(0, 1)) {
+      await go(page, `#scene=columns&ao=${method}&size=64x36&pixel=${place}${param}`);
+      if (await page.locator("#refused").isVisible()) continue;  // a method without a blur
+      await page.waitForFunction((asked) => document.documentElement.dataset.probed === asked, place, { timeout: 60000 });
+      const said = await page.evaluate((names) => [
+        document.querySelector("#pixel_answer > p").textContent,
+        ...[...document.querySelectorAll("#pixel_answer .iteration > summary")].map((summary) => summary.textContent),
+        ...[...document.querySelectorAll("#pixel_answer li")].map((item) => /^left out: (.*)/.exec(item.textContent)?.[1]).filter((text) => text !== undefined),
+        ...[...document.querySelectorAll("#pixel_answer table")].flatMap((table) => {
+          const at = [...table.tHead.rows[0].cells].flatMap((cell, index) => (names.includes(cell.textContent) ? [index] : []));
+          return [...table.tBodies[0].rows].flatMap((row) => at.map((index) => row.cells[index].textContent));
+        })], columns);
+      for (const text of said) {
+        const english = text.replace(/blur_iterations|none|sum|total|AO/g, "").match(/[A-Za-z]{2,}/);
+        expect(`${method}${param} at ${place} answers in Chinese`, english === null && /[\u4e00-\u9fff]/.test(text), text);
+      }
+    }
   }
 }
 
