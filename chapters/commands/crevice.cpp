@@ -15,10 +15,11 @@ int run(int argc, char** argv) {
         "Crevice: ambient occlusion on the CPU, step by step.\n"
         "Try: crevice render columns --out out     and open out/lit.png");
     const Command commands[] = {
-        add_render_command(program),  add_probe_command(program),     add_truth_command(program),
-        add_bake_command(program),    add_compare_command(program),   add_bench_command(program),
-        add_chapter_command(program), add_scenes_command(program),    add_methods_command(program),
-        add_params_command(program),  add_stability_command(program), add_completion_command(program),
+        add_render_command(program),     add_probe_command(program),   add_truth_command(program),
+        add_bake_command(program),       add_compare_command(program), add_bench_command(program),
+        add_tune_command(program),       add_chapter_command(program), add_scenes_command(program),
+        add_methods_command(program),    add_params_command(program),  add_stability_command(program),
+        add_completion_command(program),
     };
     const ProgramVersion version = program_version();
     program.version("crevice " + version.number + " (commit " + version.commit + ")");

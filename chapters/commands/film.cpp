@@ -86,8 +86,7 @@ void render_film(const RenderOptions& options, const FilmOptions& film, std::ost
         const std::string name = frame_name(i);
         pictures.push_back(options.out / (name + ".png"));
         write_picture(pictures.back(), shown_picture(frame, request.wanted, options.inset));
-        if (film.buffers)
-            write_frame(options, request, options.out / name, frame, prepared.argument.load_steps);
+        if (film.buffers) write_frame(options, prepared, options.out / name, frame);
         history = std::move(frame.history);
         progress.advance();
     }
