@@ -49,7 +49,7 @@ std::string swept(const std::string& plan, const fs::path& out, Shard shard = {}
 
 int merge_code(const std::vector<fs::path>& directories, const fs::path& out) {
     std::ostringstream told;
-    return merge_sweeps(directories, out, told);
+    return write_merged(merged(directories), out, told);
 }
 
 // A finished time job of a plan with times, with made-up times: no test waits for a clock, nor depends on one.
