@@ -43,6 +43,9 @@ std::vector<SweepJob> dealt(std::vector<SweepJob> jobs, Shard shard) {
     const auto truth_of = [](const SweepJob& job) { return words_of(job.view) + " " + job.asks; };
     for (const SweepJob& job : errors) first_asked.emplace(truth_of(job), first_asked.size());
     std::ranges::stable_sort(errors, {}, [&](const SweepJob& job) { return first_asked.at(truth_of(job)); });
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        if (i == 0 || truth_of(errors[i]) != truth_of(errors[i - 1])) errors[i].work += errors[i].truth_work;
+    }
     std::vector<SweepJob> part = part_of(errors, shard);
     for (SweepJob& job : part_of(times, shard)) part.push_back(std::move(job));
     return part;

@@ -163,15 +163,18 @@ class JobMaker {
             job.parts = plan_.parts && seed == plan_.seeds.front();
             job.asks = question_of(method, settings);
             job.reference_rays = plan_.reference_rays;
-            job.work = (samples_of(method, settings) * (job.parts ? 3.0 * kPartsSeeds : 1.0) + kMeasures) *
-                       pixels_of(job.view);
+            const int images = job.parts ? 1 + kPartsImages : 1;
+            job.work = (samples_of(method, settings) * images + kMeasures) * pixels_of(job.view);
+            job.truth_work = kRay * job.reference_rays * (job.parts ? 2 : 1) * pixels_of(job.view);
             job.id = id_of(job);
             errors_.push_back(std::move(job));
         }
     }
 
-    // Judging an image takes about as long as so many samples of it.
-    static constexpr double kMeasures = 100;
+    // Of three limits (error_chain.h).
+    static constexpr int kPartsImages = 3 * kPartsSeeds;
+    // Measured: judging an image takes about as long as so many samples of it, a ray as long as so many samples.
+    static constexpr double kMeasures = 800, kRay = 28;
 
     const SweepPlan& plan_;
     const bool instructions_;

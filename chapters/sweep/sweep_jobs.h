@@ -31,7 +31,8 @@ struct SweepJob {
     int threads = 1, rounds = 0;  // of a time job
     bool instructions = false;    // of a time job: they are counted, too
     int reference_rays = 0;
-    double work = 0;  // estimate of what it costs, in samples of a pixel; its share of a truth included
+    // Estimates of what it costs, in samples of a pixel: the job itself, and the truth that it shares with others.
+    double work = 0, truth_work = 0;
 };
 
 // All of them, in the plan's order: error jobs, then time jobs. Loads the scenes. `instructions`: time jobs count them.
