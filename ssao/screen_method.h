@@ -24,6 +24,7 @@ struct ScreenMethod {
     double (*reach_px)(const AoInputs&, const S&, double view_depth);
     Explanation (*explain)(const AoInputs&, const S&, int x, int y);
     AoQuestion (*question)(const S&);
+    std::vector<glm::vec3> (*tangent_offsets)(const S&) = nullptr;  // SampleOffsets::vectors
     bool reads_normals = true;
     Image3 (*bent_normals)(const AoInputs&, const S&, const Run&) = nullptr;
 };
@@ -97,6 +98,10 @@ Method row_of(const ScreenMethod<S>& m, Denoiser denoiser) {
         AoInputs inputs = inputs_of(m, view, s.as<S>(), run);
         return m.ao(in_double(std::move(inputs), view.in_double), s.as<S>(), run).ao;
     };
+    if (m.tangent_offsets != nullptr)
+        row.offsets = [m](const AnySettings& s) {
+            return SampleOffsets{"tangent", m.tangent_offsets(s.as<S>())};
+        };
     row.denoiser = std::move(denoiser);
     if (m.bent_normals != nullptr) {
         row.bent_normals = [m](const AoInputs& inputs, const AnySettings& s, const Run& run) {

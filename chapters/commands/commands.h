@@ -19,6 +19,7 @@ Command add_truth_command(CommandLine& program);
 Command add_bake_command(CommandLine& program);
 Command add_compare_command(CommandLine& program);
 Command add_bench_command(CommandLine& program);
+Command add_tune_command(CommandLine& program);
 Command add_chapter_command(CommandLine& program);
 Command add_scenes_command(CommandLine& program);
 Command add_methods_command(CommandLine& program);

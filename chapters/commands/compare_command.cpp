@@ -42,10 +42,10 @@ CompareOptions options_of(const CompareWords& words) {
 
 Command add_compare_command(CommandLine& program) {
     const auto words = std::make_shared<CompareWords>();
-    CommandLine command = program.subcommand(
-        "compare",
-        "Compare two images (.npy, .pfm or .png) or two directories of them, exactly or within limits");
-    command.required("A", words->a, "an image or a directory");
+    CommandLine command = program.subcommand("compare",
+                                             "Compare two images (.npy .pfm .png .tif), EXRs layer by layer, "
+                                             "or two directories, exactly or within limits");
+    command.required("A", words->a, "an image, an .exr of several layers, or a directory");
     command.required("B", words->b, "another; the goldens, where there are any");
     command.option("--max-abs", words->max_abs, "pass where no value differs by more");
     command.option("--rmse", words->rmse, "pass where the root of the mean squared difference is no more");

@@ -20,6 +20,7 @@ int run(int argc, char** argv) {
         add_chapter_command(program), add_scenes_command(program),     add_methods_command(program),
         add_params_command(program),  add_stability_command(program),  add_sweep_command(program),
         add_merge_command(program),   add_completion_command(program), add_view_command(program),
+        add_tune_command(program),
     };
     program.version("crevice " + version_text(program_version()));
     if (!program.parse(argc, argv)) return static_cast<int>(ExitCode::done);

@@ -72,8 +72,7 @@ void render_film(const RenderOptions& options, const FilmOptions& film, std::ost
         const Picture picture = shown_picture(frame, request.wanted, options.inset);
         write_picture(pictures.back(), picture);
         webp.add(picture);
-        if (film.buffers)
-            write_frame(options, request, options.out / name, frame, prepared.argument.load_steps);
+        if (film.buffers) write_frame(options, prepared, options.out / name, frame);
         history = std::move(frame.history);
         progress.advance();
     }

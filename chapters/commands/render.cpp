@@ -10,6 +10,7 @@
 #include "chapters/frame/buffer_writer.h"
 #include "chapters/frame/demo_view.h"
 #include "chapters/frame/frame_json.h"
+#include "chapters/frame/view_json.h"
 #include "chapters/terminal/json_text.h"
 #include "chapters/terminal/output_directory.h"
 #include "chapters/terminal/parse.h"
@@ -22,22 +23,27 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json described_buffers(const Frame& frame, const FrameRequest& request, bool inset,
+Json described_buffers(const Frame& frame, const RenderOptions& options, const FrameRequest& request,
                        const std::filesystem::path& out, std::ostream& told) {
-    BufferWriter writer(out, told);
+    BufferWriter writer(out, options.files, told);
+    Image<float> depth;
     const auto wanted = [&](const char* name) { return request.wanted.contains(name); };
     const GBuffer& g = frame.gbuffer;
     if (wanted("normal")) writer.write("normal", g.normal, normal_picture(g.normal));
     if (wanted("view_depth")) writer.write("view_depth", g.view_depth, view_depth_picture(g.view_depth));
     if (wanted("ndc_depth")) {
-        const Image<float> depth = ndc_depth(g.depth, request.run);
+        depth = ndc_depth(g.depth, request.run);
         writer.write("ndc_depth", depth, ndc_depth_picture(depth, frame.camera.reversed_z));
     }
     if (wanted("ao_raw")) writer.write("ao_raw", frame.ao_raw, ao_picture(frame.ao_raw));
     if (wanted("ao_blurred")) writer.write("ao_blurred", frame.ao_blurred, ao_picture(frame.ao_blurred));
     if (wanted(kBentNormal)) writer.write(kBentNormal, frame.bent_normal, normal_picture(frame.bent_normal));
-    if (wanted("lit")) writer.write("lit", frame.lit, demo_view(frame, inset));
-    return writer.described();
+    if (wanted("lit")) writer.write("lit", frame.lit, demo_view(frame, options.inset));
+    writer.finish();
+    Json described = writer.described();
+    for (const auto& [name, buffer] : described.items())
+        described[name].update(convention_json(name, frame.camera));
+    return described;
 }
 
 // Pairs of frames that one kind of work is measured with, at most.
@@ -50,8 +56,13 @@ const Saving* saving_of(Skip skip, const std::vector<Saving>& savings) {
     return at == savings.end() ? nullptr : &*at;
 }
 
-Json report_json(const std::string& scene, const FrameRequest& request, const Frame& frame,
-                 const std::vector<Saving>& savings, const std::vector<LoadStep>& load_steps, Json buffers) {
+// Of the parameters, where the method has one.
+Json seed_json(const FrameRequest& request) {
+    const std::optional<double> seed = value_of(*request.method, request.settings.method, "seed");
+    return seed ? Json(static_cast<long long>(*seed)) : Json();
+}
+
+Json left_out_json(const Frame& frame, const std::vector<Saving>& savings) {
     Json left_out = Json::array();
     for (const LeftOut& item : frame.left_out) left_out.push_back({{"what", item.what}, {"why", item.why}});
     for (const SkippedWork& work : frame.skipped) {
@@ -68,23 +79,36 @@ Json report_json(const std::string& scene, const FrameRequest& request, const Fr
         }
         left_out.push_back(entry);
     }
+    return left_out;
+}
+
+Json report_json(const RenderOptions& options, const PreparedRender& prepared, const Frame& frame,
+                 const std::vector<Saving>& savings, Json buffers) {
+    const auto& [argument, camera, request] = prepared;
     Json loading = Json::array();
-    for (const LoadStep& step : load_steps)
+    for (const LoadStep& step : argument.load_steps)
         loading.push_back({{"step", step.name}, {"wall_ms", step.wall_ms}});
     const ProgramVersion version = program_version();
-    return {{"program", {{"version", version.number}, {"commit", version.commit}}},
-            {"scene", scene},
-            {"size", {request.size.width, request.size.height}},
-            {"method", request.method->name},
-            {"parameters", parameters_json(request)},
-            {"threads", thread_count(request.run)},
-            {"lanes", lane_count(request.run)},
-            {"isa", isa_name(isa_of(request.run))},
-            {"loading", loading},
-            {"passes", passes_json(frame.passes)},
-            {"left_out", left_out},
-            {"precision", precision_json(frame.precision)},
-            {"buffers", std::move(buffers)}};
+    return {
+        {"program", {{"version", version.number}, {"commit", version.commit}}},
+        {"scene", options.scene},
+        {"size", {request.size.width, request.size.height}},
+        {"method", request.method->name},
+        {"parameters", parameters_json(*request.method, request.settings)},
+        {"seed", seed_json(request)},
+        {"samples", samples_json(*request.method, request.settings.method)},
+        {"camera", camera_json(argument, frame.camera)},
+        {"matrices", matrices_json(argument, frame.camera, request.size)},
+        {"depth", depth_json(frame.camera, request.size)},
+        {"rows", "row 0 of every buffer is its top row; pixel (x, y) has its centre at (x + 0.5, y + 0.5)"},
+        {"threads", thread_count(request.run)},
+        {"lanes", lane_count(request.run)},
+        {"isa", isa_name(isa_of(request.run))},
+        {"loading", loading},
+        {"passes", passes_json(frame.passes)},
+        {"left_out", left_out_json(frame, savings)},
+        {"precision", precision_json(frame.precision)},
+        {"buffers", std::move(buffers)}};
 }
 
 void print_times(const Frame& frame, const std::vector<Saving>& savings,
@@ -131,17 +155,18 @@ PreparedRender prepared_render(const RenderOptions& options) {
     return {std::move(argument), camera, std::move(request)};
 }
 
-void write_frame(const RenderOptions& options, const FrameRequest& request, const std::filesystem::path& out,
-                 const Frame& frame, const std::vector<LoadStep>& load_steps) {
+void write_frame(const RenderOptions& options, const PreparedRender& prepared,
+                 const std::filesystem::path& out, const Frame& frame) {
     std::ostream quiet(nullptr);
     try_output_directory(out);
-    Json buffers = described_buffers(frame, request, options.inset, out, quiet);
-    write_file_atomically(out / "passes.json", json_text(report_json(options.scene, request, frame, {},
-                                                                     load_steps, std::move(buffers))));
+    Json buffers = described_buffers(frame, options, prepared.request, out, quiet);
+    write_file_atomically(out / "passes.json",
+                          json_text(report_json(options, prepared, frame, {}, std::move(buffers))));
 }
 
 void render(const RenderOptions& options) {
-    const auto [argument, camera, request] = prepared_render(options);
+    const PreparedRender prepared = prepared_render(options);
+    const auto& [argument, camera, request] = prepared;
     if (request.settings.history.longest > 1)
         throw UsageError("--param history: there is no frame before this one (" +
                          std::to_string(request.settings.history.longest) + "); give --frames A-B");
@@ -159,10 +184,10 @@ void render(const RenderOptions& options) {
     }
     const std::vector<Saving> savings =
         measure_savings(argument.scene, camera, request, found, std::min(request.repeats, kMostSavingPairs));
-    Json buffers = described_buffers(frame, request, options.inset, options.out, std::cout);
+    Json buffers = described_buffers(frame, options, request, options.out, std::cout);
     const std::filesystem::path report = options.out / "passes.json";
-    write_file_atomically(report, json_text(report_json(options.scene, request, frame, savings,
-                                                        argument.load_steps, std::move(buffers))));
+    write_file_atomically(report,
+                          json_text(report_json(options, prepared, frame, savings, std::move(buffers))));
     print_times(frame, savings, argument.load_steps);
     std::cout.flush();
     std::printf("%s\n", report.string().c_str());

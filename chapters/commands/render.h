@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "chapters/frame/buffer_writer.h"
 #include "chapters/frame/frame.h"
 #include "chapters/frame/scene_argument.h"
 
@@ -17,6 +18,7 @@ struct RenderOptions {
     FrameRequest request;             // its settings follow from params and the scene
     double time_s = 0;                // how long the lights have been turning
     bool inset = false;               // the AO map over the lower right of lit.png (not of lit.npy)
+    BufferFiles files = BufferFiles::npy;
     std::filesystem::path out = "out";
 };
 
@@ -30,11 +32,11 @@ struct PreparedRender {
 PreparedRender prepared_render(const RenderOptions& options);
 
 // Writes a frame's wanted buffers and its passes.json into a directory, as render() does, and prints nothing.
-void write_frame(const RenderOptions& options, const FrameRequest& request, const std::filesystem::path& out,
-                 const Frame& frame, const std::vector<LoadStep>& load_steps);
+void write_frame(const RenderOptions& options, const PreparedRender& prepared,
+                 const std::filesystem::path& out, const Frame& frame);
 
-// Writes OUT/NAME.npy and OUT/NAME.png for each wanted buffer and OUT/passes.json, and prints one line for
-// each. Throws InputError, UsageError (for a history, which takes frames before this one, too), OutputError; the output directory is tried before anything is drawn.
+// Writes OUT/NAME.npy and OUT/NAME.png for each wanted buffer, or OUT/frame.exr, and OUT/passes.json, and prints one line
+// for each. Throws InputError, UsageError (for a history, which takes frames before this one, too), OutputError; the output directory is tried before anything is drawn.
 void render(const RenderOptions& options);
 
 }  // namespace crevice

@@ -16,7 +16,7 @@ namespace {
 
 // As they were typed.
 struct RenderWords : FrameWords {
-    std::string only, repeat = "1", out = "out";
+    std::string only, repeat = "1", format = "npy", out = "out";
     std::optional<std::string> frames, path, pixel, pass;
     bool inset = false, frame_buffers = false, stops = false;
 };
@@ -56,6 +56,9 @@ WantedBuffers buffers_of(const std::string& list, const Method& method) {
 RenderOptions options_of(const RenderWords& words) {
     RenderOptions options = frame_options("render", words);
     options.inset = words.inset;
+    options.files = parse_choice<BufferFiles>("--format", words.format,
+                                              {{"npy", BufferFiles::npy}, {"exr", BufferFiles::exr}});
+    if (options.files == BufferFiles::exr) named_as({{"EXR", "--format exr"}}, require_openexr);
     options.out = words.out;
     FrameRequest& request = options.request;
     request.wanted = buffers_of(words.only, *request.method);
@@ -96,10 +99,13 @@ int run(const RenderWords& words) {
 Command add_render_command(CommandLine& program) {
     const auto words = std::make_shared<RenderWords>();
     CommandLine render = program.subcommand(
-        "render", "Draw a scene and write every buffer as NAME.npy and NAME.png, with passes.json");
+        "render",
+        "Draw a scene and write every buffer as NAME.npy and NAME.png or in one EXR, with passes.json");
     render.option("SCENE", words->scene, kSceneMeaning);
     add_frame_flags(render, *words);
     render.option("--only", words->only, "write only these buffers, comma-separated; the rest is left out");
+    render.option("--format", words->format,
+                  "npy: NAME.npy and NAME.png; exr: frame.exr, every buffer a layer of it");
     render.flag("--keep-all", words->run.keep_all, "leave nothing out: the same buffers, more slowly");
     render.option("--repeat", words->repeat,
                   "draw the frame this often: times are medians, and what leaving out saves is measured");

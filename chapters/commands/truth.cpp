@@ -150,7 +150,7 @@ void write_truth(const TruthOptions& options) {
     const References references = make_references(view.scene, view.camera, view.request);
     const std::vector<std::string> warnings = warnings_of(references, request.rays.radius);
     for (const std::string& warning : warnings) std::cerr << options.scene << ": " << warning << "\n";
-    BufferWriter writer(options.out, std::cout);
+    BufferWriter writer(options.out, BufferFiles::npy, std::cout);
     for (const NamedReference& r : named(references)) {
         const ReferenceImage& image = r.reference.image;
         if (image.mean.empty()) continue;

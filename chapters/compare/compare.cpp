@@ -1,6 +1,8 @@
 #include "chapters/compare/compare.h"
 
+#include <algorithm>
 #include <iostream>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -42,8 +44,6 @@ void write_error_images(const Planes& a, const Planes& b, const fs::path& out, c
     write_picture(png, picture);
     report << "  " << npy.string() << ", " << png.string() << ": " << picture.mapping << "\n";
 }
-
-std::string stem_of(const DifferenceEntry& entry) { return fs::path(entry.name).stem().string(); }
 
 // Values as a monitor is sent them. Throws InputError where they are no picture's.
 Planes display_values(const DifferenceEntry& entry, Planes planes) {
@@ -88,17 +88,28 @@ LimitsOfBuffers limits_of(const CompareOptions& options) {
     return limits_from_text(read_file(file, kMaxText), file.string(), options.limits);
 }
 
-// Copies what failed from A over B.
-void bless(const CompareOptions& options, std::span<const ComparedPair> pairs, std::ostream& report) {
+// What is copied from where to where, for one file of a pair of directories, or for the two files as they are.
+struct Renewal {
+    fs::path from, to;
+};
+Renewal renewal_of(const CompareOptions& options, const DifferenceEntry& entry, bool directories) {
+    if (!directories) return {options.a, options.b};
+    std::string file = entry.name;
+    if (!entry.layer.empty()) file.resize(file.size() - entry.layer.size() - 2);  // ", normal"
+    return {options.a / file, options.b / file};
+}
+
+// Copies the files that failed from A over B.
+void bless(const CompareOptions& options, std::span<const ComparedPair> pairs, bool directories,
+           std::ostream& report) {
     constexpr std::uintmax_t kMaxFile = std::uintmax_t{1} << 34;
     std::error_code ignored;
-    const bool directories = fs::is_directory(options.a, ignored);
+    std::set<fs::path> renewed;
     for (const ComparedPair& pair : pairs) {
         if (pair.passed()) continue;
-        const fs::path name = pair.entry->name;
-        const fs::path from = directories ? options.a / name : options.a,
-                       to = directories ? options.b / name : options.b;
-        if (pair.entry->a.empty()) {
+        const auto [from, to] = renewal_of(options, *pair.entry, directories);
+        if (!renewed.insert(to).second) continue;
+        if (!fs::exists(from, ignored)) {
             report << to.string() << ": stays; " << options.a.string() << " has no such file\n";
             continue;
         }
@@ -107,29 +118,41 @@ void bless(const CompareOptions& options, std::span<const ComparedPair> pairs, s
     }
 }
 
+// An EXR and a directory hold the same in different files.
+void require_blessable(const CompareOptions& options) {
+    std::error_code ignored;
+    if (!options.bless || fs::is_directory(options.a, ignored) == fs::is_directory(options.b, ignored))
+        return;
+    throw UsageError("--bless: copies files as they are, but of " + options.a.string() + " and " +
+                     options.b.string() + " one is a directory; give two files or two directories");
+}
+
 }  // namespace
 
 int compare_files(const CompareOptions& options, std::ostream& report) {
+    require_blessable(options);
     const std::vector<DifferenceEntry> entries = compared_entries(options.a, options.b, std::cerr);
     const LimitsOfBuffers limits = limits_of(options);
     if (options.out) try_output_directory(*options.out);
     std::error_code ignored;
-    const bool directories = fs::is_directory(options.a, ignored);
+    const bool directories = fs::is_directory(options.a, ignored) && fs::is_directory(options.b, ignored);
+    const bool several =
+        directories || std::ranges::any_of(entries, [](const auto& e) { return !e.layer.empty(); });
     std::ostream silent(nullptr);
     std::ostream& text = options.json ? silent : report;
     std::vector<ComparedPair> pairs;
     long long failed = 0;
     for (const DifferenceEntry& entry : entries) {
-        pairs.push_back(compared(entry, limits.of(stem_of(entry))));
+        pairs.push_back(compared(entry, limits.of(entry.buffer())));
         const ComparedPair& pair = pairs.back();
         failed += !pair.passed();
-        if (!directories || !pair.passed()) print_pair(text, pair);
+        if (!several || !pair.passed()) print_pair(text, pair);
         if (!options.out || !pair.error || pair.error->identical()) continue;
         const std::string stem =
-            (directories ? stem_of(entry) + "_error" : std::string("error")) + (entry.alpha ? "_alpha" : "");
+            (several ? entry.buffer() + "_error" : std::string("error")) + (entry.alpha ? "_alpha" : "");
         write_error_images(entry.a, entry.b, *options.out, stem, text);
     }
-    if (directories)
+    if (several)
         text << failed << " of " << entries.size() << " differ"
              << (limits.any() ? " more than they may\n" : "\n");
     if (options.json) report << json_report(options.a.string(), options.b.string(), pairs);
@@ -138,7 +161,7 @@ int compare_files(const CompareOptions& options, std::ostream& report) {
         write_file_atomically(*options.html, difference_page(entries));
         text << options.html->string() << "\n";
     }
-    if (options.bless) bless(options, pairs, text);
+    if (options.bless) bless(options, pairs, directories, text);
     return static_cast<int>(failed > 0 && !options.bless ? ExitCode::check_failed : ExitCode::done);
 }
 

@@ -10,7 +10,7 @@
 namespace crevice {
 
 struct CompareOptions {
-    std::filesystem::path a, b;  // two images or two directories (compared_files.h); b holds the goldens
+    std::filesystem::path a, b;  // files or directories of images (compared_files.h); b holds the goldens
     CompareLimits limits = {};   // of every pair that no file of limits names
     std::optional<std::filesystem::path> limits_file =
         {};  // none: kLimitsFile in the directory b, where there is one
@@ -22,7 +22,7 @@ struct CompareOptions {
 };
 
 // Reports RMSE, MAE, signed bias (A - B), max, p99, SSIM, differing pixels and NaN/Inf of two files, and of those pairs of
-// two directories that fail; a file that only one of these has, or of another shape there, fails. For a pair that
+// several that fail; what only one of these has, or of another shape there, fails. For a pair that
 // differs, the signed difference A - B goes to OUT as error.npy and error.png (NAME_error.* of directories).
 // Returns 0 when all pairs pass, else 1. Throws InputError as compared_entries() and limits_from_text() do; OutputError
 // when writing fails.

@@ -16,8 +16,32 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Where any component differs most, the first in row order: what to ask `crevice probe` about. A NaN, or an infinity that only
+// one has, differs more than any number.
+PixelPosition worst_pixel(const Planes& a, const Planes& b) {
+    PixelPosition worst;
+    double most = -1;
+    const Size size = a[0].size;
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+            for (std::size_t c = 0; c < a.size(); ++c) {
+                const double va = a[c].at(x, y), vb = b[c].at(x, y);
+                const double apart = va == vb ? 0 : std::isfinite(va - vb) ? std::fabs(va - vb) : HUGE_VAL;
+                if (apart <= most) continue;
+                most = apart;
+                worst = {x, y};
+            }
+        }
+    }
+    return worst;
+}
+
 std::vector<std::pair<std::string, std::string>> rows_of(const ComparedPair& pair) {
     auto rows = error_rows(*pair.error);
+    if (!pair.error->identical()) {
+        const PixelPosition at = worst_pixel(pair.entry->a, pair.entry->b);
+        rows.push_back({"worst pixel", std::to_string(at.x) + " " + std::to_string(at.y)});
+    }
     if (!std::isnan(pair.flip)) rows.push_back({"FLIP", significant_text(pair.flip, 6)});
     return rows;
 }
@@ -49,6 +73,10 @@ Json json_of(const ComparedPair& pair) {
     json["pixels"] = error.pixels;
     json["differing_pixels"] = error.differing_pixels;
     json["nan_or_inf"] = error.nan_or_inf;
+    if (!error.identical()) {
+        const PixelPosition at = worst_pixel(planes, pair.entry->b);
+        json["worst_pixel"] = {at.x, at.y};
+    }
     return json;
 }
 

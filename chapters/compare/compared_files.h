@@ -9,13 +9,14 @@
 
 namespace crevice {
 
-// .npy of floats, halves, doubles, bytes or words with one to four components, .pfm, and .png. Codes of a PNG count as
-// k/255, or as k/65535 where there are 16 bits, as the file encodes them; its alpha, where either has any, is a pair of
-// its own. Of two directories files of one name are a pair; a picture is left out where both have a .npy of its name. A
-// file that only one has, or of another shape than its partner, makes an entry with a note that says so.
+// Two files of one image each are a pair, whatever their kinds (compared_image.h); so are the layers of one name of two
+// EXRs, a layer of an EXR and the image of its name in a directory, and the files of one name of two directories. A picture
+// is left out where both directories have a .npy of its name, and where a directory has a .npy of a layer's name. Alpha,
+// where either has any, is a pair of its own. Of more than one pair, what only one side has, or of another shape, makes an
+// entry with a note that says so.
 // On `warnings`: sRGB codes against linear values, doubles that no float holds.
-// Throws InputError when a file cannot be read, when two files are of different kinds or shapes, and when no directory
-// holds an image.
+// Throws InputError when a file cannot be read, when two files are of different shapes, and when no directory holds an
+// image.
 std::vector<DifferenceEntry> compared_entries(const std::filesystem::path& a, const std::filesystem::path& b,
                                               std::ostream& warnings);
 

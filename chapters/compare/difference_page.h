@@ -2,6 +2,7 @@
 // its difference x 16, the metrics, a histogram and the first differing pixels. One file that opens offline.
 #pragma once
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <utility>
@@ -17,8 +18,11 @@ struct DifferenceEntry {
     std::string note;           // plain text shown under the name
     bool linear_light = false;  // show three components through the sRGB curve
     bool alpha = false;         // a and b are the alpha of what is named
+    std::string layer = {};     // of a file that holds several
 
     std::string title() const { return alpha ? name + ", alpha" : name; }
+    // What limits and error images go by: the layer, or the file's name without its ending.
+    std::string buffer() const { return layer.empty() ? std::filesystem::path(name).stem().string() : layer; }
 };
 
 // What the page calls its two sides, and itself.

@@ -1,6 +1,7 @@
 #include "chapters/frame/frame_json.h"
 
 #include "chapters/frame/parameter_words.h"
+#include "chapters/terminal/json_number.h"
 
 namespace crevice {
 
@@ -24,7 +25,29 @@ Json precision_json(const std::vector<PrecisionLoss>& losses) {
     return counts;
 }
 
-Json parameters_json(const FrameRequest& request) {
+namespace {
+
+Json value_json(const Parameter<FrameSettings>& parameter, const FrameSettings& settings) {
+    const double value = parameter.get(settings);
+    switch (parameter.kind) {
+        case ParameterKind::number: return json_number(static_cast<float>(value));
+        case ParameterKind::whole: return static_cast<long long>(value);
+        case ParameterKind::yes_no: return value != 0;
+        case ParameterKind::choice: break;
+    }
+    return word_of(parameter, settings);
+}
+
+}  // namespace
+
+Json parameters_json(const Method& method, const FrameSettings& settings) {
+    Json values = Json::object();
+    for (const Parameter<FrameSettings>& p : frame_parameters(method))
+        values[p.name] = value_json(p, settings);
+    return values;
+}
+
+Json parameter_words_json(const FrameRequest& request) {
     Json words = Json::object();
     for (const Parameter<FrameSettings>& p : frame_parameters(*request.method))
         words[p.name] = word_of(p, request.settings);

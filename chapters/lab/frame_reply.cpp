@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "chapters/frame/frame_json.h"
+#include "chapters/frame/view_json.h"
 #include "chapters/probe/pixel_probe.h"
 #include "chapters/terminal/parse.h"
 #include "rasterizer/base/error.h"
@@ -39,20 +40,12 @@ std::uintptr_t address_of(const Image<float>& plane) {
     return reinterpret_cast<std::uintptr_t>(plane.pixels.data());
 }
 
-Json point_json(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
-
-Json camera_json(const SceneArgument& scene, const Camera& camera, Size size) {
-    const auto own = [&](const glm::dvec3& p) { return point_json(own_coordinates(scene, p)); };
+// With what turns a pixel into a ray.
+Json lab_camera_json(const SceneArgument& scene, const Camera& camera, Size size) {
+    Json json = camera_json(scene, camera);
     const glm::vec2 ray_scale = camera_matrices(camera, size).ray_scale;
-    const bool ortho = camera.projection == Projection::orthographic;
-    return {{"eye", own(camera.eye)},
-            {"target", own(camera.target)},
-            {"up", point_json(camera.up)},
-            {"fov_y", camera.fov_y_rad * (180 / kPi)},
-            {"near", camera.near_plane},
-            {"far", camera.far_plane},
-            {"ortho", ortho ? Json(camera.ortho_height) : Json()},
-            {"ray_scale", {ray_scale.x, ray_scale.y}}};
+    json["ray_scale"] = {ray_scale.x, ray_scale.y};
+    return json;
 }
 
 Json buffers_json(const DrawnFrame& drawn) {
@@ -154,8 +147,8 @@ Json frame_reply(const LoadedScene& scene, const DrawnFrame& drawn) {
               {"from_obj", scene.argument.from_obj},
               {"length_unit", scene.argument.scene.length_unit},
               {"load_ms", load_ms}}},
-            {"camera", camera_json(scene.argument, drawn.camera, drawn.request.size)},
-            {"parameters", parameters_json(drawn.request)},
+            {"camera", lab_camera_json(scene.argument, drawn.camera, drawn.request.size)},
+            {"parameters", parameter_words_json(drawn.request)},
             {"size", {drawn.request.size.width, drawn.request.size.height}},
             {"passes", passes_json(frame.passes)},
             {"precision", precision_json(frame.precision)},

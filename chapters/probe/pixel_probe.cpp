@@ -1,6 +1,5 @@
 #include "chapters/probe/pixel_probe.h"
 
-#include "chapters/frame/parameter_words.h"
 #include "chapters/terminal/number_text.h"
 #include "rasterizer/base/error.h"
 
@@ -35,8 +34,7 @@ PixelProbe probe_pixel(const Scene& scene, const FrameRequest& request, const Wo
     probe.x = x;
     probe.y = y;
     probe.method = request.method->name;
-    for (const Parameter<FrameSettings>& p : frame_parameters(*request.method))
-        probe.parameters.emplace_back(p.name, word_of(p, request.settings));
+    probe.settings = request.settings;
     for (const Material& material : scene.materials) probe.materials.push_back(material.name);
     const NormalDepthSettings& buffers = request.settings.buffers;
     probe.depth_format = buffers.depth_format;

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "chapters/frame/worked_frame.h"
@@ -22,9 +21,9 @@ struct PixelProbe {
     Size size;  // of the picture
     int x = 0, y = 0;
     std::string method;
-    std::vector<std::pair<std::string, std::string>> parameters;  // names and words, as passes.json has them
-    std::vector<std::string> materials;                           // names, as Scene::materials has them
-    DepthFormat depth_format = DepthFormat::d32f;                 // of the codes in `raster`
+    FrameSettings settings;
+    std::vector<std::string> materials;            // names, as Scene::materials has them
+    DepthFormat depth_format = DepthFormat::d32f;  // of the codes in `raster`
     PixelFragments raster;
     NormalDepthProbe normal_depth;
     AoProbe ao;

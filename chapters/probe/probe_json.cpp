@@ -1,14 +1,12 @@
 #include "chapters/probe/probe_json.h"
 
-#include <cmath>
-#include <cstdlib>
-
 #include <nlohmann/json.hpp>
 
+#include "chapters/frame/frame_json.h"
 #include "chapters/probe/probe_sentences.h"
 #include "chapters/probe/probe_words.h"
+#include "chapters/terminal/json_number.h"
 #include "chapters/terminal/json_text.h"
-#include "rasterizer/base/float_text.h"
 
 namespace crevice {
 
@@ -16,20 +14,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A double that is written with the fewest digits of the float, where they lead back to it.
-Json json_of(float value) {
-    if (!std::isfinite(value)) return nullptr;
-    const std::string text = shortest_text(value);
-    double short_one = 0;
-    number_from_text(text.data(), text.data() + text.size(), short_one);
-    return static_cast<float>(short_one) == value ? short_one : static_cast<double>(value);
-}
-Json json_of(double value) {
-    if (!std::isfinite(value)) return nullptr;
-    return value;
-}
+Json json_of(float value) { return json_number(value); }
+Json json_of(double value) { return json_number(value); }
 Json json_of(const glm::vec2& v) { return Json::array({json_of(v.x), json_of(v.y)}); }
-Json json_of(const glm::vec3& v) { return Json::array({json_of(v.x), json_of(v.y), json_of(v.z)}); }
+Json json_of(const glm::vec3& v) { return json_numbers(v); }
 Json json_of(Size size) { return Json::array({size.width, size.height}); }
 
 // Of a triangle, a material or a light; null for none.
@@ -205,8 +193,7 @@ Json lit_json(const PixelProbe& probe) {
 }  // namespace
 
 std::string probe_json(const PixelProbe& probe, const std::string& pass) {
-    Json parameters = Json::object(), passes = Json::object();
-    for (const auto& [name, word] : probe.parameters) parameters[name] = word;
+    Json passes = Json::object();
     const auto wanted = [&](const char* name) { return pass.empty() || pass == name; };
     if (wanted("normal_depth")) {
         passes["raster"] = raster_json(probe);
@@ -219,7 +206,7 @@ std::string probe_json(const PixelProbe& probe, const std::string& pass) {
                           {"size", json_of(probe.size)},
                           {"pixel", {probe.x, probe.y}},
                           {"method", probe.method},
-                          {"parameters", parameters},
+                          {"parameters", parameters_json(find_method(probe.method), probe.settings)},
                           {"answer", answer(probe)},
                           {"passes", passes}});
 }

@@ -9,9 +9,6 @@ namespace crevice {
 
 namespace {
 
-// The tutorials' radius, for scenes whose length_unit is 1.
-constexpr float kAskedRadius = 0.5f;
-
 std::vector<int> samples_of(const Method& method, bool all) {
     const std::vector<int>& samples = method.samples_to_try;
     if (all || samples.size() <= 3) return samples;

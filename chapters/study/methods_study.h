@@ -9,6 +9,9 @@
 
 namespace crevice {
 
+// The tutorials' radius, for scenes whose length_unit is 1: what all methods are asked.
+inline constexpr float kAskedRadius = 0.5f;
+
 struct MethodsPlan {
     Size size{1280, 720};
     bool all_samples = true;  // of Method::samples_to_try; else the fewest, the middle and the most

@@ -33,7 +33,7 @@ struct HemisphereKernel {
     HemisphereKernel(const AoInputs& ao_inputs, const HemisphereSettings& hemisphere)
         : inputs(ao_inputs),
           settings(spelt_out(hemisphere)),
-          points(hemisphere_points(settings.samples, kLengths, settings.seed)),
+          points(hemisphere_offsets(settings)),
           turns(settings.turn_vectors, settings.seed),
           turned_as(settings.turns_for_1024 ? Size{1024, 1024} : inputs.size()),
           bias(settings.radius > 0 ? settings.bias : kInfinity),
@@ -108,6 +108,10 @@ AoFetch hemisphere_fetch(const HemisphereSettings& settings) {
             .point_normals = s.unit_normals,
             .scale = s.ao_scale,
             .border = s.border};
+}
+
+std::vector<glm::vec3> hemisphere_offsets(const HemisphereSettings& settings) {
+    return hemisphere_points(settings.samples, kLengths, settings.seed);
 }
 
 AoMap hemisphere_ao(const AoInputs& inputs, const HemisphereSettings& settings, const Run& run) {

@@ -74,6 +74,9 @@ CREVICE_INLINE F range_weight(F distance, float radius) {
 }
 
 AoFetch hemisphere_fetch(const HemisphereSettings& settings);
+// SampleOffsets::vectors of the settings' samples.
+std::vector<glm::vec3> hemisphere_offsets(const HemisphereSettings& settings);
+
 AoMap hemisphere_ao(const AoInputs& inputs, const HemisphereSettings& settings, const Run& run = {});
 double hemisphere_reach_px(const AoInputs& inputs, const HemisphereSettings& settings, double view_depth);
 Explanation explain_hemisphere(const AoInputs& inputs, const HemisphereSettings& settings, int x, int y);

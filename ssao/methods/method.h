@@ -88,6 +88,12 @@ struct AoQuestion {
     bool cosine_weighted = true;         // false: every direction counts the same
 };
 
+// Where the samples of every texel lie before a texel turns or mirrors them.
+struct SampleOffsets {
+    const char* space = "";          // "view", or "tangent": x and y along the surface, z its normal
+    std::vector<glm::vec3> vectors;  // from p, in radii, in the order of the samples
+};
+
 struct Method {
     const char* name = "";
     const char* title = "";
@@ -118,6 +124,9 @@ struct Method {
     // The mean direction that is open over each texel that ao() saw: view space, unit, 0 in the background; AO map
     // size. Empty: the method knows none.
     std::function<Image3(const AoInputs&, const AnySettings&, const Run&)> bent_normals;
+
+    // Empty: what a sample looks at follows from its texel alone.
+    std::function<SampleOffsets(const AnySettings&)> offsets;
 
     // The same kernel in double: the map without its rounding errors. With AoView::in_double without those of the
     // buffers, too. Empty: not known.

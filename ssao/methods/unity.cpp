@@ -32,7 +32,7 @@ struct UnityKernel {
     UnityKernel(const AoInputs& ao_inputs, const UnitySettings& unity)
         : inputs(ao_inputs),
           settings(spelt_out(unity)),
-          points(hemisphere_points(settings.samples, kLengths, settings.seed)),
+          points(unity_offsets(settings)),
           turns(TurnVectors::circle, settings.seed),
           bias(settings.radius > 0 ? settings.bias * settings.radius
                                    : std::numeric_limits<float>::infinity()),
@@ -114,6 +114,10 @@ UnitySettings spelt_out(UnitySettings s) {
     s.mirrored_z = true;
     s.divided_by_z = true;
     return s;
+}
+
+std::vector<glm::vec3> unity_offsets(const UnitySettings& settings) {
+    return hemisphere_points(settings.samples, kLengths, settings.seed);
 }
 
 AoMap unity_ao(const AoInputs& inputs, const UnitySettings& settings, const Run& run) {

@@ -76,6 +76,9 @@ void validate(const UnitySettings& settings);
 // alone, the hidden points shown as open, mirrored and divided by z.
 UnitySettings spelt_out(UnitySettings settings);
 
+// SampleOffsets::vectors of the settings' samples, not yet mirrored.
+std::vector<glm::vec3> unity_offsets(const UnitySettings& settings);
+
 AoMap unity_ao(const AoInputs& inputs, const UnitySettings& settings, const Run& run = {});
 double unity_reach_px(const AoInputs& inputs, const UnitySettings& settings, double view_depth);
 Explanation explain_unity(const AoInputs& inputs, const UnitySettings& settings, int x, int y);

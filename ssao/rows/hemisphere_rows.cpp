@@ -57,7 +57,8 @@ Method hemisphere_row() {
          .question =
              [](const S& s) {
                  return AoQuestion{s.radius, s.radius, s.radius, false};
-             }},
+             },
+         .tangent_offsets = hemisphere_offsets},
         box_denoiser());
 }
 
@@ -102,7 +103,8 @@ Method unity_row() {
          .question =
              [](const S& s) {
                  return AoQuestion{s.radius, s.radius, s.radius, false};
-             }},
+             },
+         .tangent_offsets = unity_offsets},
         normal_denoiser());
 }
 

@@ -34,6 +34,10 @@ Method tutorial_method(const LunaSettings& defaults, const BlurSettings& blur,
     row.ao = [ssao](const AoView& view, const AnySettings& s, const Run& run) {
         return ssao(view.gbuffer, view.camera, luna(s), run);
     };
+    row.offsets = [](const AnySettings& s) {
+        const auto all = cube_offsets(luna(s).seed);
+        return SampleOffsets{"view", {all.begin(), all.begin() + luna(s).samples}};
+    };
     row.denoiser = bilateral_denoiser(blur);
     row.ao_in_double = [fetch](const AoView& view, const AnySettings& s, const Run& run) {
         const AoInputs inputs = ao_inputs(view.gbuffer, view.camera, fetch(luna(s)), run);

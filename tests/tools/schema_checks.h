@@ -1,4 +1,4 @@
-// Whether a JSON document is as a schema has it: of JSON Schema draft 7 what schemas/ uses, and nothing else.
+// Whether a JSON document is as a schema has it: of JSON Schema 2020-12 what schemas/ uses, and nothing else.
 #pragma once
 
 #include <algorithm>
@@ -40,7 +40,7 @@ class SchemaChecks {
         static const std::set<std::string> known = {
             "$schema",    "$ref",  "title",    "description", "type",     "enum",
             "properties", "items", "required", "minItems",    "maxItems", "additionalProperties",
-            "definitions"};
+            "minimum", "maximum", "$defs"};
         for (const auto& [word, ignored] : schema.items()) {
             if (!known.contains(word)) return "the schema says more than this test knows: " + word;
         }
@@ -54,6 +54,9 @@ class SchemaChecks {
         if (schema.contains("enum") &&
             std::find(schema["enum"].begin(), schema["enum"].end(), value) == schema["enum"].end())
             return place + ": " + value.dump() + " is none of " + schema["enum"].dump();
+        if (value.is_number() && (value.get<double>() < schema.value("minimum", value.get<double>()) ||
+                                  value.get<double>() > schema.value("maximum", value.get<double>())))
+            return place + ": " + value.dump() + " is out of range";
         if (value.is_object()) return wrong_member(value, schema, place);
         if (value.is_array()) return wrong_item(value, schema, place);
         return "";

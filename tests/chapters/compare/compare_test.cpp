@@ -134,7 +134,7 @@ TEST_CASE("what cannot be compared is named") {
     CHECK(contains(message(scratch / "a.txt", scratch / "a.npy"), "a.txt"));
     CHECK(contains(message(scratch / "a.npy", scratch.path()), "is none"));
     fs::create_directory(scratch / "empty");
-    CHECK(contains(message(scratch / "empty", scratch / "empty"), "holds a .npy, a .pfm or a .png"));
+    CHECK(contains(message(scratch / "empty", scratch / "empty"), "holds a .npy, a .pfm, a .png, a .tif or an .exr"));
     CHECK_THROWS_AS(
         compare({.a = scratch / "a.npy", .b = scratch / "a.npy", .html = scratch / "none" / "p.html"}),
         OutputError);
