@@ -9,8 +9,10 @@
 #include "chapters/notebook/table.h"
 #include "chapters/study/statistics.h"
 #include "chapters/terminal/number_text.h"
+#include "chapters/terminal/output_directory.h"
 #include "chapters/terminal/progress.h"
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/image_io.h"
 #include "rasterizer/base/image_summary.h"
 
 namespace crevice {
@@ -39,6 +41,7 @@ struct Duel {
     Side ours, theirs;
     std::string renderer, first_hash, last_hash;  // hashes of our lit image
     std::vector<Agreement> agreement;
+    PeerBuffers their_buffers;
 };
 
 FrameClock times_of(const Frame& frame, const std::string& scene) {
@@ -78,7 +81,8 @@ Duel fight(const SceneArgument& argument, const std::string& name, PeerSession& 
         }
         if (pair == options.pairs) {
             duel.last_hash = content_hash(frame.lit);
-            duel.agreement = agreement(argument.scene, request, frame, peer.buffers());
+            duel.their_buffers = peer.buffers();
+            duel.agreement = agreement(argument.scene, request, frame, duel.their_buffers);
         }
         progress.advance();
     }
@@ -130,6 +134,18 @@ bool add_agreement(Table& table, const std::string& scene, const Duel& duel, std
     return same;
 }
 
+// As `crevice render` writes ours, so that `crevice compare` can tell them apart.
+void write_buffers(const PeerBuffers& buffers, const std::filesystem::path& directory, std::ostream& out) {
+    try_output_directory(directory);
+    write_npy(directory / "normal.npy", buffers.normal);
+    write_npy(directory / "view_depth.npy", buffers.view_depth);
+    write_npy(directory / "ndc_depth.npy", buffers.ndc_depth);
+    write_npy(directory / "ao_raw.npy", buffers.ao_raw);
+    write_npy(directory / "ao_blurred.npy", buffers.ao_blurred);
+    write_npy(directory / "lit.npy", buffers.lit);
+    out << directory.string() << ": the peer's buffers\n";
+}
+
 }  // namespace
 
 void validate(const PeersOptions& options) {
@@ -167,6 +183,9 @@ int bench_peers(const PeersOptions& options, std::ostream& out) {
         same = add_agreement(pictures, name, duel, out) && same;
         const std::string note = busy_note(duel.ours.passes.back().summary(), thread_count(options.run));
         if (!note.empty()) out << name << ": " << note << "\n";
+        if (options.out)
+            write_buffers(duel.their_buffers,
+                          *options.out / (std::filesystem::path(name).stem().string() + "_peer"), out);
     }
     out << facts_text(report.facts) << "\n" << table_text(times) << "\n" << table_text(pictures);
     if (!same) out << "The two sides did not draw the same picture: their times do not compare.\n";

@@ -33,13 +33,13 @@ struct PeersOptions {
     Size size{1280, 720};
     int pairs = 21;
     Run run;
-    std::optional<std::filesystem::path> out;  // the directory for tables, if any
+    std::optional<std::filesystem::path> out;  // the directory for tables and buffers, if any
     std::filesystem::path program = peer_program();
     double patience_s = 120;  // for one answer of the peer
 };
 
-// Prints and writes the tables. Returns 0, or 1 when the two sides did not draw the same picture. Throws
-// UsageError, InputError (no peer, or what it did wrong), OutputError.
+// Prints and writes the tables, and the peer's buffers as OUT/SCENE_peer/NAME.npy. Returns 0, or 1 when the two
+// sides did not draw the same picture. Throws UsageError, InputError (no peer, or what it did wrong), OutputError.
 int bench_peers(const PeersOptions& options, std::ostream& out);
 
 // Throws UsageError for options out of range, as bench_peers() does.
