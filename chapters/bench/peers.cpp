@@ -1,7 +1,9 @@
 #include "chapters/bench/peers.h"
 
 #include <algorithm>
+#include <limits>
 #include <ostream>
+#include <utility>
 
 #include "chapters/bench/agreement.h"
 #include "chapters/bench/frames.h"
@@ -134,15 +136,23 @@ bool add_agreement(Table& table, const std::string& scene, const Duel& duel, std
     return same;
 }
 
-// As `crevice render` writes ours, so that `crevice compare` can tell them apart.
-void write_buffers(const PeerBuffers& buffers, const std::filesystem::path& directory, std::ostream& out) {
+// As `crevice render` writes ours, with its background, so that `crevice compare` can tell them apart. The lit picture is none
+// that `render` draws: the peer knows no textures.
+void write_buffers(PeerBuffers buffers, const std::filesystem::path& directory, std::ostream& out) {
+    const Size size = buffers.ndc_depth.size;
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+            if (buffers.ndc_depth.at(x, y) < 1) continue;
+            buffers.normal.set(x, y, {0, 0, 0});
+            buffers.view_depth.at(x, y) = std::numeric_limits<float>::infinity();
+        }
+    }
     try_output_directory(directory);
     write_npy(directory / "normal.npy", buffers.normal);
     write_npy(directory / "view_depth.npy", buffers.view_depth);
     write_npy(directory / "ndc_depth.npy", buffers.ndc_depth);
     write_npy(directory / "ao_raw.npy", buffers.ao_raw);
     write_npy(directory / "ao_blurred.npy", buffers.ao_blurred);
-    write_npy(directory / "lit.npy", buffers.lit);
     out << directory.string() << ": the peer's buffers\n";
 }
 
@@ -176,7 +186,7 @@ int bench_peers(const PeersOptions& options, std::ostream& out) {
         const SceneArgument argument = load_scene(name, {.surfaces = false});
         const std::size_t triangles = triangle_count(argument.scene);
         if (triangles == 0) throw UsageError(name + ": no triangles to compare; choose another --scene");
-        const Duel duel = fight(argument, name, peer, options);
+        Duel duel = fight(argument, name, peer, options);
         if (&name == &options.scenes.front()) report.facts.push_back({"peer", duel.renderer});
         report.facts.push_back({name, std::to_string(triangles) + " triangles, lit image " + duel.last_hash});
         add_times(times, name, duel);
@@ -184,7 +194,7 @@ int bench_peers(const PeersOptions& options, std::ostream& out) {
         const std::string note = busy_note(duel.ours.passes.back().summary(), thread_count(options.run));
         if (!note.empty()) out << name << ": " << note << "\n";
         if (options.out)
-            write_buffers(duel.their_buffers,
+            write_buffers(std::move(duel.their_buffers),
                           *options.out / (std::filesystem::path(name).stem().string() + "_peer"), out);
     }
     out << facts_text(report.facts) << "\n" << table_text(times) << "\n" << table_text(pictures);

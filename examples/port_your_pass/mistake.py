@@ -5,6 +5,7 @@ that mistake would have written. For chapters/port_your_pass.md; nothing but Pyt
     mistake.py flipped_rows  IN.npy OUT.npy               # row 0 is the lowest, as OpenGL reads pixels back
     mistake.py world_normals IN.npy OUT.npy PASSES.json   # normals in world space instead of view space
     mistake.py mirrored_z    IN.npy OUT.npy               # a right-handed view space: z towards the eye
+    mistake.py clear_colour  IN.npy OUT.npy               # normals cleared to (0, 0, -1), where the lab has 0
     mistake.py srgb          IN.npy OUT.npy               # an AO target with an sRGB format
 """
 import array
@@ -53,12 +54,20 @@ def mirrored_z(shape, values, _):
     return array.array("f", (-v if i % 3 == 2 and v != 0 else v for i, v in enumerate(values)))
 
 
+def clear_colour(shape, values, _):
+    cleared = array.array("f", values)
+    for i in range(0, len(values), 3):
+        if not any(values[i : i + 3]):
+            cleared[i + 2] = -1
+    return cleared
+
+
 def srgb(shape, values, _):
     return array.array("f", (12.92 * v if v <= 0.0031308 else 1.055 * v ** (1 / 2.4) - 0.055 for v in values))
 
 
 def main():
-    mistakes = {f.__name__: f for f in (flipped_rows, world_normals, mirrored_z, srgb)}
+    mistakes = {f.__name__: f for f in (flipped_rows, world_normals, mirrored_z, clear_colour, srgb)}
     words = sys.argv[1:]
     if len(words) < 3 or words[0] not in mistakes or (words[0] == "world_normals") != (len(words) == 4):
         sys.exit(__doc__)

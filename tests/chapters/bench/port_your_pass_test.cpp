@@ -45,6 +45,7 @@ TEST_CASE("port your pass: each planted mistake is found, and looks as the page 
     CHECK(mistake[0].at(7, last) == right[0].at(7, 0));
     CHECK(mistaken(scratch, "srgb", "ao_blurred").code == 1);
     CHECK(mistaken(scratch, "mirrored_z", "normal").code == 1);
+    CHECK(contains(mistaken(scratch, "clear_colour", "normal").text, "worst pixel       0 0\n"));  // the sky
     CHECK(mistaken(scratch, "world_normals", "normal").code == 1);
     // The floor's normal is straight up in world space, to the last digits of the matrix.
     const Planes world = read_npy(scratch / "mistake.npy");
