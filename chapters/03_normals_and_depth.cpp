@@ -134,13 +134,13 @@ book.table(
 // stays). Vertex normals are interpolated with regard to perspective.
 
 // %% buffers
-book.show("normal", normal_picture(shown.gbuffer.normal),
+book.show({"normal", normal_picture(shown.gbuffer.normal),
           "Normals as colours: red where they point to the right, green where they point up, blue "
           "where they point away from you. The floor is green, what faces you lacks blue, and the "
-          "sky, which has no normal, is black.");
-book.show("view_depth", view_depth_picture(shown.gbuffer.view_depth),
+          "sky, which has no normal, is black.", view.render_command({}, "normal")});
+book.show({"view_depth", view_depth_picture(shown.gbuffer.view_depth),
           "View depth: white at the nearest point, darker evenly with z down to a dark grey at the end "
-          "of the floor. The sky, where nothing is seen, is black.");
+          "of the floor. The sky, where nothing is seen, is black.", view.render_command({}, "view_depth")});
 
 // %% two_depths [markdown]
 // ## Two depths
@@ -174,11 +174,10 @@ book.plot("ndc_curve",
            {{half_z, "half of the range"}}},
           "With the planes of this scene at $z_n = {{near}}$ and $z_f = {{far}}$, $A$ is {depth_a} and $B$ {depth_b}. "
           "Half of the range is spent below z = {half_z}.");
-book.show(
-    "ndc_depth", ndc_depth_picture(ndc),
+book.show({"ndc_depth", ndc_depth_picture(ndc),
     "NDC depth, stretched: white is {nearest_d}, the nearest surface of the picture, and black is "
     "1. It falls off faster than view depth: the last columns are much closer to the sky's black than in the "
-    "picture of view depth.");
+    "picture of view depth.", view.render_command({}, "ndc_depth")});
 book.table(
     {"z", "d", "one step of D24 is, in units of z"}, depth_rows(m),
     "A 24-bit depth buffer has $2^{24}$ steps from 0 to 1. Far away one of them spans a lot of scene.");
@@ -204,9 +203,11 @@ for (int i = 0; i < 4; ++i) {
 }
 book.show_row(
     {{"foot_normal", normal_picture(near_by.gbuffer.normal),
-      "Normals at the foot of a column: green on the level ground, from teal on the left of the stone to red on its right."},
+      "Normals at the foot of a column: green on the level ground, from teal on the left of the stone to red on its right.",
+      foot.render_command({}, "normal")},
      {"foot_depth", view_depth_picture(near_by.gbuffer.view_depth),
-      "View depth of the same pixels: the column is nearly white, for it stands close to the eye."}});
+      "View depth of the same pixels: the column is nearly white, for it stands close to the eye.",
+      foot.probe_command({}, at)}});
 book.number("x", std::to_string(at.x));
 book.number("y", std::to_string(at.y));
 book.table({"pixel", "normal n", "view depth z", "NDC depth d"}, pixel_rows,

@@ -167,10 +167,10 @@ void sample_vectors(Notebook& book) {
 const SwitchedView view = column_foot(book);
 const Words none = {"random_vectors=none"};
 const SwitchedAo banded = view.ao(none), shown = view.ao();
-book.show("banded", ao_picture(banded.raw),
+book.show({"banded", ao_picture(banded.raw),
           "Occlusion with the same fourteen directions everywhere (" + view.command(none) +
               "); white is open, black is occluded. Every band is the outline of the column, once more for each "
-              "direction.");
+              "direction.", view.render_command(none)});
 
 // %% idea [markdown]
 // ## The idea
@@ -351,9 +351,11 @@ book.listing("ssao/methods/luna_occlusion.h", "visible",
 
 // %% raw_ao
 book.compare(
-    {"fixed", ao_picture(banded.raw), "The same fourteen directions everywhere: bands."},
+    {"fixed", ao_picture(banded.raw), "The same fourteen directions everywhere: bands.",
+     view.probe_command(none, at)},
     {"turned_ao", ao_picture(shown.raw),
-     "Turned at random at every texel: grain, and the shade of the column is smooth on average."});
+     "Turned at random at every texel: grain, and the shade of the column is smooth on average.",
+     view.probe_command({}, at)});
 
 // %% raw_text [markdown]
 // ## What can go wrong
@@ -390,8 +392,10 @@ book.check(
 const Words raw_words = {"random_vectors=raw"};
 const SwitchedAo published = view.ao(raw_words);
 book.compare({"ao_raw", ao_picture(published.raw),
-              "Vectors as they come (" + view.command(raw_words) + "): white dots in the dark, grey dots far out."},
-             {"ao_unit", ao_picture(shown.raw), "Unit vectors: the same shade in finer grain."});
+              "Vectors as they come (" + view.command(raw_words) + "): white dots in the dark, grey dots far out.",
+              view.render_command(raw_words)},
+             {"ao_unit", ao_picture(shown.raw), "Unit vectors: the same shade in finer grain.",
+              view.render_command()});
 book.show("raw_minus_unit", difference_picture(difference_of(published.raw, shown.raw)),
           "The first minus the second: less shade at the foot (red), more further out (blue), and "
           "grain wherever there is shade.");

@@ -81,9 +81,10 @@ void occlusion_test(Notebook& book) {
 const SwitchedView view = column_foot(book);
 const SwitchedAo shown = view.ao();
 book.show_row({{"normals", normal_picture(shown.gbuffer.normal), "The normals of the first pass: green on the floor, from teal to red round the "
-                "column."},
+                "column.", view.render_command({}, "normal")},
                {"depth", view_depth_picture(shown.gbuffer.view_depth),
-                "Its view depth: the nearer, the lighter. Nothing marks the corner between column and floor."}});
+                "Its view depth: the nearer, the lighter. Nothing marks the corner between column and floor.",
+                view.render_command({}, "view_depth")}});
 
 // %% idea [markdown]
 // ## The idea
@@ -256,10 +257,11 @@ book.draw("open_sample", sample_diagram(shown.inputs, at.x, at.y, texel, free, r
 // looks at it, and chapter 08 blurs it away.
 
 // %% raw_ao
-book.show("ao", ao_picture(shown.raw),
+book.show({"ao", ao_picture(shown.raw),
           "*Accessibility*, what is left of 1 when all samples have taken their share (with the power for contrast), half "
           "the picture's size. The floor darkens towards the column; the open floor and the column from a little above "
-          "it stay white. At the top right, a dark line runs along where the farthest column disappears behind the next.");
+          "it stay white. At the top right, a dark line runs along where the farthest column disappears behind the next.",
+          view.probe_command({}, at)});
 
 // %% without_dp_text [markdown]
 // ## What can go wrong
@@ -283,8 +285,10 @@ book.compare({"plane_without_dp", ao_picture(floor_without), "A bare floor, judg
              {"plane", ao_picture(floor_with), "The same with dp: white, open everywhere."});
 book.check("With dp no texel of the bare floor is darkened; without it, their mean falls to {floor_without}.",
            buffer_statistics(floor_with).min > 0.99f && buffer_statistics(floor_without).mean < 0.7);
-book.compare({"ao_without_dp", ao_picture(view.ao(no_dp).raw), "The columns without dp (" + view.command(no_dp) + "): grain on the whole floor and on the columns."},
-             {"ao_with_dp", ao_picture(shown.raw), "With it: the shade at the column's foot stands out again."});
+book.compare({"ao_without_dp", ao_picture(view.ao(no_dp).raw), "The columns without dp (" + view.command(no_dp) + "): grain on the whole floor and on the columns.",
+              view.probe_command(no_dp, at)},
+             {"ao_with_dp", ao_picture(shown.raw), "With it: the shade at the column's foot stands out again.",
+              view.render_command()});
 
 // %% epsilon_text [markdown]
 // **Epsilon too small, and round stone shades itself; too large, and contact shade is lost.** The column is made of flat
@@ -299,7 +303,8 @@ for (const auto& [value, caption] : {std::pair{"0", "Epsilon 0: shade at the foo
                                      std::pair{"0.05", "Epsilon 0.05, the tutorials': clean stone, and shade at the foot."},
                                      std::pair{"0.5", "Epsilon 0.5, as large as the radius: the shade in front of the foot is gone; beside the column some is left."}}) {
     const SwitchedAo ao = view.ao({std::string("epsilon=") + value});
-    by_epsilon.push_back({"epsilon_" + std::to_string(by_epsilon.size()), ao_picture(ao.raw), caption});
+    by_epsilon.push_back({"epsilon_" + std::to_string(by_epsilon.size()), ao_picture(ao.raw), caption,
+                          view.probe_command({std::string("epsilon=") + value}, at)});
     epsilon_means.push_back(mean_over_surfaces(ao.raw, ao.inputs));
 }
 book.show_row(by_epsilon);
@@ -322,7 +327,8 @@ for (const auto& [value, caption] : {std::pair{"1", "Fade end 1, Luna's: shade w
                                      std::pair{"2", "Fade end 2, X_Jun's: it reaches a little further."},
                                      std::pair{"1e30", "No range check: a halo along columns and house, wherever floor or wall lies behind them."}}) {
     const SwitchedAo ao = whole.ao({std::string("fade_end=") + value});
-    by_fade.push_back({"fade_" + std::to_string(by_fade.size()), ao_picture(ao.raw), caption});
+    by_fade.push_back({"fade_" + std::to_string(by_fade.size()), ao_picture(ao.raw), caption,
+                       whole.render_command({std::string("fade_end=") + value})});
     fade_means.push_back(mean_over_surfaces(ao.raw, ao.inputs));
 }
 book.show_row(by_fade);
@@ -345,8 +351,10 @@ const SwitchedView wall(book, "cornell");
 const Words plain = {"random_vectors=none"}, trap = {plain[0], "sign_of_zero=zero"};
 const Image<float> cured = wall.ao(plain).raw, trapped = wall.ao(trap).raw;
 book.number("samples_zero", std::to_string(zero));
-book.compare({"sign_zero", ao_picture(trapped), "With sign(0) = 0 each texel of the walls, the floor and the ceiling loses four samples, and their shade is paler (" + wall.command(trap) + ")."},
-             {"sign_plus", ao_picture(cured), "With sign(0) = 1 all fourteen samples leave p."});
+book.compare({"sign_zero", ao_picture(trapped), "With sign(0) = 0 each texel of the walls, the floor and the ceiling loses four samples, and their shade is paler (" + wall.command(trap) + ").",
+              wall.render_command(trap)},
+             {"sign_plus", ao_picture(cured), "With sign(0) = 1 all fourteen samples leave p.",
+              wall.render_command(plain)});
 book.check("Facing a wall, only {samples_zero} of the 14 unturned samples leave p where sign(0) is 0; all do where it is 1.",
            plus == kCubeVectors && zero == kCubeVectors - 4);
 

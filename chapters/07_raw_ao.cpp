@@ -91,8 +91,9 @@ const SwitchedView foot = column_foot(book);
 const Words seed = {"seed=" + std::to_string(book.seed())}, unturned = {seed[0], "random_vectors=none"};
 const SwitchedAo grain = foot.ao(seed), bands = foot.ao(unturned);
 const PixelRect part = foot_of_column(bands.raw.size);
-book.show("bands", ao_part(bands.raw, part),
-          "The foot of a column. Fourteen samples a texel, the same directions everywhere (" + foot.command({unturned[1]}) + ").");
+book.show({"bands", ao_part(bands.raw, part),
+          "The foot of a column. Fourteen samples a texel, the same directions everywhere (" + foot.command({unturned[1]}) + ").",
+          foot.probe_command(unturned, followed_texel(bands.raw.size))});
 
 // %% idea [markdown]
 // ## The idea
@@ -153,8 +154,10 @@ for (const char* exponent : {"1", "4", "6"}) {
     powers.push_back(view.ao({seed[0], std::string("exponent=") + exponent}).raw);
     occlusions.push_back(1 - buffer_statistics(powers.back()).mean);
 }
-book.compare({"exponent_1", ao_picture(powers[0]), "k = 1: what the samples say, in pale grey."},
-             {"exponent_4", ao_picture(powers[1]), "k = 4, X_Jun's contrast: the same shade, dark."});
+book.compare({"exponent_1", ao_picture(powers[0]), "k = 1: what the samples say, in pale grey.",
+              view.render_command({seed[0], "exponent=1"})},
+             {"exponent_4", ao_picture(powers[1]), "k = 4, X_Jun's contrast: the same shade, dark.",
+              view.render_command({seed[0], "exponent=4"})});
 book.number("occlusion_4", occlusions[1], 4);
 book.number("occlusion_6", occlusions[2], 4);
 book.number("occlusion_more", percent_text(occlusions[2] / occlusions[1] - 1));
@@ -201,8 +204,10 @@ book.number("z_apart", text(z_mixed - z_nearest));
 book.check("The mean lies {z_apart} units behind the nearer surface, at a depth where there is nothing.",
            z_mixed > z_nearest + 0.5f);
 book.compare({"edge_mixed", ao_part(mixed.blurred, part), "Blurred, from the mean of four pixels, whatever they show (" +
-              foot.command({"edge_texels=mixed"}) + "): dark dots along the column's edges."},
-             {"edge_nearest", ao_part(grain.blurred, part), "From the nearest surface where they disagree: the edges are clean."});
+              foot.command({"edge_texels=mixed"}) + "): dark dots along the column's edges.",
+              foot.probe_command({seed[0], "edge_texels=mixed"}, edge)},
+             {"edge_nearest", ao_part(grain.blurred, part), "From the nearest surface where they disagree: the edges are clean.",
+              foot.probe_command(seed, edge)});
 
 // %% nothing_there [markdown]
 // ## Where there is nothing
@@ -254,7 +259,8 @@ book.listing("ssao/inputs/texel_fetch.h", "one_surface", "Step 3: whether the fo
 // %% raw_ao
 const Scene luna_scene = find_builtin_scene("columns_luna")->make();
 const Image<float> luna = luna_ssao(normal_depth(luna_scene, luna_scene.camera, book.size()), luna_scene.camera).ao;
-book.show("xjun", ao_picture(shown.raw), "X_Jun's raw AO, half the picture's size: darkest round the door, the windows and the steps.");
+book.show({"xjun", ao_picture(shown.raw), "X_Jun's raw AO, half the picture's size: darkest round the door, the windows and the steps.",
+           view.render_command(seed)});
 book.show("luna", ao_picture(luna), "Luna's scene and settings (occluders fade out by 1 unit instead of 2, and k is 6): eye sockets and mouth of the "
           "skull are dark.");
 const SkyTexels sky = sky_texels(shown);
@@ -351,9 +357,10 @@ const Image<float> full = view.ao(seed, 1).raw;
 const Image<float> half = ao_at_picture_size(shown.raw, book.size());
 const PixelRect house = house_of(book.size());
 const double mean_change = buffer_statistics(difference_of(half, full)).mean;
-book.compare({"half_size", ao_picture(cropped(half, house)), "The house at half size: most joints of the roof are missing, the rest soft."},
+book.compare({"half_size", ao_picture(cropped(half, house)), "The house at half size: most joints of the roof are missing, the rest soft.",
+              view.render_command(seed)},
              {"full_size", ao_picture(cropped(full, house)), "At full size (`--ao-scale 1`), four times the work: the "
-              "joints of the roof are whole."});
+              "joints of the roof are whole.", view.render_command({seed[0], "ao_scale=1"})});
 book.number("mean_change", mean_change, 4);
 book.check("On average both are equally dark: half size minus full size is {mean_change}.", std::fabs(mean_change) < 0.03);
 
@@ -367,8 +374,10 @@ book.check("On average both are equally dark: half size minus full size is {mean
 const SwitchedView walls(book, "cornell", Size{round_up(book.size().width, 2), round_up(book.size().height, 2)});
 const Image<float> exact = walls.ao(seed).raw, off = walls.ao({seed[0], "texel_centre=off"}).raw;
 const double darker = buffer_statistics(difference_of(off, exact)).mean;
-book.compare({"centre_off", ao_picture(off), "Half a pixel off: faint specks on the ceiling and on the left wall (" + walls.command({"texel_centre=off"}) + ")."},
-             {"centre_exact", ao_picture(exact), "The depth at the texel's centre: ceiling and walls are white up to the corners."});
+book.compare({"centre_off", ao_picture(off), "Half a pixel off: faint specks on the ceiling and on the left wall (" + walls.command({"texel_centre=off"}) + ").",
+              walls.render_command({seed[0], "texel_centre=off"})},
+             {"centre_exact", ao_picture(exact), "The depth at the texel's centre: ceiling and walls are white up to the corners.",
+              walls.render_command(seed)});
 book.number("darker", -darker, 4);
 book.check("Misplaced points darken the room by {darker} on average.", darker < -0.002);
 
@@ -388,8 +397,10 @@ const float stored_sky = infinite_sky.inputs.depth_map.at(0, 0), kept = truncate
 const Image<float> change = difference_of(infinite_sky.raw, finite_sky.raw);
 const PixelRect where = part_around_largest(change, {40, 30});
 const auto lost = std::count_if(change.pixels.begin(), change.pixels.end(), [](float a) { return a > 0.01f; });
-book.compare({"sky_infinite", ao_part(infinite_sky.raw, where, 10), "An infinite sky, 40 by 30 texels at a silhouette: those that touch the sky are white."},
-             {"sky_finite", ao_part(finite_sky.raw, where, 10), "The sky at 65504: single texels of the outline are grey again."});
+book.compare({"sky_infinite", ao_part(infinite_sky.raw, where, 10), "An infinite sky, 40 by 30 texels at a silhouette: those that touch the sky are white.",
+              view.render_command(infinite)},
+             {"sky_finite", ao_part(finite_sky.raw, where, 10), "The sky at 65504: single texels of the outline are grey again.",
+              view.render_command(nearest_even)});
 book.number("lost", std::to_string(lost));
 book.check("Rounded toward zero 1e5 becomes 65504, to nearest infinity, and a filter that touches infinity gives NaN.",
            kept == 65504 && std::isinf(stored_sky) && std::isnan(stored_sky + 0 * (kept - stored_sky)));
@@ -408,9 +419,12 @@ rim.look(camera, "--eye -4.6,-1.4,-2.6 --target -3.9,-2.8,0");
 const Image<float> nothing = rim.ao(seed).blurred, last = rim.ao({seed[0], "border=edge"}).blurred;
 const Image<float> other_side = rim.ao({seed[0], "border=wrap"}).blurred;
 const Image<float> last_minus = difference_of(last, nothing), wrap_minus = difference_of(other_side, nothing);
-book.show_row({{"border_far", ao_picture(nothing), "Nothing beyond the picture: the tutorials', and the default here."},
-               {"border_edge", ao_picture(last), "The last pixel again: the shade of column and house reaches to the rim (" + rim.command({"border=edge"}) + ")."},
-               {"border_wrap", ao_picture(other_side), "The other side: the near column at the left darkens the far right (" + rim.command({"border=wrap"}) + ")."}});
+book.show_row({{"border_far", ao_picture(nothing), "Nothing beyond the picture: the tutorials', and the default here.",
+                rim.render_command(seed, "ao_blurred")},
+               {"border_edge", ao_picture(last), "The last pixel again: the shade of column and house reaches to the rim (" + rim.command({"border=edge"}) + ").",
+                rim.render_command({seed[0], "border=edge"}, "ao_blurred")},
+               {"border_wrap", ao_picture(other_side), "The other side: the near column at the left darkens the far right (" + rim.command({"border=wrap"}) + ").",
+                rim.render_command({seed[0], "border=wrap"}, "ao_blurred")}});
 book.show_row({{"edge_minus_far", difference_picture(last_minus), "The second picture minus the first: blue, so darker, where a surface goes on at the rim."},
                {"wrap_minus_far", difference_picture(wrap_minus), "The third minus the first: blue also where there is nothing near."}});
 book.number("last_change", text(most(last_minus)));

@@ -112,9 +112,10 @@ const SwitchedView view(book, "columns");
 const Words seed = {"seed=" + std::to_string(book.seed())};
 const Words gaussian = {"blur_edges=none", "blur_weights=luna"};
 const SwitchedAo shown = view.ao(seed), plain = view.ao({seed[0], gaussian[0], gaussian[1]});
-book.compare({"raw", ao_picture(shown.raw), "The raw AO map: shade with sharp edges, full of grain."},
+book.compare({"raw", ao_picture(shown.raw), "The raw AO map: shade with sharp edges, full of grain.",
+              view.render_command(seed)},
              {"plain", ao_picture(plain.blurred), "The plain mean of neighbours, weighted by a Gaussian, four times: soft clouds that ignore the edges (" +
-              view.command(gaussian) + ")."});
+              view.command(gaussian) + ").", view.render_command({seed[0], gaussian[0], gaussian[1]}, "ao_blurred")});
 
 // %% idea [markdown]
 // ## The idea
@@ -257,7 +258,8 @@ for (const auto& [iterations, caption] : {std::pair{"1", "After one iteration th
                                           std::pair{"2", "After two, soft blotches are left of it and, on the floor, streaks."},
                                           std::pair{"4", "After four the shade is smooth, and the silhouettes are sharp."}}) {
     const std::string word = std::string("blur_iterations=") + iterations;
-    pictures.push_back({std::string("blurred_") + iterations, ao_picture(enlarged(cropped(view.ao({seed[0], word}).blurred, part), 3)), caption});
+    pictures.push_back({std::string("blurred_") + iterations, ao_picture(enlarged(cropped(view.ao({seed[0], word}).blurred, part), 3)), caption,
+                        view.render_command({seed[0], word}, "ao_blurred")});
     of_texel.push_back(foot.ao({seed[0], word}).blurred.at(at.x, at.y));
 }
 book.show_row(pictures);
@@ -279,8 +281,10 @@ const auto leak = [&](BlurEdges edges) {
     return leaked_share(bilateral_blur(shown.raw, shown.inputs, once).ao, shown.raw, shown.inputs.view_depth);
 };
 const double leaked = leak(BlurEdges::none);
-book.compare({"leaking", ao_picture(plain.blurred), "The plain Gaussian: shade leaks over every silhouette."},
-             {"holding", ao_picture(shown.blurred), "The bilateral blur: it stays where it belongs."});
+book.compare({"leaking", ao_picture(plain.blurred), "The plain Gaussian: shade leaks over every silhouette.",
+              view.render_command({seed[0], gaussian[0], gaussian[1]}, "ao_blurred")},
+             {"holding", ao_picture(shown.blurred), "The bilateral blur: it stays where it belongs.",
+              view.render_command(seed, "ao_blurred")});
 book.show("leak", difference_picture(difference_of(plain.blurred, shown.blurred)),
           "Plain minus bilateral: blue is shade that leaked onto another surface or the sky, red is where it was spread away from.");
 book.number("drift", drift, 4);

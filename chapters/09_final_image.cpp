@@ -52,19 +52,22 @@ double darkened_share(const Image3& a, const Image3& b) {
 // A tutorial's scene with textures, shadow and sky, and everything that its last pass reads.
 struct Drawn {
     SwitchedView view;
+    Words words;
     Scene scene;
     SwitchedAo ao;
     ShadowMap shadow;
 
-    Drawn(const Notebook& book, const std::string& name, const std::string& method, const Words& words)
+    Drawn(const Notebook& book, const std::string& name, const std::string& method, const Words& own)
         : view(book, name, method),
+          words(own),
           scene(find_builtin_scene(book.scene(name))->make(SceneDetail::surfaces)),
           ao(view.ao(words)),
           shadow(throws_shadow(scene) ? scene_shadow(scene) : ShadowMap()) {}
     // The same with other words.
-    Drawn(const Drawn& other, const Words& words)
-        : view(other.view), scene(other.scene), ao(view.ao(words)), shadow(other.shadow) {}
+    Drawn(const Drawn& other, const Words& own)
+        : view(other.view), words(own), scene(other.scene), ao(view.ao(words)), shadow(other.shadow) {}
 
+    std::string command() const { return view.render_command(words, "lit"); }
     Image3 lit(const Scene& shown, bool with_shadow, const Image<float>& accessibility) const {
         const bool shadowed = with_shadow && !shadow.depth.codes.empty();
         return shade(shown, scene.camera, ao.gbuffer.depth, accessibility, ShadeSettings{}, {},
@@ -166,7 +169,7 @@ const Words seed = {"seed=" + std::to_string(book.seed())};
 const Drawn headline(book, "columns", "xjun", seed);
 const Image3 ao_off = headline.finished({}), ao_on = headline.finished(headline.ao.blurred);
 book.compare({"ao_off", lit_picture(ao_off), "AO off: all ambient light arrives everywhere (`crevice render --preset xjun2020 --ao none`)."},
-             {"ao_on", lit_picture(ao_on), "AO on (`--preset xjun2020`): look at the feet of the columns, below the spheres, and under the eaves."});
+             {"ao_on", lit_picture(ao_on), "AO on (`--preset xjun2020`): look at the feet of the columns, below the spheres, and under the eaves.", headline.command()});
 
 // %% idea [markdown]
 // ## The idea
@@ -277,7 +280,7 @@ book.show_row({{"columns_2022_textures", lit_picture(s.textures), "Textures, and
                {"columns_2022_shadow", lit_picture(s.shadow), "The first lamp's shadow."}});
 book.show_row({{"columns_2022_ao", ao_picture(ao_at_picture_size(xjun.ao.blurred, book.size())), "The AO map at the picture's size."},
                {"columns_2022_with_ao", lit_picture(s.with_ao), "The ambient light times that map."},
-               {"columns_2022", lit_picture(s.finished), "The sky, where the depth is 1."}});
+               {"columns_2022", lit_picture(s.finished), "The sky, where the depth is 1.", xjun.command()}});
 book.number("dark_2022", percent_text(s.in_shadow));
 book.number("ao_2022", percent_text(s.in_ao));
 book.check("EQUAL has lit every pixel that shows a surface.", s.covered == 1);
@@ -294,7 +297,7 @@ book.show_row({{"columns_luna_textures", lit_picture(t.textures), "Textures."},
                {"columns_luna_shadow", lit_picture(t.shadow), "The shadow of the first lamp."}});
 book.show_row({{"columns_luna_mirrored", lit_picture(t.mirrored), "The mirrored sky, which AO does not touch."},
                {"columns_luna_with_ao", lit_picture(t.with_ao), "The ambient term times AO."},
-               {"columns_luna", lit_picture(t.finished), "The sky."}});
+               {"columns_luna", lit_picture(t.finished), "The sky.", luna.command()}});
 book.show_row({{"columns_luna_ao", ao_picture(ao_at_picture_size(luna.ao.blurred, book.size())), "The AO map."},
                {"columns_luna_shadow_map", ndc_depth_picture(every_fourth(ndc_depth(luna.shadow.depth))),
                 "The depth map that the lamp sees, from which shadows come: white is farthest."}});
@@ -332,11 +335,11 @@ book.check("With SSAO the picture is off by {rmse} (RMS, of colours between 0 an
 // %% as_published
 const Drawn xjun_published(headline, words_of("xjun2020_published", seed)), luna_published(luna, words_of("luna_published", seed));
 const Image3 ao_published = xjun_published.finished(xjun_published.ao.blurred);
-book.compare({"xjun_published", lit_picture(ao_published), "X_Jun as published (`crevice render --preset xjun2020_published`)."},
-             {"xjun_repaired", lit_picture(ao_on), "With the cures of chapters 05 to 07 (`--preset xjun2020`)."});
+book.compare({"xjun_published", lit_picture(ao_published), "X_Jun as published (`crevice render --preset xjun2020_published`).", xjun_published.command()},
+             {"xjun_repaired", lit_picture(ao_on), "With the cures of chapters 05 to 07 (`--preset xjun2020`).", headline.command()});
 book.compare({"luna_published", lit_picture(luna_published.finished(luna_published.ao.blurred)), "Luna as published "
-              "(`crevice render --preset luna_published`)."},
-             {"luna_repaired", lit_picture(t.finished), "Luna with the same cures (`--preset luna`)."});
+              "(`crevice render --preset luna_published`).", luna_published.command()},
+             {"luna_repaired", lit_picture(t.finished), "Luna with the same cures (`--preset luna`).", luna.command()});
 book.number("published_rmse", compare_images(ao_published, true_light).rmse, 4);
 
 // %% published_error [markdown]

@@ -72,8 +72,10 @@ const JudgedView view = house_front(book, "hemisphere", book.size());
 const MethodMap shown = view.map("hemisphere"), votes = view.map("xjun");
 const HemisphereSettings settings = shown.settings.ao.as<HemisphereSettings>();
 book.show_row(
-    {{"votes", ao_picture(votes.raw.ao), "Chapter 07's fourteen samples, before the blur (white: open, black: occluded)."},
-     {"points", ao_picture(shown.raw.ao), "This chapter's method, before the blur: a finer, regular grain."}});
+    {{"votes", ao_picture(votes.raw.ao), "Chapter 07's fourteen samples, before the blur (white: open, black: occluded).",
+      votes.command("ao_raw")},
+     {"points", ao_picture(shown.raw.ao), "This chapter's method, before the blur: a finer, regular grain.",
+      shown.command("ao_raw")}});
 
 // %% idea [markdown]
 // ## The idea
@@ -185,9 +187,11 @@ book.listing("ssao/methods/hemisphere.cpp", "sample", "One point from beginning 
 // place. It is the cheapest blur of this book.
 
 // %% pictures
-book.show("raw", ao_picture(shown.raw.ao),
-          "Before the blur: the weave of the tile in every shade, nothing on the open floor.");
-book.show("blurred", ao_picture(shown.denoised), "After one box blur: the weave is gone, and edges are a little soft.");
+book.show({"raw", ao_picture(shown.raw.ao),
+          "Before the blur: the weave of the tile in every shade, nothing on the open floor.",
+          shown.command("ao_raw")});
+book.show({"blurred", ao_picture(shown.denoised), "After one box blur: the weave is gone, and edges are a little soft.",
+           shown.command("ao_blurred")});
 book.number("ao", text(shown.raw.ao.at(at.x, at.y)));
 book.check(
     "At texel ({x}, {y}), {hidden_points} of {samples} points are hidden; with their range checks they add up to "
@@ -302,8 +306,9 @@ book.number("mean_checked", mean_over_surfaces(checked.denoised, checked.raw.inp
 book.number("mean_unchecked", mean_over_surfaces(unchecked.denoised, unchecked.raw.inputs), 3);
 book.compare({"no_range", ao_picture(unchecked.denoised),
               "No range check (" + behind.command("hemisphere", {"range_check=false"}) +
-                  "): columns cast rims onto what is behind them."},
-             {"range", ao_picture(checked.denoised), "With it: only what is near hides."});
+                  "): columns cast rims onto what is behind them.", unchecked.command("ao_blurred")},
+             {"range", ao_picture(checked.denoised), "With it: only what is near hides.",
+              checked.command("ao_blurred")});
 book.check("The range check only ever opens: the mean over the surfaces rises from {mean_unchecked} to {mean_checked}.",
            mean_over_surfaces(unchecked.denoised, unchecked.raw.inputs) <
                mean_over_surfaces(checked.denoised, checked.raw.inputs));
@@ -345,8 +350,10 @@ book.check("With the tile of another size a square of four by four pixels holds 
 // %% leak
 const MethodMap shifted = view.map("hemisphere", {"blur_shift=true"}),
                 bilateral = view.map("hemisphere", {"blur_kind=bilateral"});
-book.compare({"box", ao_picture(shifted.denoised), "The tutorial's box, half a texel off."},
-             {"bilateral", ao_picture(bilateral.denoised), "The bilateral blur: edges stay sharp."});
+book.compare({"box", ao_picture(shifted.denoised), "The tutorial's box, half a texel off.",
+              shifted.command("ao_blurred")},
+             {"bilateral", ao_picture(bilateral.denoised), "The bilateral blur: edges stay sharp.",
+              bilateral.command("ao_blurred")});
 book.show("shift", difference_picture(difference_of(shifted.denoised, shown.denoised)),
           "What the half texel does: the shifted box minus the centred one. Every edge has a red and a blue side.");
 
@@ -360,8 +367,10 @@ book.show("shift", difference_picture(difference_of(shifted.denoised, shown.deno
 const JudgedView room(book, "room", "hemisphere");
 const MethodMap room_points = room.map("hemisphere"), room_votes = room.map("xjun");
 book.compare(
-    {"room_votes", ao_picture(room_votes.picture), "X_Jun's SSAO, blurred four times, half size: soft and dark."},
-    {"room_points", ao_picture(room_points.denoised), "64 points, one box blur, full size: every hollow is drawn."});
+    {"room_votes", ao_picture(room_votes.picture), "X_Jun's SSAO, blurred four times, half size: soft and dark.",
+     room_votes.command("ao_blurred")},
+    {"room_points", ao_picture(room_points.denoised), "64 points, one box blur, full size: every hollow is drawn.",
+     room_points.command("ao_blurred")});
 
 // %% choice [markdown]
 // ## When to choose it

@@ -81,8 +81,9 @@ void unity_ssao(Notebook& book) {
 const JudgedView view = house_front(book, "unity", book.size());
 const MethodMap shown = view.map("unity"), published = view.map("unity", {"as_published=true"});
 const UnitySettings settings = shown.settings.ao.as<UnitySettings>();
-book.show_row({{"as_published", ao_picture(published.raw.ao), "As printed: what is open is black."},
-               {"mended", ao_picture(shown.raw.ao), "Mended, before the blur."}});
+book.show_row({{"as_published", ao_picture(published.raw.ao), "As printed: what is open is black.",
+                published.command("ao_raw")},
+               {"mended", ao_picture(shown.raw.ao), "Mended, before the blur.", shown.command("ao_raw")}});
 
 // %% idea [markdown]
 // ## The idea
@@ -237,8 +238,9 @@ book.check(
 // which the notes do.
 
 // %% blur
-book.compare({"raw", ao_picture(shown.raw.ao), "Before the blur: grain on the walls."},
-             {"blurred", ao_picture(shown.denoised), "After it: smooth, and the edges where two walls meet stay sharp."});
+book.compare({"raw", ao_picture(shown.raw.ao), "Before the blur: grain on the walls.", shown.command("ao_raw")},
+             {"blurred", ao_picture(shown.denoised), "After it: smooth, and the edges where two walls meet stay sharp.",
+              shown.command("ao_blurred")});
 
 // %% strip_text [markdown]
 // Two films in the notes move the sliders for radius and number of points. As a still: the shade grows with the radius, and
@@ -316,8 +318,10 @@ book.check("With as many points the error is {rmse} where chapter 13 had {rmse_l
 
 // %% wrong_depth
 book.compare({"by_centre", ao_picture(by_centre.raw.ao),
-              "Compared with the depth of p: columns, gutter and ground are grey (" + view.command("unity", centre) + ")."},
-             {"by_point", ao_picture(by_point.raw.ao), "Compared with the depth of each point: all of them are white."});
+              "Compared with the depth of p: columns, gutter and ground are grey (" + view.command("unity", centre) + ").",
+              by_centre.command("ao_raw")},
+             {"by_point", ao_picture(by_point.raw.ao), "Compared with the depth of each point: all of them are white.",
+              by_point.command("ao_raw")});
 book.number("centre_mean", mean_over_surfaces(by_centre.raw.ao, by_centre.raw.inputs), 3);
 book.number("point_mean", mean_over_surfaces(by_point.raw.ao, by_point.raw.inputs), 3);
 book.check("The mean over the surfaces is {centre_mean} with the wrong depth and {point_mean} with the right one.",
@@ -334,8 +338,9 @@ book.check("The mean over the surfaces is {centre_mean} with the wrong depth and
 // %% meaning
 const MethodMap counted_open = view.map("unity", {"counted_points=open"});
 book.compare({"counted_open", ao_picture(counted_open.raw.ao),
-              "Open points counted: what the range and the weight rule out is dark."},
-             {"counted_hidden", ao_picture(shown.raw.ao), "Hidden points counted, and taken from 1."});
+              "Open points counted: what the range and the weight rule out is dark.", counted_open.command("ao_raw")},
+             {"counted_hidden", ao_picture(shown.raw.ao), "Hidden points counted, and taken from 1.",
+              shown.command("ao_raw")});
 
 // %% mirror_text [markdown]
 // **A mirrored normal.** Unity's depth-and-normals texture holds normals whose $z$ points to the eye, in a view space where
@@ -348,8 +353,9 @@ book.compare({"counted_open", ao_picture(counted_open.raw.ao),
 const Words mirrored_words = {"mirrored_z=true", "self_occlusion=depth"};
 const MethodMap mirrored = view.map("unity", mirrored_words);
 book.compare({"mirrored", ao_picture(mirrored.raw.ao),
-              "The sign of n_z turned round (" + view.command("unity", mirrored_words) + "): half balls in the stone."},
-             {"not_mirrored", ao_picture(by_point.raw.ao), "n and p in one space."});
+              "The sign of n_z turned round (" + view.command("unity", mirrored_words) + "): half balls in the stone.",
+              mirrored.command("ao_raw")},
+             {"not_mirrored", ao_picture(by_point.raw.ao), "n and p in one space.", by_point.command("ao_raw")});
 book.number("mirrored_mean", mean_over_surfaces(mirrored.raw.ao, mirrored.raw.inputs), 3);
 book.check("With the mirrored normals the mean falls to {mirrored_mean}.",
            mean_over_surfaces(mirrored.raw.ao, mirrored.raw.inputs) <
@@ -377,8 +383,10 @@ JudgedView close(book, "columns", "unity");
 close.look(close_planes, "--eye -2.4,-1.1,-5.2 --target -0.3,-2,-1.5 --far 20");
 const MethodMap by_z = close.map("unity", {"divided_by_z=true"}), by_w = close.map("unity");
 book.compare({"by_z", ao_picture(by_z.raw.ao),
-              "Divided by z, the far plane at 20 (" + close.command("unity", {"divided_by_z=true"}) + ")."},
-             {"by_w", ao_picture(by_w.raw.ao), "Divided by w: the shade lies where the corners are."});
+              "Divided by z, the far plane at 20 (" + close.command("unity", {"divided_by_z=true"}) + ").",
+              by_z.command("ao_raw")},
+             {"by_w", ao_picture(by_w.raw.ao), "Divided by w: the shade lies where the corners are.",
+              by_w.command("ao_raw")});
 
 // %% halo_text [markdown]
 // **No range.** The sky, or a far wall, is behind everything; but what is near is in front of everything that borders on it.
@@ -386,8 +394,10 @@ book.compare({"by_z", ao_picture(by_z.raw.ao),
 // %% halo
 const MethodMap unlimited = view.map("unity", {"range=1e30"});
 book.compare(
-    {"unlimited", ao_picture(unlimited.raw.ao), "Any distance counts: a grey veil beside whatever stands in front."},
-    {"limited", ao_picture(shown.raw.ao), "Only what is within one radius of depth counts: the veil is gone."});
+    {"unlimited", ao_picture(unlimited.raw.ao), "Any distance counts: a grey veil beside whatever stands in front.",
+     unlimited.command("ao_raw")},
+    {"limited", ao_picture(shown.raw.ao), "Only what is within one radius of depth counts: the veil is gone.",
+     shown.command("ao_raw")});
 
 // %% atrium_text [markdown]
 // ## A hall
@@ -401,8 +411,9 @@ const MethodMap hall_points = hall.map("hemisphere"), hall_unity = hall.map("uni
 book.number("hall_points", mean_over_surfaces(hall_points.denoised, hall_points.raw.inputs), 3);
 book.number("hall_unity", mean_over_surfaces(hall_unity.denoised, hall_unity.raw.inputs), 3);
 book.compare({"hall_points", ao_picture(hall_points.denoised),
-              "Chapter 13's points: a mean of {hall_points} over the surfaces."},
-             {"hall_unity", ao_picture(hall_unity.denoised), "This chapter's: a mean of {hall_unity}."});
+              "Chapter 13's points: a mean of {hall_points} over the surfaces.", hall_points.command("ao_blurred")},
+             {"hall_unity", ao_picture(hall_unity.denoised), "This chapter's: a mean of {hall_unity}.",
+              hall_unity.command("ao_blurred")});
 
 // %% choice [markdown]
 // ## When to choose it

@@ -96,8 +96,10 @@ const JudgedView view = house_front(book, "sao", book.size());
 const MethodMap shown = view.map("sao"), few_points = view.map("unity", {"samples=11", "radius=1.5", "ao_scale=0.5"});
 const SaoSettings settings = shown.settings.ao.as<SaoSettings>();
 const AoInputs& inputs = shown.raw.inputs;
-book.show_row({{"few_points", ao_picture(few_points.raw.ao), "Eleven points in half balls of radius 1.5."},
-               {"few_taps", ao_picture(shown.raw.ao), "Eleven samples of this chapter's method, radius 1."}});
+book.show_row({{"few_points", ao_picture(few_points.raw.ao), "Eleven points in half balls of radius 1.5.",
+                few_points.command("ao_raw")},
+               {"few_taps", ao_picture(shown.raw.ao), "Eleven samples of this chapter's method, radius 1.",
+                shown.command("ao_raw")}});
 
 // %% idea [markdown]
 // ## The idea
@@ -231,10 +233,12 @@ book.plot("fall",
 const MethodMap alchemy_map = view.map("alchemy");
 book.number("ao", text(shown.raw.ao.at(at.x, at.y)));
 book.number("sum", text(sum));
-book.compare({"sao_raw", ao_picture(shown.raw.ao), "SAO before the blur."},
-             {"sao_blurred", ao_picture(shown.denoised), "After it."});
-book.compare({"alchemy_raw", ao_picture(alchemy_map.raw.ao), "Alchemy, radius 0.5, before the blur."},
-             {"alchemy_blurred", ao_picture(alchemy_map.denoised), "After four of X_Jun's."});
+book.compare({"sao_raw", ao_picture(shown.raw.ao), "SAO before the blur.", shown.command("ao_raw")},
+             {"sao_blurred", ao_picture(shown.denoised), "After it.", shown.command("ao_blurred")});
+book.compare({"alchemy_raw", ao_picture(alchemy_map.raw.ao), "Alchemy, radius 0.5, before the blur.",
+              alchemy_map.command("ao_raw")},
+             {"alchemy_blurred", ao_picture(alchemy_map.denoised), "After four of X_Jun's.",
+              alchemy_map.command("ao_blurred")});
 book.check(
     "At texel ({x}, {y}) the strongest tap finds $r = ({{r}})$, {height} high over the plane and {length} away, and "
     "takes "
@@ -327,8 +331,9 @@ const MethodMap in_line = view.map("sao", {"turns=11"}), many = view.map("sao", 
 book.number("in_line", rms_between(in_line.raw.ao, many.raw.ao), 3);
 book.number("around", rms_between(shown.raw.ao, many.raw.ao), 3);
 book.compare({"in_line", ao_picture(in_line.raw.ao),
-              "11 taps on 11 turns (" + view.command("sao", {"turns=11"}) + "): all in one direction."},
-             {"around", ao_picture(shown.raw.ao), "11 taps on 7 turns."});
+              "11 taps on 11 turns (" + view.command("sao", {"turns=11"}) + "): all in one direction.",
+              in_line.command("ao_raw")},
+             {"around", ao_picture(shown.raw.ao), "11 taps on 7 turns.", shown.command("ao_raw")});
 book.check("The raw map is {in_line} away (RMS) from one of 64 taps with 11 turns, {around} with 7.",
            rms_between(in_line.raw.ao, many.raw.ao) > rms_between(shown.raw.ao, many.raw.ao));
 

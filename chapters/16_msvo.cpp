@@ -61,7 +61,8 @@ const Truth truth = judged.truth(judged.question_of(small));
 book.number("rays", std::to_string(kJudgedRays));
 book.show_row({{"truth", ao_picture(truth.image.mean), "Truth: {rays} rays a pixel around the smoothed normals; white is open, black is occluded."},
                {"msvo", ao_picture(shown.raw.ao),
-                "This chapter's method, from the depth map alone. It has no noise and needs no blur."}});
+                "This chapter's method, from the depth map alone. It has no noise and needs no blur.",
+                shown.command("ao_raw")}});
 
 // %% idea [markdown]
 // ## The idea
@@ -146,7 +147,8 @@ book.show_row(
     {one_ball("ball_3", "1", "Radius 1: niches."),
      one_ball("ball_4", "2", "Radius 2: the ground around the house, in streaks, for its taps lie far apart.")});
 book.number("ao", text(shown.raw.ao.at(at.x, at.y)));
-book.show("product", ao_picture(shown.raw.ao), "The product of the four, at half the picture's size.");
+book.show({"product", ao_picture(shown.raw.ao), "The product of the four, at half the picture's size.",
+           shown.command("ao_raw")});
 book.check(
     "At texel ({x}, {y}) the smallest ball takes {finest}, the three larger ones {coarser} more. One minus both is "
     "{ao}, the value in the map.",
@@ -227,8 +229,9 @@ book.number("plane_mean", mean_over_surfaces(shown.raw.ao, inputs), 3);
 book.number("all_mean", mean_over_surfaces(all_pairs.raw.ao, all_pairs.raw.inputs), 3);
 book.compare(
     {"pairs_all", ao_picture(all_pairs.raw.ao),
-     "The ball as a whole is cut off (" + view.command("msvo", {"pairs=all"}) + ")."},
-    {"pairs_plane", ao_picture(shown.raw.ao), "Each pair is cut off: what lies behind an edge makes up for nothing."});
+     "The ball as a whole is cut off (" + view.command("msvo", {"pairs=all"}) + ").", all_pairs.command("ao_raw")},
+    {"pairs_plane", ao_picture(shown.raw.ao), "Each pair is cut off: what lies behind an edge makes up for nothing.",
+     shown.command("ao_raw")});
 book.check("The mean over the surfaces is {all_mean} with the first, {plane_mean} with the second.",
            mean_over_surfaces(shown.raw.ao, inputs) < mean_over_surfaces(all_pairs.raw.ao, all_pairs.raw.inputs));
 
@@ -255,8 +258,8 @@ behind.look(beside_column, "--eye -7.4,-1.2,-7.2 --target -2.6,-1.9,-0.8");
 const MethodMap thick = behind.map("msvo", {"thickness=10"}), thin = behind.map("msvo");
 book.compare({"thick", ao_picture(thick.raw.ao),
               "T = 10 (" + behind.command("msvo", {"thickness=10"}) +
-                  "): dark borders, in blocks as large as the cells of the coarse grids."},
-             {"thin", ao_picture(thin.raw.ao), "T = 1: less of them."});
+                  "): dark borders, in blocks as large as the cells of the coarse grids.", thick.command("ao_raw")},
+             {"thin", ao_picture(thin.raw.ao), "T = 1: less of them.", thin.command("ao_raw")});
 book.number("thick_mean", mean_over_surfaces(thick.raw.ao, thick.raw.inputs), 3);
 book.number("thin_mean", mean_over_surfaces(thin.raw.ao, thin.raw.inputs), 3);
 book.check("The mean over the surfaces falls from {thin_mean} to {thick_mean} with the thickness.",
@@ -274,9 +277,9 @@ book.check("The mean over the surfaces falls from {thin_mean} to {thick_mean} wi
 
 // %% combine
 const MethodMap least = view.map("msvo", {"combine=minimum"});
-book.compare({"product_of_four", ao_picture(shown.raw.ao), "The product, as published."},
+book.compare({"product_of_four", ao_picture(shown.raw.ao), "The product, as published.", shown.command("ao_raw")},
              {"least_of_four", ao_picture(least.raw.ao),
-              "The least of the four (" + view.command("msvo", {"combine=minimum"}) + ")."});
+              "The least of the four (" + view.command("msvo", {"combine=minimum"}) + ").", least.command("ao_raw")});
 const MapError least_error = judged.error(judged.map("msvo", {"combine=minimum"}), truth);
 book.number("least_rmse", least_error.rmse, 3);
 book.number("least_bias", least_error.bias, 3);

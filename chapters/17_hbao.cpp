@@ -76,7 +76,8 @@ const MethodLimit limit = judged.limit("hbao");
 const Truth truth = judged.truth(limit.question);
 book.number("rays", std::to_string(kJudgedRays));
 book.show_row({{"votes", ao_picture(around_foot(votes.raw.ao)), "The fourteen samples of chapter 07 (X_Jun's tutorial), around the foot of the column; white is open, black is "
-                "occluded."},
+                "occluded.",
+                votes.command("ao_raw")},
                {"truth", ao_picture(around_foot(truth.image.mean)),
                 "Truth: {rays} rays a pixel, every direction counting the same. The fine stripes on the column belong to it: its "
                 "triangles are flat, and rays that start below them are blocked."}});
@@ -199,8 +200,10 @@ book.check("This direction loses {taken}. All {directions} together lose {sum}, 
 // removes.
 
 // %% maps
-book.show_row({{"raw", ao_picture(around_foot(shown.raw.ao)), "HBAO, {directions} directions of {steps} steps, before the blur."},
-               {"denoised", ao_picture(around_foot(shown.denoised)), "After it. " + view.command("hbao")}});
+book.show_row({{"raw", ao_picture(around_foot(shown.raw.ao)), "HBAO, {directions} directions of {steps} steps, before the blur.",
+                shown.command("ao_raw")},
+               {"denoised", ao_picture(around_foot(shown.denoised)), "After it. " + view.command("hbao"),
+                shown.command("ao_blurred")}});
 
 // %% how_wrong [markdown]
 // ## How wrong it is
@@ -274,8 +277,10 @@ book.check("The bias only ever opens: the mean of the picture goes from {facet_m
 // %% zenith
 const JudgedView columns(book, "columns", "hbao");
 const MethodMap by_axis = columns.map("hbao", {"zenith=axis"}), by_ray = columns.map("hbao", {"zenith=ray"});
-book.compare({"zenith_axis", ao_picture(columns.at_picture_size(by_axis.denoised)), "Against the view axis: open floor is grey."},
-             {"zenith_ray", ao_picture(columns.at_picture_size(by_ray.denoised)), "Against the eye's ray: open floor is white."});
+book.compare({"zenith_axis", ao_picture(columns.at_picture_size(by_axis.denoised)), "Against the view axis: open floor is grey.",
+              by_axis.command("ao_blurred")},
+             {"zenith_ray", ao_picture(columns.at_picture_size(by_ray.denoised)), "Against the eye's ray: open floor is white.",
+              by_ray.command("ao_blurred")});
 book.number("mean_axis", mean_over_surfaces(by_axis.raw.ao, by_axis.raw.inputs), 3);
 book.number("mean_ray", mean_over_surfaces(by_ray.raw.ao, by_ray.raw.inputs), 3);
 book.check("The mean over the surfaces of this scene is {mean_axis} against the axis, and {mean_ray} against the ray.",
@@ -341,7 +346,8 @@ const MethodMap plus = view.map("hbao_plus", same);
 const MethodLimit plus_limit = judged.limit("hbao_plus", same);
 const Truth plus_truth = judged.truth(plus_limit.question);
 const MapError plus_error = judged.error(plus_limit, plus_truth);
-book.show_row({{"plus", ao_picture(around_foot(plus.raw.ao)), "HBAO+ with the same samples and the same radius as HBAO above."},
+book.show_row({{"plus", ao_picture(around_foot(plus.raw.ao)), "HBAO+ with the same samples and the same radius as HBAO above.",
+                plus.command("ao_raw")},
                {"plus_error", difference_picture(around_foot(difference_of(plus_limit.image.mean, plus_truth.image.mean))),
                 "HBAO+ minus truth: red is too bright, blue too dark."}});
 book.table(kErrorHeader, {error_row("hbao_plus", plus_error, plus_limit), error_row("hbao, bias 0", error_without_bias, without_bias)});
@@ -356,8 +362,10 @@ book.check("A map of HBAO+ has a noise of {plus_noise}, one of HBAO with the sam
 // %% published
 const MethodMap published = view.map("hbao_plus", {"as_published=true"}), repaired = view.map("hbao_plus");
 book.compare({"published", ao_picture(around_foot(view.at_picture_size(published.raw.ao))),
-              "As listed. " + view.command("hbao_plus", {"as_published=true"})},
-             {"repaired", ao_picture(around_foot(view.at_picture_size(repaired.raw.ao))), "All four repaired."});
+              "As listed. " + view.command("hbao_plus", {"as_published=true"}),
+              published.command("ao_raw")},
+             {"repaired", ao_picture(around_foot(view.at_picture_size(repaired.raw.ao))), "All four repaired.",
+              repaired.command("ao_raw")});
 std::vector<std::vector<std::string>> faults;
 bool all_show = true;
 const std::pair<const char*, const char*> switches[] = {

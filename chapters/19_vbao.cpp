@@ -246,8 +246,10 @@ book.check("{closed} sectors are closed, worth {sum}. One minus that over {slice
 // what lies more than {thickness} units behind the front of the column counts as open, although it is stone.
 
 // %% maps
-book.show_row({{"raw", ao_picture(around_foot(shown.raw.ao)), "Visibility bitmask, {slices} slices, before the blur."},
-               {"denoised", ao_picture(around_foot(shown.denoised)), "After it. " + view.command("vbao")}});
+book.show_row({{"raw", ao_picture(around_foot(shown.raw.ao)), "Visibility bitmask, {slices} slices, before the blur.",
+                shown.command("ao_raw")},
+               {"denoised", ao_picture(around_foot(shown.denoised)), "After it. " + view.command("vbao"),
+                shown.command("ao_blurred")}});
 book.compare({"bars_horizon", difference_picture(difference_of(bars_gtao.image.mean, bars_truth.image.mean)),
               "GTAO minus truth: blue is too dark."},
              {"bars_bits", difference_picture(difference_of(bars_vbao.image.mean, bars_truth.image.mean)),
@@ -317,8 +319,10 @@ book.check("A thicker world is darker: the mean goes from {thickness_thin} to {t
 
 // %% touched
 const MethodMap touched = view.map("vbao", {"closed=touched"});
-book.compare({"touched", ao_picture(around_foot(view.at_picture_size(touched.raw.ao))), "Touched sectors count as closed. " + view.command("vbao", {"closed=touched"})},
-             {"middle", ao_picture(around_foot(view.at_picture_size(shown.raw.ao))), "A sector is closed by what covers its middle."});
+book.compare({"touched", ao_picture(around_foot(view.at_picture_size(touched.raw.ao))), "Touched sectors count as closed. " + view.command("vbao", {"closed=touched"}),
+              touched.command("ao_raw")},
+             {"middle", ao_picture(around_foot(view.at_picture_size(shown.raw.ao))), "A sector is closed by what covers its middle.",
+              shown.command("ao_raw")});
 book.number("mean_touched", mean_over_surfaces(touched.raw.ao, touched.raw.inputs), 3);
 book.number("mean_middle", mean_over_surfaces(shown.raw.ao, shown.raw.inputs), 3);
 book.check("The mean over the surfaces is {mean_touched} against {mean_middle}.",
@@ -360,8 +364,10 @@ const Words full_size = {"ao_scale=1"};
 const MethodMap own_map = judged.map("crevice"), gtao_map = judged.map("gtao", full_size), vbao_map = judged.map("vbao", full_size);
 const Truth light = judged.truth(own_map.method->question(own_map.settings.ao));
 const double own_rmse = judged.error(own_map, light).rmse, gtao_rmse = judged.error(gtao_map, light).rmse;
-book.show_row({{"own_raw", ao_picture(around_foot(own.raw.ao)), "Two rays a pixel: a pixel can only be 0, 1/2 or 1."},
-               {"own_denoised", ao_picture(around_foot(own.denoised)), "After one pass of the filter. " + view.command("crevice")}});
+book.show_row({{"own_raw", ao_picture(around_foot(own.raw.ao)), "Two rays a pixel: a pixel can only be 0, 1/2 or 1.",
+                own.command("ao_raw")},
+               {"own_denoised", ao_picture(around_foot(own.denoised)), "After one pass of the filter. " + view.command("crevice"),
+                own.command("ao_blurred")}});
 book.show_row({{"own_error", difference_picture(around_foot(difference_of(own_map.denoised, light.image.mean))),
                 "One map of crevice after its filter, minus truth: grain in both colours."},
                {"gtao_error", difference_picture(around_foot(difference_of(gtao_map.denoised, light.image.mean))),

@@ -92,8 +92,10 @@ const Words no_dp = {"self_occlusion_test=false"}, no_range = {"fade_end=1e30"},
 book.number("rays", std::to_string(RayJudge::kRays));
 const ProbedView acne(whole, no_dp), halo(beside, no_range), bands(foot, no_turn);
 book.show_row({{"acne", ao_picture(acne.ao()), "*Acne*: planes darken themselves.", acne.render_command()},
-               {"halo", ao_picture(halo.ao()), "A *halo*: a dark rim around what stands in front.", halo.render_command()},
-               {"bands", ao_picture(bands.ao()), "*Banding*: hard borders where nothing has a border.", bands.render_command()}},
+               {"halo", ao_picture(halo.ao()), "A *halo*: a dark rim around what stands in front.",
+                halo.render_command()},
+               {"bands", ao_picture(bands.ao()), "*Banding*: hard borders where nothing has a border.",
+                bands.render_command()}},
               "Raw AO maps, half as wide and high as the picture, each with one parameter set wrong.");
 
 // %% idea [markdown]
@@ -127,10 +129,11 @@ name_numbers(book, "acne", on_floor, liar);
 book.number("grains", std::to_string(grains.size()));
 book.number("grains_left", std::to_string(grains_left.size()));
 book.compare({"acne_again", ao_picture(acne.ao()), "Without dp: grain on every plane.", acne.render_command()},
-             {"acne_cured", ao_picture(acne_cured.ao()), "With dp, as by default: open planes are white.", acne_cured.render_command()});
+             {"acne_cured", ao_picture(acne_cured.ao()), "With dp, as by default: open planes are white.",
+              acne_cured.render_command()});
 book.show({"acne_error", ringed(floor_judge.signed_error(acne), dark, 1),
            "The signed error of the map without dp: blue is too dark, red too bright. The green ring is around the darkest of the texels "
-           "on open planes.", acne.probe_command(on_floor)});
+           "on open planes.", acne.probe_command(dark)});
 
 // %% acne_terminal_text [markdown]
 // ## Acne, in the terminal
@@ -190,7 +193,7 @@ book.transcript(acne.debugger_transcript(on_floor, liar),
 // %% acne_browser
 book.show({"acne_samples", acne.overlay(on_floor),
            "The samples around the pixel, which is framed in green: red ones occlude, blue rings do not. The red ones are all on "
-           "the side that is nearer to the eye.", acne.probe_command(on_floor)});
+           "the side that is nearer to the eye.", acne.probe_command(dark)});
 
 // %% halo_title [markdown]
 // ## A halo
@@ -214,10 +217,12 @@ book.number("radius", static_cast<double>(radius), 1);
 book.number("rims", std::to_string(rims.size()));
 book.number("rims_published", std::to_string(rims_published.size()));
 book.number("rims_left", std::to_string(rims_left.size()));
-book.compare({"halo_again", ao_picture(halo.ao()), "Fade end 1e30, no range check: rims along the columns and on the ground.", halo.render_command()},
-             {"halo_cured", ao_picture(halo_cured.ao()), "Fade end {radius}, the radius: the rim is gone.", halo_cured.render_command()});
+book.compare({"halo_again", ao_picture(halo.ao()), "Fade end 1e30, no range check: rims along the columns and on the ground.",
+              halo.render_command()},
+             {"halo_cured", ao_picture(halo_cured.ao()), "Fade end {radius}, the radius: the rim is gone.",
+              halo_cured.render_command()});
 book.show({"halo_error", ringed(rim_judge.signed_error(halo), rim, 1), "The signed error: the rims are all too dark. The ring is around that texel.",
-           halo.probe_command(on_rim)});
+           halo.probe_command(rim)});
 
 // %% halo_text [markdown]
 // It is texel ({halo_texel_x}, {halo_texel_y}), under pixel ({halo_x}, {halo_y}), and the map says {halo_ao}.
@@ -226,7 +231,7 @@ book.show({"halo_error", ringed(rim_judge.signed_error(halo), rim, 1), "The sign
 book.transcript(halo.terminal_transcript(on_rim, far_liar), "In the terminal: the guilty sample of the halo.");
 book.transcript(halo.debugger_transcript(on_rim, far_liar), "In the debugger: the same sample.");
 book.show({"halo_samples", halo.overlay(on_rim),
-           "In the browser: all samples that occlude are on the column in front.", halo.probe_command(on_rim)});
+           "In the browser: all samples that occlude are on the column in front.", halo.probe_command(rim)});
 book.draw("halo_section", halo.section(on_rim, far_liar, "The guilty sample of the halo"),
           "The cut: the eye's ray through q has met the column long before, at an r far to the left, outside of the drawing.");
 
@@ -270,9 +275,11 @@ book.number("bands_next_dz", text(beyond.samples[changed.sample].dz));
 book.number("bands_next_takes", text(beyond.samples[changed.sample].contribution));
 book.number("bands_next_verdict", beyond.samples[changed.sample].verdict);
 book.compare({"bands_again", ao_picture(bands.ao()), "No random turn: bands round the foot.", bands.render_command()},
-             {"bands_cured", ao_picture(bands_cured.ao()), "Turned at random, texel by texel: grain, which the blur of chapter 08 removes.", bands_cured.render_command()});
+             {"bands_cured", ao_picture(bands_cured.ao()), "Turned at random, texel by texel: grain, which the blur of chapter 08 removes.",
+              bands_cured.render_command()});
 book.show({"bands_error", ringed(foot_judge.signed_error(bands), highest.dark, kDifferenceScale),
-           "The signed error has borders, too: none of them is in the scene. The ring is around the one that we follow.", bands.probe_command(at_border)});
+           "The signed error has borders, too: none of them is in the scene. The ring is around the one that we follow.",
+           bands.probe_command(highest.dark)});
 
 // %% bands_text [markdown]
 // The highest false border that a single sample makes lies between texel ({bands_texel_x}, {bands_texel_y}), under pixel ({bands_x}, {bands_y}), with
@@ -281,7 +288,8 @@ book.show({"bands_error", ringed(foot_judge.signed_error(bands), highest.dark, k
 // %% bands_places
 book.transcript(bands.terminal_transcript(at_border, changed.sample), "In the terminal: the sample that makes the border, on its dark side.");
 book.transcript(bands.debugger_transcript(at_border, changed.sample), "In the debugger: the same sample.");
-book.show({"bands_samples", bands.overlay(at_border), "In the browser. Ask for the neighbouring pixels there: the same samples, all moved by a pixel.", bands.probe_command(at_border)});
+book.show({"bands_samples", bands.overlay(at_border), "In the browser. Ask for the neighbouring pixels there: the same samples, all moved by a pixel.",
+           bands.probe_command(highest.dark)});
 book.draw("bands_section", bands.section(at_border, changed.sample, "The sample that makes a border"),
           "The cut through that sample.");
 

@@ -6,6 +6,7 @@
 
 #include "chapters/props/crops.h"
 #include "chapters/terminal/number_text.h"
+#include "scenes/builtin_scenes.h"
 #include "ssao/light/widened_ao.h"
 #include "ssao/rays/depth_mesh.h"
 #include "ssao/rays/ray_cast.h"
@@ -47,12 +48,16 @@ void JudgedView::draw() {
     rays_ = std::make_shared<const RayScene>(ray_scene(scene_, camera_.eye));
 }
 
-MethodSettings JudgedView::settings_for(const Method& method, const Words& words) const {
+Words JudgedView::all_words(const Method& method, const Words& words) const {
     Words all = words;
     for (const std::string& word : reader_words_) {
         if (method.name == own_ || knows(method, word)) all.push_back(word);
     }
-    const MethodSettings settings = settings_of(method, all, scene_.length_unit).method;
+    return all;
+}
+
+MethodSettings JudgedView::settings_for(const Method& method, const Words& words) const {
+    const MethodSettings settings = settings_of(method, all_words(method, words), scene_.length_unit).method;
     return with_value(method, settings, "seed", seed_);
 }
 
@@ -64,6 +69,12 @@ MethodMap JudgedView::map(const std::string& name, const Words& words) const {
     result.raw = result.method->ao(view, result.settings.ao, {});
     result.denoised = denoised(*result.method, result.raw, result.settings).ao;
     result.picture = at_picture_size(result.denoised);
+    if (find_builtin_scene(scene_.name) == nullptr) return result;
+    result.rendered =
+        "crevice render " + scene_.name + " --size " + size_text(size_) + flags_ + " --ao " + name;
+    if (value_of(*result.method, result.settings, "seed"))
+        result.rendered += " --param seed=" + std::to_string(seed_);
+    for (const std::string& word : all_words(*result.method, words)) result.rendered += " --param " + word;
     return result;
 }
 

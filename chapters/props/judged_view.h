@@ -27,6 +27,13 @@ struct MethodMap {
     RawAo raw;
     Image<float> denoised;  // AO map size
     Image<float> picture;   // the same at picture size, as the lit pass reads it
+    std::string
+        rendered;  // the `crevice render` command of this frame; empty where the scene is none of the built-in ones
+
+    // The command that draws one of its buffers, such as "ao_raw"; or empty.
+    std::string command(const std::string& buffer) const {
+        return rendered.empty() ? "" : rendered + " --only " + buffer;
+    }
 };
 
 // The same without the chance in it: at picture size, unfiltered, the mean over kJudgedSeeds seeds.
@@ -87,6 +94,8 @@ class JudgedView {
  private:
     void draw();
     Truth cast(const AoQuestion& question, const RayScene& rays, const SurfacePoints& points) const;
+    // With the reader's that the method has.
+    Words all_words(const Method& method, const Words& words) const;
     MethodSettings settings_for(const Method& method, const Words& words) const;
     double root_mean_square(const Image<float>& errors) const;
     using Halves = std::array<Image<float>, 2>;

@@ -51,22 +51,20 @@ std::string place(int x, int y) { return "(" + std::to_string(x) + ", " + std::t
 }  // namespace
 
 ProbedView::ProbedView(const SwitchedView& view, const Words& words)
-    : scene_(view.scene().name),
-      flags_(view.flags(words)),
-      drawn_(view.scene()),
+    : view_(view),
+      words_(words),
       request_(view.request(words)),
-      worked_(worked_frame(drawn_, view.camera(), request_)) {}
+      worked_(worked_frame(view.scene(), view.camera(), request_)) {}
 
 Explanation ProbedView::explanation(const Texel& texel) const {
-    return request_.method->explain({drawn_, worked_.frame.camera, worked_.frame.gbuffer, worked_.rays.get()},
-                                    worked_.raw, request_.settings.method.ao, texel.x, texel.y);
+    return request_.method->explain(
+        {view_.scene(), worked_.frame.camera, worked_.frame.gbuffer, worked_.rays.get()}, worked_.raw,
+        request_.settings.method.ao, texel.x, texel.y);
 }
 
 PixelProbe ProbedView::probe(const Texel& texel) const {
-    const Size map = ao().size, picture = request_.size;
-    const auto pixel = [](int place, int among, int of) { return (2 * place + 1) * of / (2 * among); };
-    return probe_pixel(drawn_, request_, worked_, pixel(texel.x, map.width, picture.width),
-                       pixel(texel.y, map.height, picture.height));
+    const Texel pixel = pixel_of(texel, ao().size, request_.size);
+    return probe_pixel(view_.scene(), request_, worked_, pixel.x, pixel.y);
 }
 
 Picture ProbedView::overlay(const PixelProbe& probe) const { return probe_overlay(probe, worked_); }
@@ -77,17 +75,12 @@ std::string ProbedView::section(const PixelProbe& probe, std::size_t sample, con
                           static_cast<double>(radius), title);
 }
 
-std::string ProbedView::probe_command(const PixelProbe& probe) const {
-    return "crevice probe " + scene_ + " " + std::to_string(probe.x) + " " + std::to_string(probe.y) + " " +
-           flags_ + " --pass ao";
-}
-
 std::string ProbedView::terminal_transcript(const PixelProbe& probe, std::size_t sample) const {
     const std::string said = probe_text(probe, "ao");
     const std::string number = std::to_string(sample);
-    return "$ " + wrapped(probe_command(probe)) + "\n...\n" + first_line_with(said, "AO ") + "...\n" +
-           first_line_with(said, "sample ") + "...\n" + first_line_with(said, number + " ") + "...\n" +
-           first_line_with(said, "value ");
+    return "$ " + wrapped(probe_command({probe.ao.x, probe.ao.y})) + "\n...\n" +
+           first_line_with(said, "AO ") + "...\n" + first_line_with(said, "sample ") + "...\n" +
+           first_line_with(said, number + " ") + "...\n" + first_line_with(said, "value ");
 }
 
 std::string ProbedView::debugger_transcript(const PixelProbe& probe, std::size_t sample) const {
@@ -98,8 +91,9 @@ std::string ProbedView::debugger_transcript(const PixelProbe& probe, std::size_t
     const auto most = std::ranges::max_element(samples, {}, &ExplainedSample::contribution) - samples.begin();
     const ExplainedSample& s = samples[sample];
     return "$ " +
-           wrapped("gdb -x chapters/debugger/crevice_gdb.py --args build/debug/crevice render " + scene_ +
-                   " " + flags_ + " --pixel " + pixel + " --pass ao --break") +
+           wrapped("gdb -x chapters/debugger/crevice_gdb.py --args build/debug/crevice render " +
+                   view_.scene().name + " " + view_.flags(words_) + " --pixel " + pixel +
+                   " --pass ao --break") +
            "\n(gdb) run\n...\nProgram received signal SIGTRAP, Trace/breakpoint trap.\n...\n(gdb) pixel " +
            std::to_string(probe.x) + " " + std::to_string(probe.y) + "\n...\nworked.raw.ao  " +
            place(probe.ao.x, probe.ao.y) + "  " + shortest_text(probe.ao.value) +

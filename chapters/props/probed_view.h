@@ -28,18 +28,17 @@ class ProbedView {
     std::string section(const PixelProbe& probe, std::size_t sample, const std::string& title) const;
 
     // What draws the raw map of this view.
-    std::string render_command() const {
-        return "crevice render " + scene_ + " " + flags_ + " --only ao_raw";
-    }
-    std::string probe_command(const PixelProbe& probe) const;
+    std::string render_command() const { return view_.render_command(words_); }
+    // What probes a texel of it.
+    std::string probe_command(const Texel& texel) const { return view_.probe_command(words_, texel); }
     // What that prints, as far as it is about this sample.
     std::string terminal_transcript(const PixelProbe& probe, std::size_t sample) const;
     // The five commands that lead GDB from the pixel to the sample, with what it answers to the last ones.
     std::string debugger_transcript(const PixelProbe& probe, std::size_t sample) const;
 
  private:
-    std::string scene_, flags_;
-    Scene drawn_;
+    SwitchedView view_;
+    Words words_;
     FrameRequest request_;
     WorkedFrame worked_;
 };

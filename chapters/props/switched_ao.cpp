@@ -85,6 +85,22 @@ std::string SwitchedView::flags(const Words& words) const {
     return text;
 }
 
+std::string SwitchedView::render_command(const Words& words, const std::string& buffer) const {
+    return "crevice render " + scene_.name + " " + flags(words) + " --only " + buffer;
+}
+
+std::string SwitchedView::probe_command(const Words& words, const Texel& texel) const {
+    const double scale = value_of(method_, settings(words).method, "ao_scale").value_or(1);
+    const Texel pixel = pixel_of(texel, ao_map_size(size_, static_cast<float>(scale)), size_);
+    return "crevice probe " + scene_.name + " " + std::to_string(pixel.x) + " " + std::to_string(pixel.y) +
+           " " + flags(words) + " --pass ao";
+}
+
+Texel pixel_of(const Texel& texel, Size ao_map, Size picture) {
+    const auto middle = [](int place, int among, int of) { return (2 * place + 1) * of / (2 * among); };
+    return {middle(texel.x, ao_map.width, picture.width), middle(texel.y, ao_map.height, picture.height)};
+}
+
 SwitchedView column_foot(const Notebook& book) { return column_foot(book, book.size()); }
 
 SwitchedView column_foot(const Notebook& book, Size size) {

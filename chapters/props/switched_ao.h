@@ -26,6 +26,14 @@ struct SwitchedAo {
     Image<float> raw, blurred;  // of the AO map's size
 };
 
+// Of an AO map.
+struct Texel {
+    int x = 0, y = 0;
+};
+
+// The pixel of a picture that lies at the texel's centre.
+Texel pixel_of(const Texel& texel, Size ao_map, Size picture);
+
 class SwitchedView {
  public:
     // The scene's own camera, and xjun's settings. Throws UsageError for a scene or a method there is not.
@@ -49,6 +57,9 @@ class SwitchedView {
     FrameRequest request(const Words& words) const;
     // All that follows SCENE in a command of the same frame: size, camera, method and every parameter, the reader's too.
     std::string flags(const Words& words) const;
+    // What draws a buffer of that frame; and what probes the pixel at the centre of a texel of its AO map.
+    std::string render_command(const Words& words = {}, const std::string& buffer = "ao_raw") const;
+    std::string probe_command(const Words& words, const Texel& texel) const;
 
     const Scene& scene() const { return scene_; }
     const Camera& camera() const { return camera_; }
@@ -70,9 +81,6 @@ SwitchedView column_foot(const Notebook& book, Size size);
 
 // The texel of that view whose numbers chapters 03 to 09 carry along: ground beside the column, which hides a part of the
 // surroundings from it.
-struct Texel {
-    int x = 0, y = 0;
-};
 Texel followed_texel(Size ao_map);
 
 // a - b, of images of one size.

@@ -2,6 +2,7 @@
 // writes the same bytes.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -9,6 +10,8 @@
 #include <sstream>
 
 #include "chapters/notebook/chapter.h"
+#include "rasterizer/base/image_io.h"
+#include "tests/tools/crevice_says.h"
 #include "tests/tools/scratch_directory.h"
 #include "tests/tools/well_formed.h"
 
@@ -35,6 +38,11 @@ struct ChapterRun {
     std::map<std::string, std::string> files;  // name to bytes
 };
 
+std::string file_bytes(const std::filesystem::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
 ChapterRun run_small(const Chapter& chapter, std::uint32_t seed = 1) {
     const ScratchDirectory scratch;
     NotebookOptions options;
@@ -51,10 +59,31 @@ ChapterRun run_small(const Chapter& chapter, std::uint32_t seed = 1) {
     ChapterRun run{terminal.str(),       book.cells(),        book.checks(),
                    book.failed_checks(), book.untranslated(), {}};
     for (const auto& entry : std::filesystem::directory_iterator(scratch / chapter.name())) {
-        std::ifstream stream(entry.path(), std::ios::binary);
-        run.files[entry.path().filename().string()] = {std::istreambuf_iterator<char>(stream), {}};
+        run.files[entry.path().filename().string()] = file_bytes(entry.path());
     }
     return run;
+}
+
+std::vector<const NotebookPicture*> pictures_of(const ChapterRun& run) {
+    std::vector<const NotebookPicture*> pictures;
+    for (const NotebookCell& cell : run.cells) {
+        for (const Output& output : cell.outputs) {
+            const auto* row = std::get_if<PictureOutput>(&output);
+            if (row == nullptr) continue;
+            for (const NotebookPicture& picture : row->pictures) pictures.push_back(&picture);
+        }
+    }
+    return pictures;
+}
+
+bool same_values(const Planes& a, const Planes& b) {
+    if (a.size() != b.size()) return false;
+    for (std::size_t c = 0; c < a.size(); ++c) {
+        for (int y = 0; y < a[c].size.height; ++y) {
+            if (!std::equal(a[c].row(y), a[c].row(y) + a[c].size.width, b[c].row(y))) return false;
+        }
+    }
+    return true;
 }
 
 // NAME.md and NAME.ipynb, in each language that there is.
@@ -151,6 +180,34 @@ TEST_CASE("chapters: what has a Chinese translation has all of it, made from the
         CHECK(run.untranslated.empty());
         CHECK(!chapter->book_title().zh.empty());
     }
+}
+
+TEST_CASE("chapters: a picture that leads into the lab is what its command draws") {
+    const ScratchDirectory scratch;
+    int compared = 0;
+    for (const Chapter* chapter : real_chapters()) {
+        for (const NotebookPicture* picture : pictures_of(first_run(*chapter))) {
+            const std::string prefix = "crevice ", &command = picture->command;
+            if (!command.starts_with(prefix + "render ")) continue;
+            CAPTURE(chapter->name());
+            CAPTURE(picture->name);
+            CAPTURE(command);
+            const std::string buffer = command.substr(command.rfind(' ') + 1);
+            const Outcome drawn =
+                crevice_says(command.substr(prefix.size()) + " --out " + scratch.path().string());
+            REQUIRE_MESSAGE(drawn.code == 0, drawn.text);
+            const Planes values = read_npy(scratch / (buffer + ".npy"));
+            // A part of the map, or the map at the picture's size, says less.
+            if (values.front().size != picture->picture.size) continue;
+            // Lit pictures keep no values beside their colours.
+            const bool same = picture->picture.values.empty()
+                                  ? file_bytes(scratch / (buffer + ".png")) == picture->png
+                                  : same_values(picture->picture.values, values);
+            CHECK(same);
+            ++compared;
+        }
+    }
+    CHECK(compared > 40);
 }
 
 TEST_CASE("chapters: two runs write the same bytes") {

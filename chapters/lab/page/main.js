@@ -6,7 +6,7 @@ import { takeFiles } from "./dropped_files.js";
 import { Engine, missingFeatures } from "./engine.js";
 import { Frames } from "./frames.js";
 import { PixelPanel } from "./pixel_panel.js";
-import { commandOf, firstState, hashOf, stateOfHash } from "./state.js";
+import { commandOf, hashOf, paramsOf, stateOfHash, withPreset } from "./state.js";
 import { showBuffers, showLines, showPasses } from "./tables.js";
 import { tableText } from "./table_texts.js";
 import { firstLanguage, setLanguage, translated } from "./texts.js";
@@ -42,8 +42,6 @@ function showFields() {
   const method = methodRow();
   byId("method_about").textContent = `${tableText(method.title)}. ${method.source}`;
 }
-
-const paramsOf = (preset) => Object.fromEntries(preset.params.map((word) => word.split("=")));
 
 function isChosen(preset) {
   return preset.scene === state.scene && preset.method === state.ao &&
@@ -195,7 +193,7 @@ function setUpCopies() {
   byId("copy_link").addEventListener("click", () => copy(location.href));
   byId("copy_command").addEventListener("click", () => copy(commandOf(state)));
   // A link that is followed within the page.
-  window.addEventListener("hashchange", () => choose({ ...firstState(), ...stateOfHash(location.hash) }));
+  window.addEventListener("hashchange", () => choose(withPreset(stateOfHash(location.hash), catalogue.presets)));
 }
 
 // Texts that stand on the page change at once; the others are made again.
@@ -235,6 +233,7 @@ async function start() {
   engine = new Engine(byId("worker_text").textContent);
   await engine.start(byId("module_bytes").textContent);
   catalogue = (await engine.ask({ ask: "catalogue" })).reply;
+  Object.assign(state, withPreset(state, catalogue.presets));
   frames = new Frames(engine, state, { all: buffersOfMethod, drawn: showFrame, slow: () => say(translated("drawing")), refused: refuse });
   truth = new TruthPanel(engine, frames, byId("truth_told"), showPicture);
   truth.on = state.truth === "on";

@@ -74,7 +74,7 @@ export function stateOfHash(hash) {
 // "crevice render SCENE --flag word --flag=word ..." or "crevice probe SCENE X Y ...", which shows the raw AO; flags that mean
 // nothing to the lab, such as --out, are passed over.
 function stateOfCommand(command) {
-  const state = firstState(), places = [];
+  const state = { ...firstState(), ao: null, preset: null }, places = [];
   const [, what, ...words] = command.trim().split(/\s+/);
   if (what === "probe") state.show = "ao_raw";
   while (words.length > 0) {
@@ -89,11 +89,21 @@ function stateOfCommand(command) {
     else if (flag === "--param") setParam(state, word);
     else if (flag === "--ao-scale") state.params.ao_scale = word;
     else if (flag === "--only") [state.show] = word.split(",");
-    else if (flag === "--size" || flag === "--ao") state[flag.slice(2)] = word;
+    else if (["--size", "--ao", "--preset"].includes(flag)) state[flag.slice(2)] = word;
   }
   if (places.length > 0) [state.scene] = places;
   if (what === "probe" && places.length === 3) state.pixel = `${places[1]},${places[2]}`;
   return state;
+}
+
+export const paramsOf = (preset) => Object.fromEntries(preset.params.map((word) => word.split("=")));
+
+// A command's preset stands for its scene and its method, and has parameters for that method alone.
+export function withPreset({ preset: name = null, ...state }, presets) {
+  const preset = presets.find((one) => one.name === name);
+  if (preset === undefined) return { ...state, ao: state.ao ?? firstState().ao };
+  const ao = state.ao ?? preset.method;
+  return { ...state, scene: preset.scene, ao, params: { ...(ao === preset.method ? paramsOf(preset) : {}), ...state.params } };
 }
 
 // What the module is asked for.

@@ -26,7 +26,7 @@ TEST_CASE("probed view: the transcript holds lines that `crevice probe` prints")
     CHECK(probe.ao.x == 15);
     CHECK(probe.ao.y == 13);
     CHECK(probe.ao.value == drawn.ao().at(15, 13));
-    const std::string command = drawn.probe_command(probe);
+    const std::string command = drawn.probe_command({15, 13});
     REQUIRE(command.starts_with("crevice "));
     const std::string said = "\n" + crevice_says(command.substr(std::string("crevice ").size())).text;
     const std::vector<std::string> answers = answers_in(drawn.terminal_transcript(probe, 3));

@@ -87,11 +87,12 @@ async function checkLink(browser) {
   expectEqual("a copied link makes the same bits", await hashOf(again, "ao_raw"), await hashOf(page, "ao_raw"));
 }
 
-// A chapter's commands lead to the lab, which draws their bits.
+// A chapter's pictures and commands lead to the lab, which draws their bits and tells of their pixel.
 async function checkBook(browser) {
   said(["chapter", "06", "--size", "160x90", "--quiet", "--out", scratch]);
   fs.copyFileSync(lab_page, path.join(scratch, "lab.html"));
-  const page = await openPage(browser, path.join(scratch, "06_occlusion_test.html"));
+  const file = path.join(scratch, "06_occlusion_test.html");
+  const page = await openPage(browser, file);
   const link = page.locator("a:has(code)", { hasText: "crevice render" }).first();
   const command = await link.textContent();
   await link.click();
@@ -99,6 +100,35 @@ async function checkBook(browser) {
   const { buffers } = rendered([...command.split(" ").slice(2), "--size", "640x360"]);
   for (const name of ["normal", "ao_raw", "lit"])
     expectEqual(`${name} of ${command}, linked by a chapter, has the program's hash`, await hashOf(page, name), buffers[name].hash);
+  await checkPictureLinks(await openPage(browser, file));
+  await checkPresetLink(browser);
+}
+
+// One link to a buffer, and one to the texel whose numbers the chapter carries along.
+async function checkPictureLinks(page) {
+  const links = page.locator("a.lab");
+  expect("pictures of a chapter have links into the lab", await links.count() > 5, String(await links.count()));
+  const commands = await links.evaluateAll((all) => all.map((link) => link.title));
+  const drawn = commands.find((command) => command.startsWith("crevice render ")), probed = commands.find((command) => command.startsWith("crevice probe "));
+  await page.locator(`a.lab[title=${JSON.stringify(drawn)}]`).first().click();
+  await rest(page);
+  const shown = await page.locator("#show").inputValue();
+  expectEqual(`${shown} of ${drawn} has the program's hash`, await hashOf(page, shown), rendered(drawn.split(" ").slice(2)).buffers[shown].hash);
+  await page.goBack();
+  await page.locator(`a.lab[title=${JSON.stringify(probed)}]`).first().click();
+  await rest(page);
+  const [, , , x, y] = probed.split(" ");
+  await page.waitForFunction((pixel) => document.documentElement.dataset.probed === pixel, `${x},${y}`, { timeout: 60000 });
+  const { answer } = JSON.parse(said([...probed.split(" ").slice(1), "--json"]).stdout);
+  expectEqual(`the answer to ${probed} is the program's`, await page.locator("#pixel_answer > p").textContent(), answer);
+}
+
+async function checkPresetLink(browser) {
+  for (const command of ["crevice render --preset luna --size 96x54", "crevice render --preset xjun2020_published --ao none --size 96x54"]) {
+    const page = await openPage(browser, lab_page, `#${encodeURIComponent(command)}`);
+    await rest(page);
+    expectEqual(`lit of ${command} has the program's hash`, await hashOf(page, "lit"), rendered(command.split(" ").slice(2)).buffers.lit.hash);
+  }
 }
 
 // A square before a wall, with a texture; and files that are none.
