@@ -1,6 +1,7 @@
 # What a user of the program gets: the command, its manual pages where help2man is installed, completion for three shells;
 # and all of it, the libraries apart, as Debian packages: cmake --build --preset demo --target package.
 install(TARGETS crevice COMPONENT program)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE COMPONENT program RENAME copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/crevice)
 
 set(made ${PROJECT_BINARY_DIR}/for_users)
 set(completions ${made}/crevice.bash ${made}/_crevice ${made}/crevice.fish)
