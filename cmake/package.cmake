@@ -1,6 +1,7 @@
 # What a user of the program gets: the command, its manual pages where help2man is installed, completion for three shells;
 # and all of it, the libraries apart, as Debian packages: cmake --build --preset demo --target package.
 install(TARGETS crevice COMPONENT program)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE COMPONENT program RENAME copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/crevice)
 
 set(made ${PROJECT_BINARY_DIR}/for_users)
 set(completions ${made}/crevice.bash ${made}/_crevice ${made}/crevice.fish)
@@ -16,11 +17,12 @@ install(FILES ${made}/crevice.fish COMPONENT program DESTINATION ${CMAKE_INSTALL
 
 find_program(HELP2MAN help2man)
 if(HELP2MAN)
-    set(manual ${made}/crevice.1)
-    add_custom_command(OUTPUT ${manual} DEPENDS crevice
-        COMMAND ${HELP2MAN} --no-info --name=${PROJECT_DESCRIPTION} --output=${manual} $<TARGET_FILE:crevice> VERBATIM)
-    list(APPEND for_users ${manual})
-    install(FILES ${manual} COMPONENT program DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+    set(manuals ${made}/manuals)
+    add_custom_command(OUTPUT ${manuals}/crevice.1 DEPENDS crevice ${PROJECT_SOURCE_DIR}/cmake/manuals.cmake
+        COMMAND ${CMAKE_COMMAND} -D CREVICE=$<TARGET_FILE:crevice> -D HELP2MAN=${HELP2MAN} -D VERSION=${PROJECT_VERSION}
+            -D OUTPUT=${manuals} -P ${PROJECT_SOURCE_DIR}/cmake/manuals.cmake VERBATIM)
+    list(APPEND for_users ${manuals}/crevice.1)
+    install(DIRECTORY ${manuals}/ COMPONENT program DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 endif()
 add_custom_target(for_users ALL DEPENDS ${for_users})
 
