@@ -1,4 +1,5 @@
 // `crevice view`
+#include <algorithm>
 #include <memory>
 
 #include "chapters/commands/commands.h"
@@ -22,6 +23,8 @@ int view_scene(const ViewWords& words) {
     const RenderOptions options = frame_options("view", words);
     const FrameRequest& request = options.request;
     if (options.time_s != 0) throw UsageError("--time: lights stand still in a window; leave it away");
+    if (options.outside_files)
+        throw UsageError("--outside-files: a window reads none; leave it away, or copy them beside the OBJ");
     ViewOptions view_options;
     view_options.words = {options.scene,  request.method->name, words.size,
                           options.camera, options.params,       {}};

@@ -11,8 +11,8 @@ namespace crevice {
 MethodView method_view(const Scene& scene, const Camera& camera, Size size, const Method& method,
                        const Run& run) {
     std::array<GBuffer, 3> gbuffers;
-    for (const BufferFormat format : {BufferFormat::float32, BufferFormat::float16_toward_zero,
-                                      BufferFormat::float16_nearest_even}) {
+    for (const BufferFormat format :
+         {BufferFormat::float32, BufferFormat::float16_toward_zero, BufferFormat::float16_nearest_even}) {
         NormalDepthSettings settings;
         settings.buffer_format = format;
         gbuffers[static_cast<std::size_t>(format)] = normal_depth(scene, camera, size, settings, run);
@@ -49,9 +49,8 @@ bool has_blur(const Method& method, const FrameSettings& settings) {
 }
 
 Image<float> map_of_raw(const MethodView& view, RawAo raw, const FrameSettings& settings, const Run& run) {
-    Image<float> map = has_blur(*view.method, settings)
-                           ? denoised(*view.method, raw, settings.method, run).ao
-                           : std::move(raw.ao);
+    Image<float> map = has_blur(*view.method, settings) ? denoised(*view.method, raw, settings.method, run).ao
+                                                        : std::move(raw.ao);
     if (settings.ao_lookup == AoLookup::exact) return map;
     return looked_up(map, raw.inputs, ao_view_of(view, settings).gbuffer, settings.ao_lookup, run);
 }

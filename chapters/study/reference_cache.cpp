@@ -33,6 +33,19 @@ std::string ContentKey::hex() const {
     return text;
 }
 
+void add_cutout(ContentKey& key, const Material& material) {
+    key.add(material.alpha_cutoff);
+    if (!(material.alpha_cutoff > 0) || material.texture == nullptr) return;
+    for (std::size_t level = 0; level < material.texture->levels().size(); ++level)
+        key.add_image(material.texture->alpha(level));
+    const Sampler& sampler = material.sampler;
+    key.add(sampler.filter);
+    key.add(sampler.max_anisotropy);
+    key.add(sampler.address_u);
+    key.add(sampler.address_v);
+    key.add(sampler.border);
+}
+
 std::optional<ReferenceImage> find_reference(const std::filesystem::path& cache, const std::string& name,
                                              Size size) {
     Image<float> found[4];

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "rasterizer/scene/scene.h"
 #include "ssao/judge/reference_image.h"
 
 namespace crevice {
@@ -34,6 +35,9 @@ class ContentKey {
  private:
     std::uint64_t hash_ = 0xcbf29ce484222325u;
 };
+
+// What of a material decides where its triangles have holes; no more where it cuts nothing out.
+void add_cutout(ContentKey& key, const Material& material);
 
 // What was stored as `name`, or nothing when it is not there, not of this size or damaged.
 std::optional<ReferenceImage> find_reference(const std::filesystem::path& cache, const std::string& name,

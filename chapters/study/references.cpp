@@ -15,7 +15,7 @@ namespace crevice {
 namespace {
 
 // Names the meaning of the stored images: a new one when any of their definitions changes.
-constexpr int kReferenceVersion = 1;
+constexpr int kReferenceVersion = 2;
 
 constexpr int kMostRays = 1 << 20;
 
@@ -82,6 +82,18 @@ class ReferenceMaker {
         return pair;
     }
 
+    // What rays can meet: triangles, and where they have holes.
+    static void add_scene(ContentKey& key, const RayScene& scene) {
+        key.add_all(scene.triangles);
+        if (!scene.holes.any()) return;
+        key.add_all(scene.sources);
+        for (const auto& of_corners : scene.holes.texcoords) {
+            key.add(of_corners.has_value());
+            if (of_corners) key.add_all(*of_corners);
+        }
+        for (const Material& material : scene.holes.materials) add_cutout(key, material);
+    }
+
     // All that a limit can depend on: buffers, camera, and every parameter of the method but its denoiser's.
     std::string key_of_limit(const AoView& view, const MethodSettings& settings) const {
         const GBuffer& gbuffer = view.gbuffer;
@@ -101,7 +113,7 @@ class ReferenceMaker {
         key.add(camera.projection);
         for (const Parameter<AnySettings>& parameter : request_.method->parameters)
             key.add(parameter.get(settings.ao));
-        if (view.rays != nullptr) key.add_all(view.rays->triangles);
+        if (view.rays != nullptr) add_scene(key, *view.rays);
         return key.hex();
     }
 
@@ -109,7 +121,7 @@ class ReferenceMaker {
                        const RayAoSettings& rays) const {
         ContentKey key;
         key.add(kReferenceVersion);
-        key.add_all(scene.triangles);
+        add_scene(key, scene);
         key.add_all(from);
         key.add_all(points_.pixel);
         key.add(request_.size);

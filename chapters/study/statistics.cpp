@@ -31,14 +31,15 @@ void require_alike(std::span<const double> a, std::span<const double> b) {
 
 MedianRanks median_ranks(int n) {
     if (n < 1) throw UsageError("median: of nothing (" + std::to_string(n) + "); give at least one value");
-    // `mass` is the chance that exactly k of n fall below the median, `below` that fewer than k do.
-    double mass = std::pow(0.5, n), below = mass;
+    // The logarithm of the chance that exactly k - 1 of n fall below the median (itself it underflows from n = 1075 on), and
+    // the chance that fewer than k do.
+    double log_chance = -n * std::log(2.0), below = std::exp(log_chance);
     int k = 1;
     while (2 * (k + 1) <= n) {
-        const double next_mass = mass * (n - k + 1) / k;
-        if (1 - 2 * (below + next_mass) < kConfidence) break;
-        mass = next_mass;
-        below += mass;
+        log_chance += std::log(static_cast<double>(n - k + 1) / k);
+        const double chance = std::exp(log_chance);
+        if (1 - 2 * (below + chance) < kConfidence) break;
+        below += chance;
         ++k;
     }
     return {k, n + 1 - k, std::max(0.0, 1 - 2 * below)};

@@ -14,19 +14,6 @@ void add_mesh(ContentKey& key, const Mesh& mesh) {
     key.add_all(mesh.parts);
 }
 
-void add_cutout(ContentKey& key, const Material& material) {
-    key.add(material.alpha_cutoff);
-    if (!(material.alpha_cutoff > 0) || material.texture == nullptr) return;
-    for (std::size_t level = 0; level < material.texture->levels().size(); ++level)
-        key.add_image(material.texture->alpha(level));
-    const Sampler& sampler = material.sampler;
-    key.add(sampler.filter);
-    key.add(sampler.max_anisotropy);
-    key.add(sampler.address_u);
-    key.add(sampler.address_v);
-    key.add(sampler.border);
-}
-
 void add_camera(ContentKey& key, const Camera& camera) {
     for (const glm::dvec3& point : {camera.eye, camera.target, camera.up}) key.add(point);
     key.add(camera.projection);

@@ -102,6 +102,7 @@ void FrameThread::wish(const ViewWish& wish) {
 
 std::shared_ptr<const ViewFrame> FrameThread::newest() const {
     const std::lock_guard lock(mutex_);
+    if (first_failure_ != nullptr) std::rethrow_exception(first_failure_);
     return newest_;
 }
 
@@ -127,6 +128,11 @@ void FrameThread::run() {
         } catch (const std::exception& error) {
             frame_.error = error.what();
             goes_on = false;
+            if (frame_.drawn == 0) {
+                const std::lock_guard lock(mutex_);
+                first_failure_ = std::current_exception();
+                return;
+            }
             publish();
         }
     }

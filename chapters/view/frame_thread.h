@@ -3,6 +3,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -68,7 +69,7 @@ class FrameThread {
     FrameThread& operator=(const FrameThread&) = delete;
 
     void wish(const ViewWish& wish);
-    // Null before the first frame.
+    // Null before the first frame. Throws what kept the first one from being drawn.
     std::shared_ptr<const ViewFrame> newest() const;
 
  private:
@@ -89,6 +90,7 @@ class FrameThread {
     std::optional<ViewWish> wish_;
     bool is_new_ = false, ends_ = false;
     std::shared_ptr<const ViewFrame> newest_;
+    std::exception_ptr first_failure_;
     std::thread thread_;  // last: it uses all the others
 };
 

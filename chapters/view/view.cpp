@@ -117,7 +117,7 @@ void press(ViewState& state, SDL_Keycode key, const ViewFrame& newest) {
         case SDLK_e: return go(0, 1, 0);
         case SDLK_q: return go(0, -1, 0);
         case SDLK_r: return state.reset_camera();
-        case SDLK_t: state.wish.truth = !state.wish.truth; return;
+        case SDLK_t: return state.ask_truth(!state.wish.truth);
         case SDLK_l: state.shows_left_out = !state.shows_left_out; return;
         case SDLK_f: state.flies = !state.flies; return;
         case SDLK_c: state.copies_command = true; return;

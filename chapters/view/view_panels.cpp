@@ -91,10 +91,8 @@ void draw_choices(ViewState& state) {
     if (choose("scene", words.scene, scenes, choice)) state.use_scene(choice);
     if (choose("preset", "", preset_names, choice)) state.use_preset(choice);
     if (choose("method", words.ao, methods, choice)) state.use_method(choice);
-    if (choose("size", words.size, {"320x180", "640x360", "960x540", "1280x720", "1920x1080"}, choice)) {
-        words.size = choice;
-        state.redraw();
-    }
+    if (choose("size", words.size, {"320x180", "640x360", "960x540", "1280x720", "1920x1080"}, choice))
+        state.use_size(choice);
 }
 
 void draw_buffers(ViewState& state) {
@@ -160,7 +158,8 @@ void draw_controls(ViewState& state, const ViewFrame* newest) {
     ImGui::PushItemWidth(190);
     draw_choices(state);
     draw_buffers(state);
-    ImGui::Checkbox("truth (T)", &state.wish.truth);
+    bool truth = state.wish.truth;
+    if (ImGui::Checkbox("truth (T)", &truth)) state.ask_truth(truth);
     ImGui::SameLine();
     ImGui::Checkbox("left out (L)", &state.shows_left_out);
     ImGui::SameLine();

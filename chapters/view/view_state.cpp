@@ -3,12 +3,14 @@
 #include <algorithm>
 
 #include "chapters/frame/presets.h"
+#include "chapters/terminal/parse.h"
 
 namespace crevice {
 
 void ViewState::use_scene(const std::string& name) {
     wish.words.scene = name;
     first_camera = {};
+    wish.pixel.reset();
     reset_camera();
 }
 
@@ -19,6 +21,15 @@ void ViewState::use_method(const std::string& name) {
     for (std::string& buffer : wish.shown) {
         if (std::find(known.begin(), known.end(), buffer) == known.end()) buffer = "ao_blurred";
     }
+    ask_truth(wish.truth);
+    redraw();
+}
+
+void ViewState::use_size(const std::string& word) {
+    wish.words.size = word;
+    const Size size = parse_size("--size", word);
+    if (wish.pixel && (wish.pixel->first >= size.width || wish.pixel->second >= size.height))
+        wish.pixel.reset();
     redraw();
 }
 
@@ -44,6 +55,8 @@ void ViewState::show(std::size_t place, const std::string& buffer) {
     if (buffer == kTruth || buffer == kAoError) wish.truth = true;
     redraw();
 }
+
+void ViewState::ask_truth(bool asked) { wish.truth = asked && find_method(wish.words.ao).computes_ao(); }
 
 void ViewState::reset_camera() {
     wish.camera.reset();

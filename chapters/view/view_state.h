@@ -29,13 +29,16 @@ struct ViewState {
     // A frame must be drawn anew.
     void redraw() { ++wish.revision; }
 
-    // Another scene, method or preset: what was set for the one before goes.
+    // Another scene, method, preset or size: what was set for the one before goes.
     void use_scene(const std::string& name);
     void use_method(const std::string& name);
+    void use_size(const std::string& word);
     void use_preset(const std::string& name);
     // One buffer in the first (0) or second (1) place; an empty name leaves the second place empty.
     void show(std::size_t place, const std::string& buffer);
     void reset_camera();
+    // Of methods that compute AO only: rays could judge nothing else.
+    void ask_truth(bool asked);
     // A motion of the camera that the newest frame was drawn with, or of the one that was asked for since.
     template <class Motion>
     void move_camera(const ViewFrame& newest, const Motion& motion) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <memory>
 
 #include <doctest/doctest.h>
 
@@ -91,6 +92,37 @@ TEST_CASE("references: the bits that were stored are found, and only for the sam
     const References other = make_references(scene, scene.camera, changed);
     CHECK(other.soft.from_cache);
     CHECK(!other.limit.from_cache);
+}
+
+// A wall, and before it a card that only rays meet, because the near plane cuts it off; its alpha is `alpha` everywhere.
+Scene wall_behind_card(float alpha) {
+    Mesh card = facing_quad({0, 0, 3.5f}, 4);
+    card.parts[0].material = 1;
+    Scene scene = scene_of({card, facing_quad({0, 0, 4}, 20)});
+    scene.camera.near_plane = 3.8;
+    scene.materials.emplace_back();
+    scene.materials[1].alpha_cutoff = 0.5f;
+    scene.materials[1].texture = std::make_shared<Texture>(
+        build_texture(Image3({2, 2}, glm::vec3(0.5f)), Image<float>({2, 2}, alpha)));
+    return scene;
+}
+
+TEST_CASE("references: another hole is another scene to rays, though the picture shows the same") {
+    const ScratchDirectory scratch;
+    ReferenceRequest request = request_of();
+    request.method = &find_method("ray_cast");
+    request.settings = defaults_of(*request.method);
+    request.rays.radius = 1;
+    request.cache = scratch.path();
+    for (const float alpha : {1.0f, 0.0f}) {
+        CAPTURE(alpha);
+        const Scene scene = wall_behind_card(alpha);
+        const References made = make_references(scene, scene.camera, request);
+        CHECK(!made.hard.from_cache);
+        CHECK(!made.limit.from_cache);
+        // Behind the card nearly every direction is closed; without it the wall is open.
+        CHECK((alpha > 0 ? made.hard.mean < 0.4 : made.hard.mean == 1));
+    }
 }
 
 TEST_CASE(

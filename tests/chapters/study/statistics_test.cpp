@@ -35,6 +35,14 @@ TEST_CASE("median_ranks: the known intervals of 9, 15 and 21 values, and the bin
         }
         CHECK(1 - 2 * below < 0.95);
     }
+    // Where 2^-n is no longer a number. Of many, the ranks are n/2 - 0.98 sqrt(n), as the normal distribution has it.
+    for (const int n : {1074, 1075, 1100, 10000}) {
+        CAPTURE(n);
+        const MedianRanks ranks = median_ranks(n);
+        CHECK(ranks.low == doctest::Approx(0.5 * n - 0.98 * std::sqrt(n)).epsilon(0.002));
+        CHECK(ranks.low + ranks.high == n + 1);
+        CHECK(ranks.confidence == doctest::Approx(0.95).epsilon(0.005));
+    }
     CHECK_THROWS_AS(median_ranks(0), UsageError);
 }
 

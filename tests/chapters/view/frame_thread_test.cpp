@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "chapters/view/view_state.h"
+#include "rasterizer/base/error.h"
 #include "rasterizer/base/image_summary.h"
 
 using namespace crevice;
@@ -68,6 +69,31 @@ TEST_CASE("frame_thread: what cannot be drawn is told, and the frame before stay
     ++wish.revision;
     frames.wish(wish);
     frame_when(frames, [](const ViewFrame& f) { return f.error.empty(); });
+}
+
+TEST_CASE("frame_thread: a first frame that cannot be drawn is an error of its own kind") {
+    const auto fails = [](const ViewWish& wish) {
+        FrameThread frames({});
+        frames.wish(wish);
+        frame_when(frames, [](const ViewFrame&) { return false; });
+    };
+    CHECK_THROWS_AS(fails(wish_for("nosuch.obj", "xjun")), InputError);
+    ViewWish no_samples = wish_for("cornell", "xjun");
+    no_samples.words.params = {"samples=0"};
+    CHECK_THROWS_AS(fails(no_samples), UsageError);
+}
+
+TEST_CASE("view_state: what is asked of a frame goes where the next one has it not") {
+    ViewState state;
+    state.wish = wish_for("cornell", "xjun");
+    state.wish.pixel = {60, 30};
+    state.wish.truth = true;
+    state.use_size("64x32");
+    CHECK(state.wish.pixel == std::pair{60, 30});
+    state.use_size("60x30");
+    CHECK_FALSE(state.wish.pixel);
+    state.use_method("none");
+    CHECK_FALSE(state.wish.truth);
 }
 
 TEST_CASE("frame_thread: a pixel is told and truth refines without another frame") {
