@@ -28,6 +28,8 @@ const kWords = {
   "the texel keeps its value, for no other counts": "纹素保持原值，因为没有别的计入",
   "squares of four, across": "四个一块，横向",
   "squares of four, down": "四个一块，纵向",
+  "fine, across": "最近邻，横向",
+  "fine, down": "最近邻，纵向",
   // Triangles.
   "kept": "保留",
   "drawn over": "被覆盖",
