@@ -267,8 +267,7 @@ book.number("reach", significant_text(static_cast<double>(kGtaoReach), 4));
 // $R$; so the same truth is fair to all. HBAO stands beside them without its bias.
 
 // %% errors
-const Words cut = {"falloff=0", "radius_multiplier=1"};
-const Words contrast = {"exponent=2.2"};
+const Words cut = {"falloff=0", "radius_multiplier=1"}, contrast = {"exponent=2.2"};
 const MethodLimit limit = judged.limit("gtao"), with_exponent = judged.limit("gtao", contrast), sharp = judged.limit("gtao", cut), hbao = judged.limit("hbao", {"bias=0"});
 const Truth truth = judged.truth(limit.question);
 const MapError error = judged.error(limit, truth), exponent_error = judged.error(with_exponent, truth), sharp_error = judged.error(sharp, truth), hbao_error = judged.error(hbao, truth);
@@ -320,13 +319,14 @@ book.check("Even weights make this view too dark by {weight_bias}, few steps mak
 // %% strips_text [markdown]
 // ## Its parameters
 //
-// More slices only take away noise: compare 18 with 54 samples, which have the same steps. (From 4 to 8 the error falls because the mean
-// of {seeds} maps still holds some noise.) A third step to each side, from 8 to 18, takes away error.
+// More slices only take away noise: compare 18 with 54 samples, which have the same steps. A third step to each side, from 8 to 18, takes
+// away error.
 
 // %% strips
 const GtaoStrip by_samples = over_samples(view, judged, truth), by_radius = over_radii(view);
 book.show_row(by_samples.pictures, "Before the filter.");
-book.table(kErrorHeader, by_samples.rows);
+book.table(kErrorHeader, by_samples.rows,
+           "From 4 to 8 samples the error falls only because the mean of {seeds} maps still holds some noise.");
 book.show_row(by_radius.pictures, "The same 18 samples over a larger and larger radius, after the filter.");
 book.number("radius_first", by_radius.means.front(), 4);
 book.number("radius_last", by_radius.means.back(), 4);
