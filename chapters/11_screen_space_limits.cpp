@@ -289,8 +289,8 @@ near_column.eye = {3, 0.4, -3}, near_column.target = {6, -0.6, 0}, near_column.n
 const Supersampled s = supersample(columns, near_column, kSize);
 book.compare({"plain", lit_picture(s.plain), "One sample a pixel: jagged edges."},
              {"supersampled", lit_picture(s.four), "Four, each with light and AO of its own, their mean in linear light."});
-book.show_row({{"multisampled", lit_picture(s.four_with_one), "Four lit samples with the AO of one: at this size as good as the right picture."},
-               {"mismatch", difference_picture(s.off, 0.1f), "That minus the right one, 0.1 is full red: the error sits on the edges."},
+book.show_row({{"multisampled", lit_picture(s.four_with_one), "Four lit samples with the AO of one: at this size as good as the correct picture."},
+               {"mismatch", difference_picture(s.off, 0.1f), "That minus the correct one, 0.1 is full red: the error sits on the edges."},
                {"edges", mask_picture(s.edge), "The pixels whose samples differ."}});
 book.table({"pixels", "share", "mean difference"}, {{"edges", decimal_text(s.edge_share, 3), decimal_text(s.off_at_edges, 3)},
                                                     {"elsewhere", decimal_text(1 - s.edge_share, 3), decimal_text(s.off_elsewhere, 3)}});

@@ -249,8 +249,7 @@ book.listing_part("ssao/blur/edge_blur.cpp", "EdgeWeights", "// Both neighbours 
                   "a little from all.");
 
 // %% maps
-book.show_row({{"raw", ao_picture(around_foot(shown.raw.ao)), "GTAO, {slices} slices, before the filter.",
-                shown.command("ao_raw")},
+book.show_row({{"raw", ao_picture(around_foot(shown.raw.ao)), "GTAO, {slices} slices, before the filter.", shown.command("ao_raw")},
                {"denoised", ao_picture(around_foot(shown.denoised)), "After it: the grain is gone, the outline of the column is sharp. " + view.command("gtao"),
                 shown.command("ao_blurred")}},
               "Both are cut out around the foot of the column, as most pictures here; tables and checks speak of the whole view.");
@@ -267,8 +266,7 @@ book.number("reach", significant_text(static_cast<double>(kGtaoReach), 4));
 // $R$; so the same truth is fair to all. HBAO stands beside them without its bias.
 
 // %% errors
-const Words cut = {"falloff=0", "radius_multiplier=1"};
-const Words contrast = {"exponent=2.2"};
+const Words cut = {"falloff=0", "radius_multiplier=1"}, contrast = {"exponent=2.2"};
 const MethodLimit limit = judged.limit("gtao"), with_exponent = judged.limit("gtao", contrast), sharp = judged.limit("gtao", cut), hbao = judged.limit("hbao", {"bias=0"});
 const Truth truth = judged.truth(limit.question);
 const MapError error = judged.error(limit, truth), exponent_error = judged.error(with_exponent, truth), sharp_error = judged.error(sharp, truth), hbao_error = judged.error(hbao, truth);
@@ -320,13 +318,13 @@ book.check("Even weights make this view too dark by {weight_bias}, few steps mak
 // %% strips_text [markdown]
 // ## Its parameters
 //
-// More slices only take away noise: compare 18 with 54 samples, which have the same steps. (From 4 to 8 the error falls because the mean
-// of {seeds} maps still holds some noise.) A third step to each side, from 8 to 18, takes away error.
+// More slices only take away noise: compare 18 with 54 samples, which have the same steps. A third step to each side, from 8 to 18, takes
+// away error.
 
 // %% strips
 const GtaoStrip by_samples = over_samples(view, judged, truth), by_radius = over_radii(view);
 book.show_row(by_samples.pictures, "Before the filter.");
-book.table(kErrorHeader, by_samples.rows);
+book.table(kErrorHeader, by_samples.rows, "From 4 to 8 samples the error falls only because the mean of {seeds} maps still holds some noise.");
 book.show_row(by_radius.pictures, "The same 18 samples over a larger and larger radius, after the filter.");
 book.number("radius_first", by_radius.means.front(), 4);
 book.number("radius_last", by_radius.means.back(), 4);
@@ -350,10 +348,8 @@ book.check("With three times the slices, from 18 to 54 samples, the noise falls 
 // %% kept_or_lost
 const JudgedView columns(book, "columns", "gtao");
 const MethodMap kept = columns.map("gtao", {"samples=8", "form=paper"}), lost = columns.map("gtao", {"samples=8", "form=losses"});
-book.compare({"form_paper", ao_picture(columns.at_picture_size(kept.raw.ao)), "What is kept, two slices: floor and columns are grainy and too dark.",
-              kept.command("ao_raw")},
-             {"form_losses", ao_picture(columns.at_picture_size(lost.raw.ao)), "What is lost, the same two slices: what is open is white.",
-              lost.command("ao_raw")});
+book.compare({"form_paper", ao_picture(columns.at_picture_size(kept.raw.ao)), "What is kept, two slices: floor and columns are grainy and too dark.", kept.command("ao_raw")},
+             {"form_losses", ao_picture(columns.at_picture_size(lost.raw.ao)), "What is lost, the same two slices: what is open is white.", lost.command("ao_raw")});
 const Unevenness of_kept = unevenness(kept), of_lost = unevenness(lost);
 book.number("kept_most", of_kept.most, 3);
 book.number("kept_rms", of_kept.rms, 3);
@@ -372,10 +368,8 @@ const Words step = {"falloff=0", "radius_multiplier=1", "radius=1"}, fade = {"ra
 const MethodLimit by_step = judged.limit("gtao", step), by_fade = judged.limit("gtao", fade);
 const Truth wide = judged.truth(by_fade.question);
 const MethodMap step_map = view.map("gtao", step), fade_map = view.map("gtao", fade);
-book.compare({"falloff_none", ao_picture(around_foot(view.at_picture_size(step_map.denoised))), "No fade: " + view.command("gtao", step),
-              step_map.command("ao_blurred")},
-             {"falloff_fade", ao_picture(around_foot(view.at_picture_size(fade_map.denoised))), "XeGTAO's fade: " + view.command("gtao", fade),
-              fade_map.command("ao_blurred")});
+book.compare({"falloff_none", ao_picture(around_foot(view.at_picture_size(step_map.denoised))), "No fade: " + view.command("gtao", step), step_map.command("ao_blurred")},
+             {"falloff_fade", ao_picture(around_foot(view.at_picture_size(fade_map.denoised))), "XeGTAO's fade: " + view.command("gtao", fade), fade_map.command("ao_blurred")});
 book.table(kErrorHeader, {error_row("no fade", judged.error(by_step, wide), by_step), error_row("XeGTAO's fade", judged.error(by_fade, wide), by_fade)},
            "Against rays of length 1.");
 book.number("wide_step_noise", by_step.noise, 4);

@@ -382,10 +382,7 @@ book.check("With two rays a pixel the map is {own_rmse} from the truth, GTAO wit
 // %% table_text [markdown]
 // ## All methods in one table
 //
-// Each method has the settings of its source. *Its question* says how it weighs directions and what distance counts. Then come, at the
-// foot of the column, the error of what it tends to against rays that ask this very question; the noise of one map, which a filter has to
-// remove; and the error against ambient light, cosine-weighted rays of length 0.5. A method may answer a strange question well or the right
-// one badly: look at both. The last number is the error of light at the bars, with a radius of 2 for all.
+// Each method has the settings of its source. It may answer a strange question well or the right one badly: look at both errors.
 
 // %% all_methods
 std::vector<std::pair<AoQuestion, Truth>> truths = {{{0.5f, 0.5f, 0.5f, true}, light}};
@@ -403,7 +400,10 @@ for (const Candidate& c : kCandidates) {
     ranking.emplace_back(of_light, c.label);
 }
 book.table({"method", "its question", "reads", "error, own question", "noise", "error, light", "error, bars", "what stays wrong"}, table,
-           "What crevice tends to is the truth itself; its error here is what is left of its noise in {seeds} maps.");
+           "*Its question* says how a method weighs directions and what distance counts. Errors at the foot of the column are those of what it tends to: "
+           "against rays that ask this very question, and against ambient light, cosine-weighted rays of length 0.5. Noise is that of one map, which a filter "
+           "has to remove. The last number is the error of light at the bars, with a radius of 2 for all. (What crevice tends to is the truth itself; its error "
+           "here is what is left of its noise in {seeds} maps.)");
 std::ranges::sort(ranking);
 book.number("nearest", ranking[1].second);
 book.number("next", ranking[2].second);

@@ -27,6 +27,7 @@ TEST_CASE("without --out every command writes into out/, or nothing at all") {
         {"chapter 10 --size 64x36 --quiet", only_out},
         {"stability --case far_vertex --ao xjun", only_out},
         {"bench cornell --size 32x18", nothing},
+        {"sweep quick --list", nothing},
         {"scenes", nothing},
         {"methods", nothing},
         {"params xjun", nothing},
