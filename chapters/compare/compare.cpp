@@ -8,10 +8,12 @@
 
 #include "chapters/compare/compare_report.h"
 #include "chapters/compare/compared_files.h"
+#include "chapters/compare/compared_image.h"
 #include "chapters/notebook/picture.h"
 #include "chapters/terminal/output_directory.h"
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/file_bytes.h"
+#include "rasterizer/base/no_such.h"
 #include "rasterizer/lanes/approx_math.h"
 #include "ssao/judge/flip.h"
 
@@ -72,20 +74,39 @@ ComparedPair compared(const DifferenceEntry& entry, const CompareLimits& limits)
     const Planes &a = entry.a, &b = entry.b;
     if (a.empty() || b.empty() || a.size() != b.size() || !(a[0].size == b[0].size)) {
         pair.failures.push_back(entry.note);
+        pair.judged = !entry.unread;
         return pair;
     }
     pair.error = compare_images(a, b);
-    if (limits.flip && !pair.error->failed()) pair.flip = mean_flip(entry);
-    pair.failures = exceeded_limits(limits, *pair.error, pair.flip);
+    try {
+        if (limits.flip && !pair.error->failed()) pair.flip = mean_flip(entry);
+        pair.failures = exceeded_limits(limits, *pair.error, pair.flip);
+    } catch (const InputError& error) {
+        pair.failures = {error.what()};
+        pair.judged = false;
+    }
     return pair;
 }
 
-LimitsOfBuffers limits_of(const CompareOptions& options) {
+// Throws InputError where limits are given of a buffer that neither side has: misspelt, they would hold nothing.
+void require_known(const LimitsOfBuffers& limits, const fs::path& file,
+                   std::span<const DifferenceEntry> entries) {
+    std::vector<std::string> known;
+    for (const DifferenceEntry& entry : entries) known.push_back(entry.buffer());
+    for (const auto& [name, ignored] : limits.named) {
+        if (std::ranges::find(known, name) != known.end()) continue;
+        throw InputError(no_such(file.string(), "buffer on either side", name, known).what());
+    }
+}
+
+LimitsOfBuffers limits_of(const CompareOptions& options, std::span<const DifferenceEntry> entries) {
     constexpr std::uintmax_t kMaxText = 1 << 20;
     std::error_code ignored;
     fs::path file = options.limits_file.value_or(options.b / kLimitsFile);
     if (!options.limits_file && !fs::is_regular_file(file, ignored)) return {options.limits, {}};
-    return limits_from_text(read_file(file, kMaxText), file.string(), options.limits);
+    LimitsOfBuffers limits = limits_from_text(read_file(file, kMaxText), file.string(), options.limits);
+    require_known(limits, file, entries);
+    return limits;
 }
 
 // What is copied from where to where, for one file of a pair of directories, or for the two files as they are.
@@ -99,23 +120,47 @@ Renewal renewal_of(const CompareOptions& options, const DifferenceEntry& entry, 
     return {options.a / file, options.b / file};
 }
 
-// Copies the files that failed from A over B.
-void bless(const CompareOptions& options, std::span<const ComparedPair> pairs, bool directories,
-           std::ostream& report) {
+bool holds_nan(const Planes& planes) {
+    return std::ranges::any_of(planes, [](const Image<float>& p) { return buffer_statistics(p).nan > 0; });
+}
+
+void renew(const Renewal& renewal, std::ostream& report) {
     constexpr std::uintmax_t kMaxFile = std::uintmax_t{1} << 34;
+    write_file_atomically(renewal.to, read_file(renewal.from, kMaxFile));
+    report << renewal.to.string() << ": written from " << renewal.from.string() << "\n";
+}
+
+// Copies the files that failed from A over B; what is no golden stays, and is told. Whether all that failed was copied.
+bool bless(const CompareOptions& options, std::span<const ComparedPair> pairs, bool directories,
+           std::ostream& report) {
     std::error_code ignored;
     std::set<fs::path> renewed;
+    bool all = true;
     for (const ComparedPair& pair : pairs) {
         if (pair.passed()) continue;
-        const auto [from, to] = renewal_of(options, *pair.entry, directories);
-        if (!renewed.insert(to).second) continue;
-        if (!fs::exists(from, ignored)) {
-            report << to.string() << ": stays; " << options.a.string() << " has no such file\n";
-            continue;
+        const Renewal renewal = renewal_of(options, *pair.entry, directories);
+        const std::string why = !fs::exists(renewal.from, ignored) ? "there is no " + renewal.from.string()
+                                : !pair.judged                     ? pair.failures.front()
+                                : holds_nan(pair.entry->a)
+                                    ? renewal.from.string() + " holds NaN, which equals nothing"
+                                    : "";
+        if (!why.empty()) {
+            report << renewal.to.string() << ": stays; " << why << "\n";
+            all = false;
+        } else if (renewed.insert(renewal.to).second) {
+            renew(renewal, report);
         }
-        write_file_atomically(to, read_file(from, kMaxFile));
-        report << to.string() << ": written from " << from.string() << "\n";
     }
+    return all;
+}
+
+// A golden that is not there yet: --bless makes it of any image that can be read.
+bool makes_first_golden(const CompareOptions& options) {
+    std::error_code ignored;
+    if (!options.bless || fs::exists(options.b, ignored) || !fs::is_regular_file(options.a, ignored))
+        return false;
+    compared_images(options.a, std::cerr);
+    return true;
 }
 
 // An EXR and a directory hold the same in different files.
@@ -130,9 +175,18 @@ void require_blessable(const CompareOptions& options) {
 }  // namespace
 
 int compare_files(const CompareOptions& options, std::ostream& report) {
+    // What blessing wrote is for people; the documents of programs stay whole.
+    std::ostream& blessed = options.json ? std::cerr : report;
+    if (makes_first_golden(options)) {
+        renew({options.a, options.b}, blessed);
+        return static_cast<int>(ExitCode::done);
+    }
     require_blessable(options);
+    for (const auto& file : {options.junit, options.html}) {
+        if (file && file->has_parent_path()) try_output_directory(file->parent_path());
+    }
     const std::vector<DifferenceEntry> entries = compared_entries(options.a, options.b, std::cerr);
-    const LimitsOfBuffers limits = limits_of(options);
+    const LimitsOfBuffers limits = limits_of(options, entries);
     if (options.out) try_output_directory(*options.out);
     std::error_code ignored;
     const bool directories = fs::is_directory(options.a, ignored) && fs::is_directory(options.b, ignored);
@@ -161,8 +215,15 @@ int compare_files(const CompareOptions& options, std::ostream& report) {
         write_file_atomically(*options.html, difference_page(entries));
         text << options.html->string() << "\n";
     }
-    if (options.bless) bless(options, pairs, directories, text);
-    return static_cast<int>(failed > 0 && !options.bless ? ExitCode::check_failed : ExitCode::done);
+    const bool passed = failed == 0 || (options.bless && bless(options, pairs, directories, blessed));
+    bool judged = true;
+    for (const ComparedPair& pair : pairs) {
+        if (pair.judged) continue;
+        judged = false;
+        std::cerr << pair.failures.front() << "\n";
+    }
+    if (!judged) return static_cast<int>(ExitCode::input);
+    return static_cast<int>(passed ? ExitCode::done : ExitCode::check_failed);
 }
 
 }  // namespace crevice

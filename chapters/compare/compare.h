@@ -24,7 +24,8 @@ struct CompareOptions {
 // Reports RMSE, MAE, signed bias (A - B), max, p99, SSIM, differing pixels and NaN/Inf of two files, and of those pairs of
 // several that fail; what only one of these has, or of another shape there, fails. For a pair that
 // differs, the signed difference A - B goes to OUT as error.npy and error.png (NAME_error.* of directories).
-// Returns 0 when all pairs pass, else 1. Throws InputError as compared_entries() and limits_from_text() do; OutputError
+// Returns 0 when all pairs pass, 3 when one of several allows no verdict (the others are reported), else 1; with `bless` 0
+// when all that failed was copied, or when b is not there yet and was made. Throws InputError as compared_entries() and limits_from_text() do; OutputError
 // when writing fails.
 int compare_files(const CompareOptions& options, std::ostream& report);
 

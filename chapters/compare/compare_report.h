@@ -19,6 +19,7 @@ struct ComparedPair {
     std::optional<ImageError> error;                         // none: there is no pair of one shape
     double flip = std::numeric_limits<double>::quiet_NaN();  // mean; NaN: not asked for
     std::vector<std::string> failures;                       // sentences; none: it passes
+    bool judged = true;                                      // false: a file or its values allow no verdict
 
     bool passed() const { return failures.empty(); }
     // "identical", "differs", or what the pair is where there are limits: "within its limits", "beyond its limits"

@@ -182,7 +182,11 @@ std::vector<DifferenceEntry> directory_entries(const fs::path& a, const fs::path
             return Side{directory,
                         has ? compared_images(directory / name, warnings) : std::vector<ComparedImage>()};
         };
-        add_layers(name, side(a, in_a), side(b, in_b), warnings, entries);
+        try {
+            add_layers(name, side(a, in_a), side(b, in_b), warnings, entries);
+        } catch (const InputError& error) {
+            entries.push_back({.name = name, .a = {}, .b = {}, .note = error.what(), .unread = true});
+        }
     }
     return entries;
 }
@@ -208,6 +212,8 @@ std::vector<DifferenceEntry> compared_entries(const fs::path& a, const fs::path&
     if (a_is_directory && b_is_directory) return directory_entries(a, b, warnings);
     if (!a_is_directory && !b_is_directory) return file_entries(a, b, warnings);
     const fs::path &directory = a_is_directory ? a : b, &file = a_is_directory ? b : a;
+    if (!fs::exists(file, ignored))
+        throw InputError(file.string() + ": there is no such file or directory; check the name");
     if (!is_layered_kind(file)) {
         throw InputError(directory.string() + ": a directory, but " + file.string() +
                          " is none; give two files, two directories, or an .exr and a directory");

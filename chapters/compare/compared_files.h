@@ -15,8 +15,8 @@ namespace crevice {
 // where either has any, is a pair of its own. Of more than one pair, what only one side has, or of another shape, makes an
 // entry with a note that says so.
 // On `warnings`: sRGB codes against linear values, doubles that no float holds.
-// Throws InputError when a file cannot be read, when two files are of different shapes, and when no directory holds an
-// image.
+// Throws InputError when a file cannot be read (of two directories that one becomes an entry with a note), when two files
+// are of different shapes, and when no directory holds an image.
 std::vector<DifferenceEntry> compared_entries(const std::filesystem::path& a, const std::filesystem::path& b,
                                               std::ostream& warnings);
 

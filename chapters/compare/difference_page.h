@@ -19,6 +19,7 @@ struct DifferenceEntry {
     bool linear_light = false;  // show three components through the sRGB curve
     bool alpha = false;         // a and b are the alpha of what is named
     std::string layer = {};     // of a file that holds several
+    bool unread = false;        // one of its files cannot be read; the note says why
 
     std::string title() const { return alpha ? name + ", alpha" : name; }
     // What limits and error images go by: the layer, or the file's name without its ending.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <iostream>
 #include <memory>
 
@@ -37,12 +38,22 @@ constexpr int kClick_px = 3;      // a press that moves no further is a click
                      "); it needs a display, such as that of a desktop or of xvfb-run");
 }
 
+// Without a display SDL falls back to drivers that show nothing to nobody.
+void require_screen() {
+    const std::string driver = SDL_GetCurrentVideoDriver();
+    if (std::getenv("SDL_VIDEODRIVER") != nullptr || (driver != "offscreen" && driver != "dummy")) return;
+    SDL_SetError("only the driver %s is there", driver.c_str());
+    SDL_QuitSubSystem(SDL_INIT_VIDEO);
+    fail("no window can be opened");
+}
+
 // SDL, a window in it, OpenGL in the window (of any version: that only shows what was drawn here), and Dear ImGui on top, for
 // as long as this lives.
 class Window {
  public:
     Window() {
         if (SDL_Init(SDL_INIT_VIDEO) != 0) fail("no window can be opened");
+        require_screen();
         window_ = SDL_CreateWindow("Crevice", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, kWindowWidth_px,
                                    kWindowHeight_px, SDL_WINDOW_RESIZABLE | SDL_WINDOW_OPENGL);
         if (window_ == nullptr) fail("no window can be opened");

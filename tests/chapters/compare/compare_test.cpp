@@ -114,6 +114,63 @@ TEST_CASE("directories: all common files, and those on one side only count") {
     CHECK(page.find("shape.npy") < page.find("same.npy"));
 }
 
+TEST_CASE("directories: a pair that allows no verdict is told, and the others are judged") {
+    const ScratchDirectory scratch;
+    for (const char* side : {"a", "b"}) {
+        fs::create_directory(scratch / side);
+        write_npy(scratch / side / "normal.npy", Image3({9, 9}, glm::vec3(-1, 0, 0)));
+        write_npy(scratch / side / "other.npy", Image<float>({9, 9}, side[0] == 'a' ? 0.0f : 1.0f));
+        write_npy(scratch / side / "torn.npy", ramp({9, 9}));
+    }
+    fs::resize_file(scratch / "a" / "torn.npy", 150);
+    const ComparedOutcome outcome = compare({.a = scratch / "a",
+                                             .b = scratch / "b",
+                                             .limits = {.flip = 0.5},
+                                             .junit = scratch / "reports" / "j.xml"});
+    CHECK(outcome.code == 3);
+    CHECK(contains(outcome.report, "torn.npy"));
+    CHECK(contains(outcome.report, "normal.npy"));
+    CHECK(contains(outcome.report, "other.npy: beyond its limits ("));
+    const std::string junit = bytes_in(scratch / "reports" / "j.xml");
+    CHECK(contains(junit, "tests=\"3\" failures=\"3\""));
+    CHECK(contains(junit, "values lie in [0, 1]"));
+}
+
+TEST_CASE("bless: 0 only where the goldens hold what was given; NaN is no golden; a first golden is made") {
+    const ScratchDirectory scratch;
+    Image<float> nan = ramp({9, 9});
+    nan.at(0, 0) = std::numeric_limits<float>::quiet_NaN();
+    for (const char* side : {"a", "b"}) {
+        fs::create_directory(scratch / side);
+        write_npy(scratch / side / "other.npy", Image<float>({9, 9}, side[0] == 'a' ? 0.0f : 1.0f));
+    }
+    CompareOptions options{.a = scratch / "a", .b = scratch / "b", .bless = true};
+    CHECK(compare(options).code == 0);
+    CHECK(compare(options).report == "0 of 1 differ\n");
+    write_npy(scratch / "b" / "golden_only.npy", ramp({9, 9}));
+    CHECK(compare(options).code == 1);
+    fs::remove(scratch / "b" / "golden_only.npy");
+    write_npy(scratch / "a" / "bad.npy", nan);
+    const ComparedOutcome outcome = compare(options);
+    CHECK(outcome.code == 1);
+    CHECK(contains(outcome.report, "bad.npy: stays; "));
+    CHECK(!fs::exists(scratch / "b" / "bad.npy"));
+    CHECK(compare({.a = scratch / "a" / "other.npy", .b = scratch / "new.npy", .bless = true}).code == 0);
+    CHECK(bytes_in(scratch / "new.npy") == bytes_in(scratch / "a" / "other.npy"));
+}
+
+TEST_CASE("limits of a buffer that neither side has are refused: misspelt, they would hold nothing") {
+    const ScratchDirectory scratch;
+    for (const char* side : {"a", "b"}) {
+        fs::create_directory(scratch / side);
+        write_npy(scratch / side / "ao_raw.npy", ramp({9, 9}));
+    }
+    std::ofstream(scratch / "b" / "limits.json") << R"({"limits": {"ao-raw": {"rmse": 0}}})";
+    CHECK(message_of<InputError>([&] { compare({.a = scratch / "a", .b = scratch / "b"}); }) ==
+          (scratch / "b" / "limits.json").string() +
+              ": there is no such buffer on either side (ao-raw); did you mean ao_raw? There are ao_raw");
+}
+
 TEST_CASE("what cannot be compared is named") {
     const ScratchDirectory scratch;
     write_npy(scratch / "a.npy", Image<float>({4, 4}, 0.0f));
@@ -134,9 +191,10 @@ TEST_CASE("what cannot be compared is named") {
     CHECK(contains(message(scratch / "a.txt", scratch / "a.npy"), "a.txt"));
     CHECK(contains(message(scratch / "a.npy", scratch.path()), "is none"));
     fs::create_directory(scratch / "empty");
-    CHECK(contains(message(scratch / "empty", scratch / "empty"), "holds a .npy, a .pfm, a .png, a .tif or an .exr"));
+    CHECK(contains(message(scratch / "empty", scratch / "empty"),
+                   "holds a .npy, a .pfm, a .png, a .tif or an .exr"));
     CHECK_THROWS_AS(
-        compare({.a = scratch / "a.npy", .b = scratch / "a.npy", .html = scratch / "none" / "p.html"}),
+        compare({.a = scratch / "a.npy", .b = scratch / "a.npy", .html = scratch / "a.npy" / "p.html"}),
         OutputError);
 }
 
