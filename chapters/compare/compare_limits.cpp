@@ -47,6 +47,8 @@ class LimitsReader {
             const auto end = text_.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text_.size()));
             throw InputError(file_ + ":" + std::to_string(1 + std::count(text_.begin(), end, '\n')) +
                              ": not JSON; " + kForm);
+        } catch (const Json::out_of_range&) {
+            fail("a number is too large to be read", "");
         }
     }
 

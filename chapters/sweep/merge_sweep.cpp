@@ -42,20 +42,18 @@ class Merger {
  public:
     // Throws as merged().
     void add(const fs::path& path) {
-        const SweepDirectory directory(path);
-        SweepListing listing = directory.listing();
-        const std::string text = directory.plan_text();
+        const std::optional<Begun> begun = read_begun(path);
+        if (!begun) return;
         if (directories_.empty()) {
-            listing_ = std::move(listing);
-            merged_.results.plan = listing_.plan;
-            merged_.results.plan_text = text;
-            for (const ListedJob& job : listing_.jobs) wanted_.emplace(job.id, &job);
+            first_ = *begun;
+            for (const ListedJob& job : first_.listing.jobs) wanted_.emplace(job.id, &job);
         } else {
-            require_same(path, listing, text);
+            require_same(path, *begun);
         }
         directories_.push_back(path);
         std::vector<fs::path> files;
-        for (const fs::directory_entry& entry : fs::directory_iterator(path / "jobs")) {
+        std::error_code ignored;
+        for (const fs::directory_entry& entry : fs::directory_iterator(path / "jobs", ignored)) {
             if (entry.path().extension() == ".json") files.push_back(entry.path());
         }
         std::ranges::sort(files);
@@ -63,7 +61,10 @@ class Merger {
     }
 
     Merged result() && {
-        for (const ListedJob& job : listing_.jobs) {
+        if (directories_.empty()) throw InputError(merged_.damaged.front());
+        merged_.results.plan = first_.listing.plan;
+        merged_.results.plan_text = first_.plan_text;
+        for (const ListedJob& job : first_.listing.jobs) {
             const auto found = jobs_.find(job.id);
             if (found == jobs_.end()) {
                 merged_.results.missing.push_back(job.words);
@@ -82,20 +83,33 @@ class Merger {
         fs::path file, directory;
     };
 
-    void require_same(const fs::path& path, const SweepListing& listing, const std::string& text) const {
-        const std::string both = path.string() + ": of another ", first = directories_.front().string();
-        if (text != merged_.results.plan_text)
-            throw InputError(both + "plan (" + listing.plan + ") than " + first + " (" + listing_.plan +
-                             "); merge each by itself");
-        for (std::size_t i = 0; i < std::max(listing.jobs.size(), listing_.jobs.size()); ++i) {
-            if (i < listing.jobs.size() && i < listing_.jobs.size() &&
-                listing.jobs[i].id == listing_.jobs[i].id)
-                continue;
-            const std::string words =
-                i < listing.jobs.size() ? listing.jobs[i].words : listing_.jobs[i].words;
-            throw InputError(both + "scene or --instructions than " + first + " (" + words +
-                             "); sweep the same files everywhere");
+    // What sweep begins with in each directory.
+    struct Begun {
+        SweepListing listing;
+        std::string plan_text;
+    };
+
+    // None where no sweep has begun, which is noted.
+    std::optional<Begun> read_begun(const fs::path& path) {
+        try {
+            const SweepDirectory directory(path);
+            return Begun{directory.listing(), directory.plan_text()};
+        } catch (const InputError& error) {
+            merged_.damaged.emplace_back(error.what());
+            return std::nullopt;
         }
+    }
+
+    void require_same(const fs::path& path, const Begun& begun) const {
+        const std::string both = path.string() + ": of another ", first = directories_.front().string();
+        if (begun.plan_text != first_.plan_text)
+            throw InputError(both + "plan (" + begun.listing.plan + ") than " + first + " (" +
+                             first_.listing.plan + "); merge each by itself");
+        const std::vector<ListedJob>&jobs = begun.listing.jobs, &first_jobs = first_.listing.jobs;
+        const auto [own, other] = std::ranges::mismatch(jobs, first_jobs, {}, &ListedJob::id, &ListedJob::id);
+        if (own == jobs.end() && other == first_jobs.end()) return;
+        throw InputError(both + "scene or --instructions than " + first + " (" +
+                         (own == jobs.end() ? *other : *own).words + "); sweep the same files everywhere");
     }
 
     void add_job(const fs::path& file, const fs::path& directory) {
@@ -170,8 +184,8 @@ class Merger {
 
     Merged merged_;
     std::vector<fs::path> directories_;
-    SweepListing listing_;
-    std::map<std::string, const ListedJob*> wanted_;  // of listing_, by their ids
+    Begun first_;                                     // of the first directory
+    std::map<std::string, const ListedJob*> wanted_;  // of it, by their ids
     std::map<std::string, Found> jobs_;
     Shared version_, machine_;
 };

@@ -46,6 +46,9 @@ PlannedValues values_of(const JsonFile& plan, const Method& method, const std::s
     FrameSettings trial;
     trial.method = defaults_of(method);
     plan.for_each(values, place, [&](const Json& value, const JsonPlace& at) {
+        // 0.5 and "0.5" are the same word.
+        if (std::ranges::count(planned.words, word_of(value)) > 0)
+            plan.refuse(name + ": given twice (" + word_of(value) + "); leave one away", at);
         planned.words.push_back(word_of(value));
         try {
             set_from_word(*found, trial, planned.words.back());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 #include <sstream>
 
 #include "chapters/study/reference_cache.h"
@@ -128,8 +129,11 @@ class JobMaker {
  public:
     JobMaker(const SweepPlan& plan, bool instructions) : plan_(plan), instructions_(instructions) {}
 
-    void add_view(const std::shared_ptr<const SweepScene>& scene, Size size) {
+    void add_view(const PlannedScene& planned, const std::shared_ptr<const SweepScene>& scene, Size size) {
         SweepJob timed = job_on(scene, size, plan_.seeds.front());
+        if (!views_.insert(json_line(timed.view)).second)
+            plan_.file.refuse("scenes: given twice (" + words_of(timed.view) + "); leave one away",
+                              planned.place);
         timed.timed = true;
         timed.rounds = plan_.repetitions;
         timed.instructions = instructions_;
@@ -178,6 +182,7 @@ class JobMaker {
 
     const SweepPlan& plan_;
     const bool instructions_;
+    std::set<std::string> views_;
     std::vector<SweepJob> errors_, times_;
 };
 
@@ -187,7 +192,7 @@ std::vector<SweepJob> sweep_jobs(const SweepPlan& plan, bool instructions, const
     JobMaker maker(plan, instructions);
     for (const PlannedScene& planned : plan.scenes) {
         const auto scene = std::make_shared<const SweepScene>(loaded_scene(planned, plan.file, run));
-        for (const Size size : plan.sizes) maker.add_view(scene, size);
+        for (const Size size : plan.sizes) maker.add_view(planned, scene, size);
     }
     return std::move(maker).jobs();
 }

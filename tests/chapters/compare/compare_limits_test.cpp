@@ -106,6 +106,7 @@ TEST_CASE("limits: a file beside the goldens names buffers, flags stand for the 
 TEST_CASE("limits: what a file of them cannot say is named with its line") {
     CHECK(contains(refusal("{\n\"limits\": {,}\n}"), "limits.json:2: not JSON"));
     CHECK(contains(refusal("[]"), "limits.json:1: not an object ([])"));
+    CHECK(contains(refusal("{\"default\": {\"rmse\": 1e999}}"), "a number is too large to be read; "));
     CHECK(contains(refusal("{\n\"limit\": {}}"), "limits.json:2: no such member (limit)"));
     CHECK(contains(refusal("{\"limits\": 3}"), "\"limits\" is not an object (3)"));
     CHECK(contains(refusal("{\"limits\": {\n\"ao\": 1}}"), "limits.json:2: no limits (ao: 1)"));

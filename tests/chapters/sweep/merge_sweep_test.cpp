@@ -231,6 +231,10 @@ TEST_CASE("merge: truncated and foreign files are named with their line, and the
     CHECK(merge.results.missing.size() == 3);
     CHECK(merge_code({directory.path()}, scratch / "merged") == 3);
     CHECK(results_from_json(text_of(scratch / "merged" / "results.json"), "results.json").errors.size() == 9);
+    // A shard that never began.
+    const Merged with_nothing = merged({scratch / "nowhere", directory.path()});
+    CHECK(with_nothing.damaged.size() == 5);
+    CHECK(with_nothing.results.errors.size() == 9);
     CHECK(message_of<InputError>([&] {
               merged({scratch / "nowhere"});
           }).starts_with((scratch / "nowhere" / "jobs.json").string() + ": "));

@@ -97,6 +97,9 @@ TEST_CASE("plan: what is wrong is told with its line") {
                            "(ao_scales); did you mean ao_scale? "));
     CHECK(refusal("[4, 8]", "[]") == "plan.json:5: samples: an empty list ([]); give at least one value");
     CHECK(refusal("[4, 8]", "[4, 4]") == "plan.json:5: samples: given twice (4); leave one away");
+    CHECK(refusal("[4, 8]", "[4, \"4\"]") == "plan.json:5: samples: given twice (4); leave one away");
+    CHECK(refusal("\"cornell\"", "\"cornell\", {\"scene\": \"cornell\"}")
+              .starts_with("plan.json:3: scenes: given twice (cornell 48x27); "));
     CHECK(refusal("[4, 8]", "[4,\n 5000]") ==
           "plan.json:6: gtao: samples: not a whole number in 4..192 (5000); choose one");
     CHECK(refusal("[4, 8]", "4") == "plan.json:5: samples: not a list (4); write [...]");
