@@ -15,6 +15,8 @@ namespace {
 
 constexpr int kTabledThreads[] = {1, 2};  // said to be missing where they were not measured
 
+constexpr std::size_t kMostListed = 20;  // of what is missing or broken
+
 std::string made_by(const SweepResults& results) {
     return "Made by " + as_code(sweep_command(results)) + ".";
 }
@@ -28,40 +30,46 @@ TableOutput facts_table(const SweepResults& results) {
     add("errors", "of " + counted(static_cast<long long>(results.errors.size()), "image"));
     add("times", counted(static_cast<long long>(results.times.size()), "median") +
                      ", each of a setting on a view with a number of threads");
+    if (!results.version.empty()) add("version", results.version);
     if (results.machine) {
         add("processor", results.machine->cpu + ", " + counted(results.machine->cores, "core"));
         add("instruction set", results.machine->isa + ", " + counted(results.machine->lanes, "lane"));
         add("compiler", results.machine->compiler);
-        add("version", results.machine->version);
     }
     return table;
 }
 
+// As a list, the first of them where there are many.
+std::string bullets(const std::vector<std::string>& items) {
+    std::string list;
+    for (std::size_t i = 0; i < std::min(items.size(), kMostListed); ++i) list += "- " + items[i] + "\n";
+    if (items.size() > kMostListed) list += "- and " + std::to_string(items.size() - kMostListed) + " more\n";
+    return list;
+}
+
 std::string missing_prose(const SweepResults& results) {
-    if (results.missing.empty()) return "";
-    const auto count = static_cast<long long>(results.missing.size());
-    std::string prose = "**This sweep is not whole.** " + counted(count, "job") + " of its plan " +
-                        (count == 1 ? "is" : "are") + " missing, and everything below is without " +
-                        (count == 1 ? "it" : "them") + ":\n\n";
-    for (const std::string& words : results.missing) prose += "- " + escaped_markdown(words) + "\n";
-    return prose;
+    std::vector<std::string> items;
+    for (const std::string& words : results.missing) items.push_back(escaped_markdown(words));
+    if (items.empty()) return "";
+    const bool one = items.size() == 1;
+    return "**This sweep is not whole.** " + counted(static_cast<long long>(items.size()), "job") +
+           " of its plan " + (one ? "is" : "are") + " missing, and everything below is without " +
+           (one ? "it" : "them") + ":\n\n" + bullets(items);
 }
 
 std::string broken_prose(const SweepResults& results) {
-    std::string list;
-    long long count = 0;
+    std::vector<std::string> items;
     for (const SweepErrorResult& error : results.errors) {
         if (error.nan_or_inf == 0) continue;
-        ++count;
-        list += "- " +
-                escaped_markdown(setting_phrase(error.setting) + ", seed " + std::to_string(error.seed) +
-                                 ", on " + view_words(error.view)) +
-                ": " + counted(error.nan_or_inf, "pixel") + ", made by " + as_code(error.command) + "\n";
+        items.push_back(escaped_markdown(setting_phrase(error.setting) + ", seed " +
+                                         std::to_string(error.seed) + ", on " + view_words(error.view)) +
+                        ": " + counted(error.nan_or_inf, "pixel") + ", made by " + as_code(error.command));
     }
-    if (count == 0) return "";
-    return "**" + counted(count, "image") + (count == 1 ? " is" : " are") +
+    if (items.empty()) return "";
+    const bool one = items.size() == 1;
+    return "**" + counted(static_cast<long long>(items.size()), "image") + (one ? " is" : " are") +
            " broken.** Some of the pixels are NaN or infinite, so that the numbers below leave " +
-           (count == 1 ? "it" : "them") + " out:\n\n" + list;
+           (one ? "it" : "them") + " out:\n\n" + bullets(items);
 }
 
 constexpr const char* kHowToRead =

@@ -90,7 +90,10 @@ std::optional<SettingErrors> errors_of(const SettingFigures& figures) {
     errors.flip = mean_figure(sound, &SweepError::flip);
     errors.mae = mean_figure(sound, &SweepError::mae).value;
     errors.ssim = mean_figure(sound, &SweepError::ssim).value;
-    errors.reference_error = mean_figure(sound, &SweepError::reference_error).high;
+    for (const SweepErrorResult* const seed : sound) {
+        errors.reference_error = std::max(errors.reference_error, seed->soft.reference_error);
+        errors.hard_reference_error = std::max(errors.hard_reference_error, seed->hard.reference_error);
+    }
     errors.parts = mean_parts(sound);
     return errors;
 }
@@ -143,12 +146,12 @@ std::optional<BarFigure> ViewFigures::same_again(int of_threads) const {
     return noise;
 }
 
-double ViewFigures::reference_error() const {
-    double largest = 0;
+double ViewFigures::largest(double SettingErrors::*reference_error) const {
+    double error = 0;
     for (const SettingFigures& setting : settings) {
-        if (setting.errors) largest = std::max(largest, setting.errors->reference_error);
+        if (setting.errors) error = std::max(error, (*setting.errors).*reference_error);
     }
-    return largest;
+    return error;
 }
 
 std::vector<ViewFigures> view_figures(const SweepResults& results) {

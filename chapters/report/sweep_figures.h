@@ -26,8 +26,9 @@ struct SettingErrors {
     // the noise of the reference.
     BarFigure rmse, hard_rmse;
     BarFigure bias, p99, flip;  // mean, lowest and highest of the seeds
-    double mae = 0, ssim = 0, reference_error = 0;
-    std::vector<SweepErrorPart> parts;  // mean of the seeds that have them
+    double mae = 0, ssim = 0;
+    double reference_error = 0, hard_reference_error = 0;  // standard errors of the references themselves
+    std::vector<SweepErrorPart> parts;                     // mean of the seeds that have them
 
     // Half the width of the RMSE's interval.
     double rmse_margin() const { return rmse.high - rmse.value; }
@@ -61,8 +62,8 @@ struct ViewFigures {
 
     // A/A: between which ratios two runs of one setting lie, of all that were run twice. None: nothing was.
     std::optional<BarFigure> same_again(int threads) const;
-    // The largest standard error of the references that the errors are against; 0 where there are none.
-    double reference_error() const;
+    // The largest of all settings, of one of their references; 0 where there are no errors.
+    double largest(double SettingErrors::*reference_error) const;
 };
 
 // Views in the order in which they first appear. The figures point into `results`.

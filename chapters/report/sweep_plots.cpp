@@ -78,8 +78,8 @@ DrawingOutput error_plot(const ViewFigures& view, int threads, const ErrorMeasur
               {},
               {},
               {}};
-    if (measure.beside_reference && view.reference_error() > 0) {
-        const double noise = view.reference_error();
+    const double noise = measure.reference_error == nullptr ? 0 : view.largest(measure.reference_error);
+    if (noise > 0) {
         plot.lines.push_back({noise, "noise of the reference, " + significant_text(noise, 2), true});
         y.push_back(noise);
     }

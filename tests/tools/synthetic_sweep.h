@@ -71,6 +71,7 @@ inline SweepResults synthetic_sweep() {
     results.plan = "quick";
     results.plan_text = "{\n \"name\": \"quick\"\n}";
     results.machine = synthetic_machine();
+    results.version = results.machine->version;
     struct Law {
         const char* method;
         double floor, noise, ms;  // RMSE with ever more samples, of one sample; ms of one sample at full size

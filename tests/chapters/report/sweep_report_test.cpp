@@ -150,6 +150,11 @@ TEST_CASE("write_sweep_report: what is missing and what is broken stands first")
     CHECK(report.plots() > 0);
     results.missing.push_back("another");
     CHECK(says(WrittenReport(results).html, "2 jobs of its plan are missing"));
+    results.missing.resize(25, "one of many");
+    const std::string many = WrittenReport(results).markdown;
+    CHECK(says(many, "25 jobs of its plan are missing"));
+    CHECK(count_of(many, "- one of many\n") == 18);
+    CHECK(says(many, "- and 5 more\n"));
 }
 
 TEST_CASE("write_sweep_report: no times, one point, nothing at all") {
