@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "chapters/report/report_summary.h"
 #include "chapters/report/scene_paragraph.h"
 #include "chapters/report/setting_words.h"
 #include "chapters/report/sweep_plots.h"
@@ -15,93 +16,8 @@ namespace {
 
 constexpr int kTabledThreads[] = {1, 2};  // said to be missing where they were not measured
 
-constexpr std::size_t kMostListed = 20;  // of what is missing or broken
-
 std::string made_by(const SweepResults& results) {
     return "Made by " + as_code(sweep_command(results)) + ".";
-}
-
-TableOutput facts_table(const SweepResults& results) {
-    TableOutput table{{{"plan", ""}, {results.plan, ""}}, {}, {}};
-    const auto add = [&](const char* name, const std::string& value) {
-        table.rows.push_back({{name, ""}, {value, ""}});
-    };
-    add("made by", sweep_command(results));
-    add("errors", "of " + counted(static_cast<long long>(results.errors.size()), "image"));
-    add("times", counted(static_cast<long long>(results.times.size()), "median") +
-                     ", each of a setting on a view with a number of threads");
-    if (!results.version.empty()) add("version", results.version);
-    if (results.machine) {
-        add("processor", results.machine->cpu + ", " + counted(results.machine->cores, "core"));
-        add("instruction set", results.machine->isa + ", " + counted(results.machine->lanes, "lane"));
-        add("compiler", results.machine->compiler);
-    }
-    return table;
-}
-
-// As a list, the first of them where there are many.
-std::string bullets(const std::vector<std::string>& items) {
-    std::string list;
-    for (std::size_t i = 0; i < std::min(items.size(), kMostListed); ++i) list += "- " + items[i] + "\n";
-    if (items.size() > kMostListed) list += "- and " + std::to_string(items.size() - kMostListed) + " more\n";
-    return list;
-}
-
-std::string missing_prose(const SweepResults& results) {
-    std::vector<std::string> items;
-    for (const std::string& words : results.missing) items.push_back(escaped_markdown(words));
-    if (items.empty()) return "";
-    const bool one = items.size() == 1;
-    return "**This sweep is not whole.** " + counted(static_cast<long long>(items.size()), "job") +
-           " of its plan " + (one ? "is" : "are") + " missing, and everything below is without " +
-           (one ? "it" : "them") + ":\n\n" + bullets(items);
-}
-
-std::string broken_prose(const SweepResults& results) {
-    std::vector<std::string> items;
-    for (const SweepErrorResult& error : results.errors) {
-        if (error.nan_or_inf == 0) continue;
-        items.push_back(escaped_markdown(setting_phrase(error.setting) + ", seed " +
-                                         std::to_string(error.seed) + ", on " + view_words(error.view)) +
-                        ": " + counted(error.nan_or_inf, "pixel") + ", made by " + as_code(error.command));
-    }
-    if (items.empty()) return "";
-    const bool one = items.size() == 1;
-    return "**" + counted(static_cast<long long>(items.size()), "image") + (one ? " is" : " are") +
-           " broken.** Some of the pixels are NaN or infinite, so that the numbers below leave " +
-           (one ? "it" : "them") + " out:\n\n" + bullets(items);
-}
-
-constexpr const char* kHowToRead =
-    "A point is one setting of a method. Errors are of the pixels that show a surface, against what rays "
-    "find: *soft* truth "
-    "lets occluders fade with distance as the method itself does, *hard* truth counts all of them up to the "
-    "radius. RMSE is "
-    "debiased: the noise of the reference is taken out of it. Bars hold 95 %: across, the order-statistic "
-    "interval of the "
-    "median time; upright, 1.96 standard errors of the RMSE, and for the other measures the lowest and "
-    "highest seed. The dashed "
-    "level line is the noise of the reference itself; the bar at the lower left is as long as the same "
-    "setting timed twice "
-    "differs from itself. A method's line goes through those of its settings that no other of them beats, "
-    "and the rings mark the "
-    "Pareto front: what no setting of any method beats.";
-
-ReportSection summary(const SweepResults& results) {
-    ReportSection section{"summary", "Summary"};
-    if (const std::string prose = missing_prose(results); !prose.empty())
-        section.blocks.push_back({.id = "missing", .prose = prose});
-    if (const std::string prose = broken_prose(results); !prose.empty())
-        section.blocks.push_back({.id = "broken", .prose = prose});
-    if (results.errors.empty() && results.times.empty())
-        section.blocks.push_back({.prose = "There are no results: no job of the plan is done yet."});
-    else if (results.times.empty())
-        section.blocks.push_back({.prose = "Nothing was timed, so that there are errors only."});
-    else if (results.errors.empty())
-        section.blocks.push_back({.prose = "No image was judged, so that there are times only."});
-    section.blocks.push_back({.outputs = {facts_table(results)}});
-    section.blocks.push_back({.heading = "How to read it", .prose = kHowToRead});
-    return section;
 }
 
 ReportBlock plots_block(const ViewFigures& view, int threads, const SweepResults& results,
@@ -221,21 +137,17 @@ ReportSection cost_section(const std::vector<ViewFigures>& views, const SweepRes
 
 }  // namespace
 
-std::string sweep_command(const SweepResults& results) {
-    const bool built_in = results.plan == "quick" || results.plan == "full";
-    return "crevice sweep " + results.plan + (built_in ? "" : ".json") + " && crevice merge out/sweep_" +
-           results.plan;
-}
-
 std::vector<ReportSection> report_sections(const SweepResults& results) {
     const std::vector<ViewFigures> views = view_figures(results);
     const std::vector<std::string> methods = methods_of(results);
-    std::vector<ReportSection> sections = {summary(results)};
+    std::vector<ReportSection> sections = {summary_section(results)};
     for (const ViewFigures& view : views) sections.push_back(view_section(view, results, methods));
     sections.push_back(cost_section(views, results, methods));
     sections.push_back({"plan", "The plan"});
-    sections.back().blocks.push_back(
-        {.heading = results.plan, .prose = "```json\n" + results.plan_text + "\n```", .folded = true});
+    sections.back().blocks.push_back({.heading = results.plan,
+                                      .prose = "It stands in " + as_code(results.plan + ".json") +
+                                               ":\n\n```json\n" + results.plan_text + "\n```",
+                                      .folded = true});
     return sections;
 }
 

@@ -12,7 +12,7 @@
 
 namespace crevice {
 
-// A number and how far it may be off.
+// A number and how far it may be off; from 0 to infinity where that is not known.
 struct BarFigure {
     double value = 0, low = 0, high = 0;
 };
@@ -30,7 +30,7 @@ struct SettingErrors {
     double reference_error = 0, hard_reference_error = 0;  // standard errors of the references themselves
     std::vector<SweepErrorPart> parts;                     // mean of the seeds that have them
 
-    // Half the width of the RMSE's interval.
+    // Half the width of the RMSE's interval; infinite where too little surface is seen to tell.
     double rmse_margin() const { return rmse.high - rmse.value; }
 };
 

@@ -49,7 +49,7 @@ std::vector<BookText> point_row(const SettingFigures& figures, const SettingTime
         row.insert(row.end(), 4, text(""));
     }
     if (const auto& errors = figures.errors) {
-        row.insert(row.end(), {error_text(errors->rmse.value), error_text(errors->rmse_margin()),
+        row.insert(row.end(), {error_text(errors->rmse.value), text(margin_words(errors->rmse_margin())),
                                error_text(errors->hard_rmse.value), error_text(errors->bias.value),
                                error_text(errors->mae), error_text(errors->p99.value),
                                error_text(errors->flip.value), error_text(errors->ssim)});

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "chapters/notebook/embedded_files.h"
 #include "chapters/sweep/sweep_results.h"
 
 namespace crevice {
@@ -69,7 +70,7 @@ inline SweepMachine synthetic_machine() { return {"a CPU", "avx2", "GCC 12.2.0",
 inline SweepResults synthetic_sweep() {
     SweepResults results;
     results.plan = "quick";
-    results.plan_text = "{\n \"name\": \"quick\"\n}";
+    results.plan_text = *embedded_file("chapters/sweep/plans/quick.json");
     results.machine = synthetic_machine();
     results.version = results.machine->version;
     struct Law {

@@ -1,5 +1,7 @@
 #include "chapters/report/contest.h"
 
+#include <cmath>
+
 #include <doctest/doctest.h>
 
 #include "tests/tools/synthetic_sweep.h"
@@ -61,4 +63,16 @@ TEST_CASE("least_time_to: the fastest setting of each method that is no worse, a
     CHECK(least_time_to(all, 0.05, std::nullopt).won());
     CHECK(least_time_to(all, 0.06, std::nullopt).ranking[0].ms() == 5);
     CHECK(least_time_to(all, 0.01, std::nullopt).ranking.empty());
+}
+
+TEST_CASE("least_error: one that is less sure ties, even behind one that does not") {
+    SweepResults results;
+    results.errors = {synthetic_error(kSmallView, with_samples("gtao", 8), 0.040, 0.0005),
+                      synthetic_error(kSmallView, with_samples("vbao", 8), 0.043, 0.0005),
+                      synthetic_error(kSmallView, with_samples("hbao", 8), 0.044, 0.005),
+                      synthetic_error(kSmallView, with_samples("xjun", 8), 0.2, INFINITY)};
+    const std::vector<ViewFigures> views = view_figures(results);
+    const Contest contest = least_error(contestants(views[0], 0));
+    CHECK(methods_of(contest) == std::vector<std::string>{"gtao", "hbao", "xjun", "vbao"});
+    CHECK(contest.ties == 3);
 }
