@@ -66,7 +66,7 @@ ReportBlock convergence_block(const ViewFigures& view, const SweepResults& resul
         "series that ends lowest.";
     DrawingOutput plot = convergence_plot(view, series, methods);
     TableOutput table = convergence_table(series);
-    plot.caption.en = table.caption.en = made_by(results);
+    plot.caption.en = made_by(results) + " So is the table below.";
     block.outputs = {std::move(plot), std::move(table)};
     return block;
 }
@@ -80,12 +80,15 @@ ReportBlock floors_block(const ViewFigures& view, const SweepResults& results) {
     block.prose =
         "From truth (T) to what the depth buffer holds (S), from there to the method's own limit (C), and on "
         "to the frame: the "
-        "shares of these steps add up to the mean squared error. A share below 0 takes error away. The floor "
-        "is what ever more "
-        "samples would leave, the error of C. Of each method, its setting with the most samples.";
+        "shares of these steps add up to the mean squared error of the frame. A share below 0 takes error "
+        "away. The floor is "
+        "what ever more samples would leave, the error of C: its bias is the sum of the first two steps', "
+        "and its RMSE lies "
+        "between the difference and the sum of what these have alone. Of each method, its setting with the "
+        "most samples.";
     DrawingOutput plot = error_parts_plot(view);
     TableOutput table = floors_table(view);
-    plot.caption.en = table.caption.en = made_by(results);
+    plot.caption.en = made_by(results) + " So is the table below.";
     block.outputs = {std::move(plot), std::move(table)};
     return block;
 }
@@ -144,10 +147,10 @@ std::vector<ReportSection> report_sections(const SweepResults& results) {
     for (const ViewFigures& view : views) sections.push_back(view_section(view, results, methods));
     sections.push_back(cost_section(views, results, methods));
     sections.push_back({"plan", "The plan"});
-    sections.back().blocks.push_back({.heading = results.plan,
-                                      .prose = "It stands in " + as_code(results.plan + ".json") +
-                                               ":\n\n```json\n" + results.plan_text + "\n```",
-                                      .folded = true});
+    sections.back().blocks.push_back(
+        {.heading = results.plan,
+         .prose = "It stands in `plan.json` beside the jobs:\n\n```json\n" + results.plan_text + "\n```",
+         .folded = true});
     return sections;
 }
 

@@ -102,10 +102,10 @@ constexpr const char* kHowToRead =
 }  // namespace
 
 std::string sweep_command(const SweepResults& results) {
-    // A plan of one's own may have any name.
+    // A plan of one's own may have any name; a sweep keeps it as plan.json beside its jobs.
     const bool built_in =
         embedded_file("chapters/sweep/plans/" + results.plan + ".json") == results.plan_text;
-    return "crevice sweep " + results.plan + (built_in ? "" : ".json") + " && crevice merge out/sweep_" +
+    return "crevice sweep " + (built_in ? results.plan : "plan.json") + " && crevice merge out/sweep_" +
            results.plan;
 }
 

@@ -195,14 +195,25 @@ std::vector<const SettingFigures*> settings_apart(const ViewFigures& view) {
     return chosen;
 }
 
-double ErrorTerms::floor_rmse() const { return std::sqrt(std::max(0.0, screen_share + limit_share)); }
+double ErrorTerms::least_floor() const {
+    return std::min(most_floor(), std::max(std::fabs(screen_rmse - limit_rmse), std::fabs(floor_bias())));
+}
 
 ErrorTerms error_terms(const std::vector<SweepErrorPart>& parts) {
     ErrorTerms terms;
     for (const SweepErrorPart& part : parts) {
-        const bool screen = part.step == "depth buffer", limit = part.step == "definition";
-        (screen ? terms.screen_bias : limit ? terms.limit_bias : terms.frame_bias) += part.bias;
-        (screen ? terms.screen_share : limit ? terms.limit_share : terms.frame_share) += part.share;
+        if (part.step == "depth buffer") {
+            terms.screen_bias = part.bias;
+            terms.screen_rmse = part.rmse;
+            terms.screen_share = part.share;
+        } else if (part.step == "definition") {
+            terms.limit_bias = part.bias;
+            terms.limit_rmse = part.rmse;
+            terms.limit_share = part.share;
+        } else {
+            terms.frame_bias += part.bias;
+            terms.frame_share += part.share;
+        }
     }
     return terms;
 }

@@ -75,12 +75,16 @@ std::vector<const SettingFigures*> settings_apart(const ViewFigures& view);
 // The steps from truth to frame as three terms: what the depth buffer does not hold (T -> S), what the method's definition
 // changes (S -> C), and all that comes of samples, resolution, storage and blur (C -> frame).
 struct ErrorTerms {
-    double screen_bias = 0, limit_bias = 0, frame_bias = 0;     // add up to the bias
-    double screen_share = 0, limit_share = 0, frame_share = 0;  // add up to the mean squared error
+    double screen_bias = 0, limit_bias = 0, frame_bias = 0;  // add up to the bias
+    double screen_rmse = 0, limit_rmse = 0;                  // of each term alone
+    double screen_share = 0, limit_share = 0,
+           frame_share = 0;  // add up to the mean squared error of the frame
 
     // What ever more samples would leave: the error of the method's limit.
     double floor_bias() const { return screen_bias + limit_bias; }
-    double floor_rmse() const;
+    // Its RMSE lies between these: by the triangle's inequality, and no RMSE is below its bias.
+    double least_floor() const;
+    double most_floor() const { return screen_rmse + limit_rmse; }
 };
 ErrorTerms error_terms(const std::vector<SweepErrorPart>& parts);
 

@@ -206,9 +206,9 @@ TEST_CASE("sweep_command: a plan is built in where it is the same, whatever its 
     SweepResults results = synthetic_sweep();
     CHECK(sweep_command(results) == "crevice sweep quick && crevice merge out/sweep_quick");
     results.plan_text += " ";
-    CHECK(sweep_command(results) == "crevice sweep quick.json && crevice merge out/sweep_quick");
+    CHECK(sweep_command(results) == "crevice sweep plan.json && crevice merge out/sweep_quick");
     results.plan = "mine";
-    CHECK(sweep_command(results) == "crevice sweep mine.json && crevice merge out/sweep_mine");
+    CHECK(sweep_command(results) == "crevice sweep plan.json && crevice merge out/sweep_mine");
 }
 
 TEST_CASE("write_sweep_report: a directory that cannot be made is an output error") {
