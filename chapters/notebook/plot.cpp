@@ -148,14 +148,15 @@ std::string drawn_lines(const Plot& plot, const Axes& axes) {
     return svg;
 }
 
-// From the lower left corner, one above the other.
+// From the lower left corner, one above the other, as far as the axis goes.
 std::string drawn_spans(const Plot& plot, const Axes& axes) {
     std::string svg;
     double y = axes.y.from - kSpanMargin;
     for (const PlotSpan& span : plot.spans) {
         const double decade = (axes.x.to - axes.x.from) / (axes.x.high - axes.x.low);
         const double from = axes.x.from + kSpanMargin,
-                     to = from + decade * std::max(0.0, std::log10(span.high / span.low));
+                     to =
+                         std::min(from + decade * std::max(0.0, std::log10(span.high / span.low)), axes.x.to);
         svg += svg_line({from, y}, {to, y}, kSvgInk) + svg_line({from, y - kCap}, {from, y + kCap}, kSvgInk) +
                svg_line({to, y - kCap}, {to, y + kCap}, kSvgInk) + svg_text({from, y - 8}, span.label);
         y -= kSpanLine;

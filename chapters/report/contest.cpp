@@ -25,7 +25,7 @@ bool less_error(const Contestant& a, const Contestant& b) {
 
 bool less_time(const Contestant& a, const Contestant& b) { return a.ms() < b.ms(); }
 
-// Each method's first by `before`, in that order, and how many are the same as the first of all.
+// Each method's first by `before`, in that order, but those that are the same as the first of all before the others.
 template <class Before, class Same>
 Contest contest(std::vector<Contestant> all, const Before& before, const Same& same) {
     std::stable_sort(all.begin(), all.end(), before);
@@ -36,8 +36,12 @@ Contest contest(std::vector<Contestant> all, const Before& before, const Same& s
                         [&](const Contestant& other) { return other.method() == one.method(); });
         if (!known) result.ranking.push_back(one);
     }
-    while (result.ties < result.ranking.size() && same(result.ranking.front(), result.ranking[result.ties]))
-        ++result.ties;
+    if (result.ranking.empty()) return result;
+    // One that is less sure may tie behind one that does not.
+    const Contestant first = result.ranking.front();
+    const auto rest = std::stable_partition(result.ranking.begin(), result.ranking.end(),
+                                            [&](const Contestant& one) { return same(first, one); });
+    result.ties = static_cast<std::size_t>(rest - result.ranking.begin());
     return result;
 }
 

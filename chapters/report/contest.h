@@ -21,7 +21,7 @@ struct Contestant {
 // The settings with errors and a time on so many threads; whatever the times where `threads` is 0.
 std::vector<Contestant> contestants(const ViewFigures& view, int threads);
 
-// The best setting of each method, the winner first.
+// The best setting of each method: the winner, who ties with it, then the others.
 struct Contest {
     std::vector<Contestant> ranking;
     std::size_t ties = 0;  // so many of them, from the first, cannot be told from the winner; 1: only itself

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "chapters/report/report_summary.h"
 #include "chapters/report/scene_paragraph.h"
 #include "chapters/report/setting_words.h"
 #include "chapters/report/sweep_plots.h"
@@ -17,83 +18,6 @@ constexpr int kTabledThreads[] = {1, 2};  // said to be missing where they were 
 
 std::string made_by(const SweepResults& results) {
     return "Made by " + as_code(sweep_command(results)) + ".";
-}
-
-TableOutput facts_table(const SweepResults& results) {
-    TableOutput table{{{"plan", ""}, {results.plan, ""}}, {}, {}};
-    const auto add = [&](const char* name, const std::string& value) {
-        table.rows.push_back({{name, ""}, {value, ""}});
-    };
-    add("made by", sweep_command(results));
-    add("errors", "of " + counted(static_cast<long long>(results.errors.size()), "image"));
-    add("times", counted(static_cast<long long>(results.times.size()), "median") +
-                     ", each of a setting on a view with a number of threads");
-    if (results.machine) {
-        add("processor", results.machine->cpu + ", " + counted(results.machine->cores, "core"));
-        add("instruction set", results.machine->isa + ", " + counted(results.machine->lanes, "lane"));
-        add("compiler", results.machine->compiler);
-        add("version", results.machine->version);
-    }
-    return table;
-}
-
-std::string missing_prose(const SweepResults& results) {
-    if (results.missing.empty()) return "";
-    const auto count = static_cast<long long>(results.missing.size());
-    std::string prose = "**This sweep is not whole.** " + counted(count, "job") + " of its plan " +
-                        (count == 1 ? "is" : "are") + " missing, and everything below is without " +
-                        (count == 1 ? "it" : "them") + ":\n\n";
-    for (const std::string& words : results.missing) prose += "- " + escaped_markdown(words) + "\n";
-    return prose;
-}
-
-std::string broken_prose(const SweepResults& results) {
-    std::string list;
-    long long count = 0;
-    for (const SweepErrorResult& error : results.errors) {
-        if (error.nan_or_inf == 0) continue;
-        ++count;
-        list += "- " +
-                escaped_markdown(setting_phrase(error.setting) + ", seed " + std::to_string(error.seed) +
-                                 ", on " + view_words(error.view)) +
-                ": " + counted(error.nan_or_inf, "pixel") + ", made by " + as_code(error.command) + "\n";
-    }
-    if (count == 0) return "";
-    return "**" + counted(count, "image") + (count == 1 ? " is" : " are") +
-           " broken.** Some of the pixels are NaN or infinite, so that the numbers below leave " +
-           (count == 1 ? "it" : "them") + " out:\n\n" + list;
-}
-
-constexpr const char* kHowToRead =
-    "A point is one setting of a method. Errors are of the pixels that show a surface, against what rays "
-    "find: *soft* truth "
-    "lets occluders fade with distance as the method itself does, *hard* truth counts all of them up to the "
-    "radius. RMSE is "
-    "debiased: the noise of the reference is taken out of it. Bars hold 95 %: across, the order-statistic "
-    "interval of the "
-    "median time; upright, 1.96 standard errors of the RMSE, and for the other measures the lowest and "
-    "highest seed. The dashed "
-    "level line is the noise of the reference itself; the bar at the lower left is as long as the same "
-    "setting timed twice "
-    "differs from itself. A method's line goes through those of its settings that no other of them beats, "
-    "and the rings mark the "
-    "Pareto front: what no setting of any method beats.";
-
-ReportSection summary(const SweepResults& results) {
-    ReportSection section{"summary", "Summary"};
-    if (const std::string prose = missing_prose(results); !prose.empty())
-        section.blocks.push_back({.id = "missing", .prose = prose});
-    if (const std::string prose = broken_prose(results); !prose.empty())
-        section.blocks.push_back({.id = "broken", .prose = prose});
-    if (results.errors.empty() && results.times.empty())
-        section.blocks.push_back({.prose = "There are no results: no job of the plan is done yet."});
-    else if (results.times.empty())
-        section.blocks.push_back({.prose = "Nothing was timed, so that there are errors only."});
-    else if (results.errors.empty())
-        section.blocks.push_back({.prose = "No image was judged, so that there are times only."});
-    section.blocks.push_back({.outputs = {facts_table(results)}});
-    section.blocks.push_back({.heading = "How to read it", .prose = kHowToRead});
-    return section;
 }
 
 ReportBlock plots_block(const ViewFigures& view, int threads, const SweepResults& results,
@@ -142,7 +66,7 @@ ReportBlock convergence_block(const ViewFigures& view, const SweepResults& resul
         "series that ends lowest.";
     DrawingOutput plot = convergence_plot(view, series, methods);
     TableOutput table = convergence_table(series);
-    plot.caption.en = table.caption.en = made_by(results);
+    plot.caption.en = made_by(results) + " So is the table below.";
     block.outputs = {std::move(plot), std::move(table)};
     return block;
 }
@@ -156,12 +80,15 @@ ReportBlock floors_block(const ViewFigures& view, const SweepResults& results) {
     block.prose =
         "From truth (T) to what the depth buffer holds (S), from there to the method's own limit (C), and on "
         "to the frame: the "
-        "shares of these steps add up to the mean squared error. A share below 0 takes error away. The floor "
-        "is what ever more "
-        "samples would leave, the error of C. Of each method, its setting with the most samples.";
+        "shares of these steps add up to the mean squared error of the frame. A share below 0 takes error "
+        "away. The floor is "
+        "what ever more samples would leave, the error of C: its bias is the sum of the first two steps', "
+        "and its RMSE lies "
+        "between the difference and the sum of what these have alone. Of each method, its setting with the "
+        "most samples.";
     DrawingOutput plot = error_parts_plot(view);
     TableOutput table = floors_table(view);
-    plot.caption.en = table.caption.en = made_by(results);
+    plot.caption.en = made_by(results) + " So is the table below.";
     block.outputs = {std::move(plot), std::move(table)};
     return block;
 }
@@ -213,21 +140,17 @@ ReportSection cost_section(const std::vector<ViewFigures>& views, const SweepRes
 
 }  // namespace
 
-std::string sweep_command(const SweepResults& results) {
-    const bool built_in = results.plan == "quick" || results.plan == "full";
-    return "crevice sweep " + results.plan + (built_in ? "" : ".json") + " && crevice merge out/sweep_" +
-           results.plan;
-}
-
 std::vector<ReportSection> report_sections(const SweepResults& results) {
     const std::vector<ViewFigures> views = view_figures(results);
     const std::vector<std::string> methods = methods_of(results);
-    std::vector<ReportSection> sections = {summary(results)};
+    std::vector<ReportSection> sections = {summary_section(results)};
     for (const ViewFigures& view : views) sections.push_back(view_section(view, results, methods));
     sections.push_back(cost_section(views, results, methods));
     sections.push_back({"plan", "The plan"});
     sections.back().blocks.push_back(
-        {.heading = results.plan, .prose = "```json\n" + results.plan_text + "\n```", .folded = true});
+        {.heading = results.plan,
+         .prose = "It stands in `plan.json` beside the jobs:\n\n```json\n" + results.plan_text + "\n```",
+         .folded = true});
     return sections;
 }
 

@@ -26,9 +26,6 @@ struct ReportSection {
     std::vector<ReportBlock> blocks = {};
 };
 
-// "crevice sweep quick && crevice merge out/sweep_quick": what makes the results and the report.
-std::string sweep_command(const SweepResults& results);
-
 // What is missing first; then a section a view, what it costs, and the plan.
 std::vector<ReportSection> report_sections(const SweepResults& results);
 

@@ -20,12 +20,17 @@ std::string number(double rmse) { return decimal_text(rmse, 4); }
 // "an RMSE of 0.0400 ± 0.0020"
 std::string rmse_text(const Contestant& one) {
     if (!(one.rmse() > 0)) return "an RMSE below the noise of the reference";
-    return "an RMSE of " + number(one.rmse()) + " ± " + number(one.errors().rmse_margin());
+    return "an RMSE of " + number(one.rmse()) + " ± " + margin_words(one.errors().rmse_margin());
 }
 
 // " in 3.2 ms", where times are compared.
 std::string time_text(const Contestant& one) {
     return one.time == nullptr ? "" : " in " + significant_text(one.ms(), 3) + " ms";
+}
+
+std::string within_noise(const Contest& contest) {
+    return contest.ties == 2 ? "their difference is smaller than the noise"
+                             : "their differences are smaller than the noise";
 }
 
 std::string capitalised(std::string sentence) {
@@ -50,9 +55,9 @@ std::string error_clause(const Contest& contest, const std::string& alone) {
     std::vector<std::string> tied;
     for (const Contestant& one : winners(contest)) {
         tied.push_back(phrase(one) + (tied.empty() ? " (RMSE " : " (") + number(one.rmse()) + " ± " +
-                       number(one.errors().rmse_margin()) + time_text(one) + ")");
+                       margin_words(one.errors().rmse_margin()) + time_text(one) + ")");
     }
-    return listed(tied) + " tie for the least error: their differences are smaller than the noise";
+    return listed(tied) + " tie for the least error: " + within_noise(contest);
 }
 
 // In which step a winner gains most on the next; empty where it is not known.
@@ -136,8 +141,8 @@ std::string level_sentence(const Contest& contest, double level) {
         std::vector<std::string> tied;
         for (const Contestant& one : winners(contest))
             tied.push_back(phrase(one) + " (" + significant_text(one.ms(), 3) + " ms)");
-        return " " + listed(tied) + " tie for the least time to " + level_text +
-               ": their differences are smaller than the noise.";
+        return " " + listed(tied) + " tie for the least time to " + level_text + ": " +
+               within_noise(contest) + ".";
     }
     const std::string reached =
         " " + capitalised(level_text) + " is reached first by " + phrase(first) + "," + time_text(first);

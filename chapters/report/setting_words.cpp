@@ -1,6 +1,7 @@
 #include "chapters/report/setting_words.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "chapters/terminal/number_text.h"
 #include "rasterizer/base/float_text.h"
@@ -82,6 +83,10 @@ std::optional<double> parameter_value(const SweepSetting& setting, const std::st
 
 std::string view_words(const SweepView& view) {
     return view.scene + (view.camera.empty() ? "" : " " + view.camera) + ", " + size_text(view.size);
+}
+
+std::string margin_words(double margin) {
+    return std::isfinite(margin) ? decimal_text(margin, 4) : "unknown";
 }
 
 std::string counted(long long count, const std::string& word) {

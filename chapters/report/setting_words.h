@@ -25,6 +25,9 @@ std::optional<double> parameter_value(const SweepSetting& setting, const std::st
 // "columns, 640x360"; with the camera's words where it is not the scene's own.
 std::string view_words(const SweepView& view);
 
+// "0.0020", or "unknown" where it is infinite.
+std::string margin_words(double margin);
+
 // "1 thread", "2 threads"; the plural is the word with an s.
 std::string counted(long long count, const std::string& word);
 

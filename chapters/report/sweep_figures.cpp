@@ -90,7 +90,10 @@ std::optional<SettingErrors> errors_of(const SettingFigures& figures) {
     errors.flip = mean_figure(sound, &SweepError::flip);
     errors.mae = mean_figure(sound, &SweepError::mae).value;
     errors.ssim = mean_figure(sound, &SweepError::ssim).value;
-    errors.reference_error = mean_figure(sound, &SweepError::reference_error).high;
+    for (const SweepErrorResult* const seed : sound) {
+        errors.reference_error = std::max(errors.reference_error, seed->soft.reference_error);
+        errors.hard_reference_error = std::max(errors.hard_reference_error, seed->hard.reference_error);
+    }
     errors.parts = mean_parts(sound);
     return errors;
 }
@@ -143,12 +146,12 @@ std::optional<BarFigure> ViewFigures::same_again(int of_threads) const {
     return noise;
 }
 
-double ViewFigures::reference_error() const {
-    double largest = 0;
+double ViewFigures::largest(double SettingErrors::*reference_error) const {
+    double error = 0;
     for (const SettingFigures& setting : settings) {
-        if (setting.errors) largest = std::max(largest, setting.errors->reference_error);
+        if (setting.errors) error = std::max(error, (*setting.errors).*reference_error);
     }
-    return largest;
+    return error;
 }
 
 std::vector<ViewFigures> view_figures(const SweepResults& results) {
@@ -192,14 +195,25 @@ std::vector<const SettingFigures*> settings_apart(const ViewFigures& view) {
     return chosen;
 }
 
-double ErrorTerms::floor_rmse() const { return std::sqrt(std::max(0.0, screen_share + limit_share)); }
+double ErrorTerms::least_floor() const {
+    return std::min(most_floor(), std::max(std::fabs(screen_rmse - limit_rmse), std::fabs(floor_bias())));
+}
 
 ErrorTerms error_terms(const std::vector<SweepErrorPart>& parts) {
     ErrorTerms terms;
     for (const SweepErrorPart& part : parts) {
-        const bool screen = part.step == "depth buffer", limit = part.step == "definition";
-        (screen ? terms.screen_bias : limit ? terms.limit_bias : terms.frame_bias) += part.bias;
-        (screen ? terms.screen_share : limit ? terms.limit_share : terms.frame_share) += part.share;
+        if (part.step == "depth buffer") {
+            terms.screen_bias = part.bias;
+            terms.screen_rmse = part.rmse;
+            terms.screen_share = part.share;
+        } else if (part.step == "definition") {
+            terms.limit_bias = part.bias;
+            terms.limit_rmse = part.rmse;
+            terms.limit_share = part.share;
+        } else {
+            terms.frame_bias += part.bias;
+            terms.frame_share += part.share;
+        }
     }
     return terms;
 }

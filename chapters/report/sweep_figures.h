@@ -12,7 +12,7 @@
 
 namespace crevice {
 
-// A number and how far it may be off.
+// A number and how far it may be off; from 0 to infinity where that is not known.
 struct BarFigure {
     double value = 0, low = 0, high = 0;
 };
@@ -26,10 +26,11 @@ struct SettingErrors {
     // the noise of the reference.
     BarFigure rmse, hard_rmse;
     BarFigure bias, p99, flip;  // mean, lowest and highest of the seeds
-    double mae = 0, ssim = 0, reference_error = 0;
-    std::vector<SweepErrorPart> parts;  // mean of the seeds that have them
+    double mae = 0, ssim = 0;
+    double reference_error = 0, hard_reference_error = 0;  // standard errors of the references themselves
+    std::vector<SweepErrorPart> parts;                     // mean of the seeds that have them
 
-    // Half the width of the RMSE's interval.
+    // Half the width of the RMSE's interval; infinite where too little surface is seen to tell.
     double rmse_margin() const { return rmse.high - rmse.value; }
 };
 
@@ -61,8 +62,8 @@ struct ViewFigures {
 
     // A/A: between which ratios two runs of one setting lie, of all that were run twice. None: nothing was.
     std::optional<BarFigure> same_again(int threads) const;
-    // The largest standard error of the references that the errors are against; 0 where there are none.
-    double reference_error() const;
+    // The largest of all settings, of one of their references; 0 where there are no errors.
+    double largest(double SettingErrors::*reference_error) const;
 };
 
 // Views in the order in which they first appear. The figures point into `results`.
@@ -74,12 +75,16 @@ std::vector<const SettingFigures*> settings_apart(const ViewFigures& view);
 // The steps from truth to frame as three terms: what the depth buffer does not hold (T -> S), what the method's definition
 // changes (S -> C), and all that comes of samples, resolution, storage and blur (C -> frame).
 struct ErrorTerms {
-    double screen_bias = 0, limit_bias = 0, frame_bias = 0;     // add up to the bias
-    double screen_share = 0, limit_share = 0, frame_share = 0;  // add up to the mean squared error
+    double screen_bias = 0, limit_bias = 0, frame_bias = 0;  // add up to the bias
+    double screen_rmse = 0, limit_rmse = 0;                  // of each term alone
+    double screen_share = 0, limit_share = 0,
+           frame_share = 0;  // add up to the mean squared error of the frame
 
     // What ever more samples would leave: the error of the method's limit.
     double floor_bias() const { return screen_bias + limit_bias; }
-    double floor_rmse() const;
+    // Its RMSE lies between these: by the triangle's inequality, and no RMSE is below its bias.
+    double least_floor() const;
+    double most_floor() const { return screen_rmse + limit_rmse; }
 };
 ErrorTerms error_terms(const std::vector<SweepErrorPart>& parts);
 

@@ -27,6 +27,11 @@ DrawingOutput drawing(const std::string& name, const std::string& svg, const std
     return {"plots/" + file_words(name), {svg, ""}, {caption, ""}};
 }
 
+// The figure without a bar where nobody knows how long it is.
+BarFigure with_known_bar(const BarFigure& figure) {
+    return std::isfinite(figure.high) ? figure : BarFigure{figure.value, figure.value, figure.value};
+}
+
 // The size of a figure that may have a sign.
 BarFigure magnitude(const BarFigure& figure) {
     const double a = std::fabs(figure.low), b = std::fabs(figure.high);
@@ -78,8 +83,8 @@ DrawingOutput error_plot(const ViewFigures& view, int threads, const ErrorMeasur
               {},
               {},
               {}};
-    if (measure.beside_reference && view.reference_error() > 0) {
-        const double noise = view.reference_error();
+    const double noise = measure.reference_error == nullptr ? 0 : view.largest(measure.reference_error);
+    if (noise > 0) {
         plot.lines.push_back({noise, "noise of the reference, " + significant_text(noise, 2), true});
         y.push_back(noise);
     }
@@ -98,7 +103,8 @@ DrawingOutput error_plot(const ViewFigures& view, int threads, const ErrorMeasur
 
 PlotCurve series_curve(const FittedSeries& series, const std::string& name) {
     PlotCurve curve{name, series.x, {}};
-    for (const BarFigure& figure : series.y) {
+    for (const BarFigure& known : series.y) {
+        const BarFigure figure = with_known_bar(known);
         curve.y.push_back(figure.value);
         curve.y_low.push_back(figure.low);
         curve.y_high.push_back(figure.high);
@@ -126,7 +132,7 @@ std::vector<ErrorPoint> error_points(const ViewFigures& view, int threads, const
     for (const SettingFigures& figures : view.settings) {
         const SettingTime* const time = figures.time(threads);
         if (!figures.errors || time == nullptr) continue;
-        const BarFigure error = magnitude(*figures.errors.*measure.figure);
+        const BarFigure error = magnitude(with_known_bar(*figures.errors.*measure.figure));
         points.push_back({figures.setting.method, setting_words(figures.setting), time->ms.value, error.value,
                           error.low, error.high, time->ms.low, time->ms.high, time->point});
     }

@@ -18,14 +18,16 @@ struct ErrorMeasure {
     const char* file;  // "rmse"
     const char* axis;
     BarFigure SettingErrors::*figure;
-    bool beside_reference = false;  // the reference's own noise is of the same kind and is drawn
+    double SettingErrors::*reference_error = nullptr;  // where the reference's own noise is of the same kind
 };
 inline constexpr ErrorMeasure kErrorMeasures[] = {
-    {"RMSE", "rmse", "RMSE against soft truth, debiased", &SettingErrors::rmse, true},
+    {"RMSE", "rmse", "RMSE against soft truth, debiased", &SettingErrors::rmse,
+     &SettingErrors::reference_error},
     {"FLIP", "flip", "FLIP against soft truth, mean", &SettingErrors::flip},
     {"|bias|", "bias", "|mean difference| from soft truth", &SettingErrors::bias},
     {"p99", "p99", "99th percentile of |difference|", &SettingErrors::p99},
-    {"RMSE, hard", "rmse_hard", "RMSE against hard truth, debiased", &SettingErrors::hard_rmse, true},
+    {"RMSE, hard", "rmse_hard", "RMSE against hard truth, debiased", &SettingErrors::hard_rmse,
+     &SettingErrors::hard_reference_error},
 };
 
 // The settings with a time at so many threads and an error; where the measure has a sign, its size.

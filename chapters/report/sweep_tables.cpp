@@ -49,7 +49,7 @@ std::vector<BookText> point_row(const SettingFigures& figures, const SettingTime
         row.insert(row.end(), 4, text(""));
     }
     if (const auto& errors = figures.errors) {
-        row.insert(row.end(), {error_text(errors->rmse.value), error_text(errors->rmse_margin()),
+        row.insert(row.end(), {error_text(errors->rmse.value), text(margin_words(errors->rmse_margin())),
                                error_text(errors->hard_rmse.value), error_text(errors->bias.value),
                                error_text(errors->mae), error_text(errors->p99.value),
                                error_text(errors->flip.value), error_text(errors->ssim)});
@@ -133,20 +133,20 @@ TableOutput convergence_table(std::span<const FittedSeries> series) {
 
 TableOutput floors_table(const ViewFigures& view) {
     TableOutput table = with_header({"method", "setting", "RMSE", "floor of RMSE", "floor of bias",
-                                     "MSE of depth buffer (T to S)", "of definition (S to C)",
-                                     "of the rest (C to frame)", "floor made by", "largest step"});
+                                     "T to S alone", "S to C alone", "floor made by", "share T to S",
+                                     "share S to C", "share C to frame", "largest share"});
     for (const SettingFigures* const figures : settings_apart(view)) {
         const ErrorTerms terms = error_terms(figures->errors->parts);
         const SweepErrorPart* const largest = largest_part(figures->errors->parts);
         const auto share = [](double value) { return text(significant_text(value, 3)); };
+        const std::string least = decimal_text(terms.least_floor(), kErrorDecimals),
+                          most = decimal_text(terms.most_floor(), kErrorDecimals);
         table.rows.push_back(
             {text(figures->setting.method), text(setting_words(figures->setting)),
-             error_text(figures->errors->rmse.value), error_text(terms.floor_rmse()),
-             error_text(terms.floor_bias()), share(terms.screen_share), share(terms.limit_share),
-             share(terms.frame_share),
-             text(terms.floor_rmse() > 0
-                      ? (terms.screen_share > terms.limit_share ? "depth buffer" : "definition")
-                      : "-"),
+             error_text(figures->errors->rmse.value), text(least == most ? least : least + " to " + most),
+             error_text(terms.floor_bias()), error_text(terms.screen_rmse), error_text(terms.limit_rmse),
+             text(terms.screen_rmse > terms.limit_rmse ? "depth buffer" : "definition"),
+             share(terms.screen_share), share(terms.limit_share), share(terms.frame_share),
              text(largest == nullptr ? "-" : largest->step)});
     }
     return table;

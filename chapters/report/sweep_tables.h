@@ -23,7 +23,8 @@ TableOutput passes_table(const ViewFigures& view);
 // The exponents of RMSE against samples.
 TableOutput convergence_table(std::span<const FittedSeries> series);
 
-// What more samples would leave of each method's error, and which term makes it.
+// Between which bounds lies what more samples would leave of each method's error, and which term makes it; what each term has alone,
+// and its share in the error of the frame.
 TableOutput floors_table(const ViewFigures& view);
 
 // One row a method, one column a variable of kCostVariables: the exponent, and along what; "not varied by this plan" where the plan

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "chapters/notebook/embedded_files.h"
 #include "chapters/sweep/sweep_results.h"
 
 namespace crevice {
@@ -69,8 +70,9 @@ inline SweepMachine synthetic_machine() { return {"a CPU", "avx2", "GCC 12.2.0",
 inline SweepResults synthetic_sweep() {
     SweepResults results;
     results.plan = "quick";
-    results.plan_text = "{\n \"name\": \"quick\"\n}";
+    results.plan_text = *embedded_file("chapters/sweep/plans/quick.json");
     results.machine = synthetic_machine();
+    results.version = results.machine->version;
     struct Law {
         const char* method;
         double floor, noise, ms;  // RMSE with ever more samples, of one sample; ms of one sample at full size

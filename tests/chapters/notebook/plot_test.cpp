@@ -56,6 +56,8 @@ TEST_CASE("plot_svg: a level line, and a bar as long as a ratio") {
     CHECK(shows(svg, ">noise</text>"));
     CHECK(shows(svg, "<g class=\"spans\">\n<line x1=\"82.0\" y1=\"333.0\" x2=\"107.0\" y2=\"333.0\""));
     CHECK(shows(svg, ">A/A</text>"));
+    plot.spans = {{0.001, 1000, "A/A"}};  // no further than the axis
+    CHECK(shows(plot_svg(plot), "<line x1=\"82.0\" y1=\"333.0\" x2=\"570.0\" y2=\"333.0\""));
 }
 
 TEST_CASE("snug_axis: to 1, 2 or 5 times a power of ten around the values") {

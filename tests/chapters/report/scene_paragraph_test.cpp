@@ -79,7 +79,7 @@ TEST_CASE("scene_paragraph: errors within their noise are a tie, and a little mo
     CHECK(says(
         text(0.0427),
         "Within 5, 20 and 80 ms gtao with 8 samples (RMSE 0.0400 ± 0.0020 in 3 ms) and vbao with 8 samples "
-        "(0.0427 ± 0.0020 in 4 ms) tie for the least error: their differences are smaller than the "
+        "(0.0427 ± 0.0020 in 4 ms) tie for the least error: their difference is smaller than the "
         "noise."));
     CHECK_FALSE(says(text(0.0427), "Most of its lead"));
     CHECK(says(text(0.0429), "an RMSE of 0.0400 ± 0.0020 in 3 ms, ahead of vbao with 8 samples (0.0429)."));
@@ -96,7 +96,7 @@ TEST_CASE("scene_paragraph: times within the noise of A/A are a tie, and a littl
     const MedianInterval loud{1, 0.9, 1.05, 0.96}, still{1, 0.99, 1.01, 0.96};
     CHECK(says(text(3.3, loud),
                "gtao with 8 samples (3 ms) and vbao with 8 samples (3.3 ms) tie for the least time to an "
-               "RMSE of 0.05: their differences are smaller than the noise."));
+               "RMSE of 0.05: their difference is smaller than the noise."));
     CHECK(says(text(3.3, still),
                "An RMSE of 0.05 is reached first by gtao with 8 samples, in 3 ms, 1.1 times as fast as "
                "vbao with 8 samples."));

@@ -108,19 +108,24 @@ TEST_CASE("same_again: the widest of all that were run twice, and always holding
     CHECK_FALSE(view_figures(results)[0].same_again(2));
 }
 
-TEST_CASE("error_terms: T to S, S to C and C to frame add up, and the floor is the first two") {
-    const std::vector<SweepErrorPart> parts = {{"depth buffer", 0.01, 0, 0.0001},
-                                               {"definition", 0.02, 0, 0.0003},
-                                               {"half size", 0.001, 0, 0.0005},
-                                               {"sampling", 0, 0, 0.002},
-                                               {"blur, bias", -0.002, 0, -0.0004}};
+TEST_CASE("error_terms: T to S, S to C and C to frame add up, and the floor lies between bounds") {
+    const std::vector<SweepErrorPart> parts = {{"depth buffer", 0.01, 0.03, 0.0001},
+                                               {"definition", 0.02, 0.05, -0.0003},
+                                               {"half size", 0.001, 0.02, 0.0005},
+                                               {"sampling", 0, 0.04, 0.002},
+                                               {"blur, bias", -0.002, 0.01, -0.0004}};
     const ErrorTerms terms = error_terms(parts);
-    CHECK(terms.floor_rmse() == doctest::Approx(0.02));
     CHECK(terms.floor_bias() == doctest::Approx(0.03));
+    CHECK(terms.least_floor() == doctest::Approx(0.03));  // no RMSE is below its bias
+    CHECK(terms.most_floor() == doctest::Approx(0.08));
     CHECK(terms.frame_share == doctest::Approx(0.0021));
     CHECK(terms.frame_bias == doctest::Approx(-0.001));
+    CHECK(error_terms({{"depth buffer", 0, 0.1, 1}, {"definition", 0, 0.03, 1}}).least_floor() ==
+          doctest::Approx(0.07));
+    // One term alone is the floor.
+    CHECK(error_terms({{"definition", 0.01, 0.03, 1}}).least_floor() == doctest::Approx(0.03));
+    CHECK(error_terms({{"definition", 0.01, 0.03, 1}}).most_floor() == doctest::Approx(0.03));
     REQUIRE(largest_part(parts) != nullptr);
     CHECK(largest_part(parts)->step == "sampling");
     CHECK(largest_part({{"blur", 0, 0, -1}}) == nullptr);
-    CHECK(error_terms({{"depth buffer", 0, 0, -0.1}}).floor_rmse() == 0);
 }

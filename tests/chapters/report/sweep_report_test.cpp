@@ -1,11 +1,12 @@
 #include "chapters/report/sweep_report.h"
 
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
 #include <doctest/doctest.h>
 
-#include "chapters/report/report_sections.h"
+#include "chapters/report/report_summary.h"
 #include "chapters/report/sweep_plots.h"
 #include "chapters/report/sweep_tables.h"
 #include "rasterizer/base/error.h"
@@ -150,6 +151,11 @@ TEST_CASE("write_sweep_report: what is missing and what is broken stands first")
     CHECK(report.plots() > 0);
     results.missing.push_back("another");
     CHECK(says(WrittenReport(results).html, "2 jobs of its plan are missing"));
+    results.missing.resize(25, "one of many");
+    const std::string many = WrittenReport(results).markdown;
+    CHECK(says(many, "25 jobs of its plan are missing"));
+    CHECK(count_of(many, "- one of many\n") == 18);
+    CHECK(says(many, "- and 5 more\n"));
 }
 
 TEST_CASE("write_sweep_report: no times, one point, nothing at all") {
@@ -172,6 +178,37 @@ TEST_CASE("write_sweep_report: no times, one point, nothing at all") {
     CHECK(says(nothing.html, "There are no results: no job of the plan is done yet."));
     results.errors.clear();
     CHECK(says(WrittenReport(results).html, "No image was judged, so that there are times only."));
+}
+
+TEST_CASE("write_sweep_report: an error whose own error is not known has no bar") {
+    SweepResults results = with_dominated_setting();
+    for (SweepErrorResult& error : results.errors) error.soft.rmse_error = error.hard.rmse_error = INFINITY;
+    const WrittenReport timed(results);
+    CHECK(timed.plots() == 5 + 2 + 1);
+    CHECK(says(timed.markdown, "an RMSE of 0.0500 ± unknown in 4 ms"));
+    results.times.clear();
+    const WrittenReport untimed(results);
+    CHECK(untimed.plots() == 2);
+    CHECK(says(untimed.markdown, "an RMSE of 0.0500 ± unknown"));
+    CHECK_FALSE(says(untimed.markdown, "inf "));
+}
+
+TEST_CASE("write_sweep_report: intervals of too few repetitions are said to hold less") {
+    SweepResults results = with_dominated_setting();
+    CHECK_FALSE(says(WrittenReport(results).markdown, "Too few repetitions"));
+    results.times[1].passes[0].wall.confidence = 0.75;
+    CHECK(says(WrittenReport(results).markdown, "hold only 75 %, not 95 %"));
+    results.times[1].same_again = MedianInterval{1, 1, 1, 0};
+    CHECK(says(WrittenReport(results).markdown, "hold nothing, not 95 %"));
+}
+
+TEST_CASE("sweep_command: a plan is built in where it is the same, whatever its name") {
+    SweepResults results = synthetic_sweep();
+    CHECK(sweep_command(results) == "crevice sweep quick && crevice merge out/sweep_quick");
+    results.plan_text += " ";
+    CHECK(sweep_command(results) == "crevice sweep plan.json && crevice merge out/sweep_quick");
+    results.plan = "mine";
+    CHECK(sweep_command(results) == "crevice sweep plan.json && crevice merge out/sweep_mine");
 }
 
 TEST_CASE("write_sweep_report: a directory that cannot be made is an output error") {
