@@ -94,7 +94,10 @@ TEST_CASE("tune: the program writes its table, and says by its exit code whether
     CHECK(told["facts"]["held out"] == "wall_corner, turned by 20 degrees, seeds 5000 .. 5000");
     CHECK(told["tables"]["tried"].size() > 20);
     CHECK(std::filesystem::exists(scratch / "tune.csv"));
-    CHECK(crevice_says(words + " --error 1e-9").code == 1);
+    const Outcome too_fast = crevice_says(words + " --ms 1e-6");
+    CHECK(too_fast.code == 1);
+    CHECK(contains(too_fast.text,
+                   "nothing of what was tried meets the least error within 1e-06 ms; the nearest has"));
 }
 
 TEST_CASE("tune: bad words get one line each") {
