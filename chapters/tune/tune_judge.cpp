@@ -193,7 +193,11 @@ HeldOutGain held_out_gain(const std::vector<TuneView>& views, const std::vector<
     gain.time_ratio = ratio_interval(standard_ms, ms);
     gain.standard_ms = median_interval(std::move(standard_ms));
     gain.ms = median_interval(std::move(ms));
-    const auto leaves_out_1 = [](const MedianInterval& ratio) { return ratio.low > 1 || ratio.high < 1; };
+    // Fewer than five images bound nothing.
+    constexpr double kSomeConfidence = 0.9;
+    const auto leaves_out_1 = [](const MedianInterval& ratio) {
+        return ratio.confidence >= kSomeConfidence && (ratio.low > 1 || ratio.high < 1);
+    };
     gain.error_beyond_noise = leaves_out_1(gain.error_ratio) && std::fabs(difference) > 3 * difference_error;
     gain.time_beyond_noise = leaves_out_1(gain.time_ratio);
     return gain;

@@ -72,8 +72,10 @@ class Search {
             }
             rung = std::move(next);
         }
-        descend();
-        return_to_defaults();
+        if (!outcome_.best.empty()) {
+            descend();
+            return_to_defaults();
+        }
         return std::move(outcome_);
     }
 

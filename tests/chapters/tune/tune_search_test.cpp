@@ -117,6 +117,13 @@ TEST_CASE(
     CHECK(flat.best == standard_setting(kAxes));
 }
 
+TEST_CASE("tune search: where nothing can be judged there is no answer") {
+    const TuneJudge nothing = [](std::span<const TuneSetting> settings, Effort) {
+        return std::vector<std::optional<Judged>>(settings.size());
+    };
+    CHECK(tune_search(kAxes, within_ms(2), nothing, kNever).best.empty());
+}
+
 TEST_CASE("tune search: what makes no difference stays at its default") {
     std::vector<TuneAxis> axes = kAxes;
     axes.push_back({"idle", "-", 0.25, {}, 0, 1, false, false});

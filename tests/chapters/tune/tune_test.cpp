@@ -49,6 +49,7 @@ TEST_CASE(
     CHECK(outcome.judged.error < 0.7 * standard.error);
     const HeldOutGain gain = held_out_gain(views.held_out, axes, outcome.best, options.seeds, {});
     CHECK(gain.error_ratio.low > 1.2);
+    CHECK(!gain.error_beyond_noise);  // of two images nobody can tell
     CHECK(gain.error < gain.standard_error);
     // The same images again, whatever the clock says.
     CHECK(judging({{outcome.best}}, Effort::all)[0]->error == outcome.judged.error);
