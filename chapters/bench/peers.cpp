@@ -136,8 +136,8 @@ bool add_agreement(Table& table, const std::string& scene, const Duel& duel, std
     return same;
 }
 
-// As `crevice render` writes ours, with its background, so that `crevice compare` can tell them apart. The lit picture is none
-// that `render` draws: the peer knows no textures.
+// As `crevice render` writes ours, with its background, so that `crevice compare` can tell them apart. The lit picture
+// is none that `render` draws: the peer knows no textures.
 void write_buffers(PeerBuffers buffers, const std::filesystem::path& directory, std::ostream& out) {
     const Size size = buffers.ndc_depth.size;
     for (int y = 0; y < size.height; ++y) {

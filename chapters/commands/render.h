@@ -35,8 +35,9 @@ PreparedRender prepared_render(const RenderOptions& options);
 void write_frame(const RenderOptions& options, const PreparedRender& prepared,
                  const std::filesystem::path& out, const Frame& frame);
 
-// Writes OUT/NAME.npy and OUT/NAME.png for each wanted buffer, or OUT/frame.exr, and OUT/passes.json, and prints one line
-// for each. Throws InputError, UsageError (for a history, which takes frames before this one, too), OutputError; the output directory is tried before anything is drawn.
+// Writes OUT/NAME.npy and OUT/NAME.png for each wanted buffer, or OUT/frame.exr, and OUT/passes.json, and prints one
+// line for each. Throws InputError, UsageError (for a history, which takes frames before this one, too), OutputError;
+// the output directory is tried before anything is drawn.
 void render(const RenderOptions& options);
 
 }  // namespace crevice

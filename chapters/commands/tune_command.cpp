@@ -76,7 +76,8 @@ Command add_tune_command(CommandLine& program) {
     tune.option("--against", words->against,
                 "hard: what lies within the radius occludes; soft: by the method's own fade");
     tune.option("--size", words->size, "size of the picture in pixels, WxH");
-    tune.option("--seeds", words->seeds, "images of each setting and view, 1..64");
+    tune.option("--seeds", words->seeds,
+                "images of each setting and view, 1..64; below 5 no gain is told from noise");
     add_run_flags(tune, words->run);
     tune.option("--out", words->out, "the directory for tune.json and tune.csv");
     return {tune, [words] { return crevice::tune(options_of(*words), std::cout); }};

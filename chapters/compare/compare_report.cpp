@@ -16,8 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Where any component differs most, the first in row order: what to ask `crevice probe` about. A NaN, or an infinity that only
-// one has, differs more than any number.
+// Where any component differs most, the first in row order: what to ask `crevice probe` about. A NaN, or an infinity that
+// only one has, differs more than any number.
 PixelPosition worst_pixel(const Planes& a, const Planes& b) {
     PixelPosition worst;
     double most = -1;

@@ -57,7 +57,11 @@ Table tried_table(const TuneViews& views, const std::vector<TuneAxis>& axes, con
     Table table{"tried", {"stage", "rmse", "ms", "meets", "setting"}, {}};
     std::vector<const TuneTrial*> order;
     for (const TuneTrial& trial : outcome.tried) order.push_back(&trial);
+    const auto hasty = [](const TuneTrial* trial) {
+        return trial->stage == std::string("glance") || trial->stage == std::string("look");
+    };
     std::ranges::stable_sort(order, [&](const TuneTrial* a, const TuneTrial* b) {
+        if (hasty(a) != hasty(b)) return hasty(b);
         if (!a->judged || !b->judged) return a->judged.has_value() && !b->judged;
         return goal.better(*a->judged, *b->judged);
     });

@@ -23,7 +23,7 @@ struct TuneOptions {
 // What there is to tell of a search.
 struct TuneReport {
     Facts facts;
-    Table tried;  // every judgement, the best first
+    Table tried;  // every judgement, those by all first, the best first
     std::vector<std::string> sentences;
     bool met = false;
 };

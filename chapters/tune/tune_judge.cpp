@@ -12,9 +12,9 @@ namespace crevice {
 
 namespace {
 
-constexpr double kTooSlow = 4;  // times the budget, or so many times the defaults where there is none:
-constexpr double kTooSlowForDefaults = 16;  // not waited for
-constexpr int kStandardRounds = 9;          // of the defaults, once
+constexpr double kTooSlow = 4;  // times the budget or the defaults, whichever is more: not waited for
+constexpr double kTooSlowWithoutBudget = 16;  // times the defaults
+constexpr int kStandardRounds = 9;            // of the defaults, once
 constexpr int kHeldOutRounds = 15;
 constexpr double kLeastError = 1e-6;  // so that a ratio is one; AO maps are no nearer to any truth
 
@@ -80,7 +80,7 @@ TuneJudging::TuneJudging(const std::vector<TuneView>& views, const std::vector<T
         standard_ms_.push_back(median(std::move(ms)));
         slowest = std::max(slowest, standard_ms_.back());
     }
-    slowest_ms_ = goal.ms ? kTooSlow * *goal.ms : kTooSlowForDefaults * slowest;
+    slowest_ms_ = goal.ms ? kTooSlow * std::max(*goal.ms, slowest) : kTooSlowWithoutBudget * slowest;
 }
 
 long long TuneJudging::steps(Effort effort) const { return rounds_of(effort) + seeds_of(effort, seeds_); }
@@ -116,7 +116,7 @@ std::vector<std::optional<double>> TuneJudging::times(std::span<const TuneSettin
                 if (!timed[i]) timed[i].emplace(views_[v], axes_, settings[i], kFirstSearchedSeed, run_);
                 const double before = standard.ms(), own = timed[i]->ms();
                 ratios[i].push_back(own / before);
-                if (own > slowest_ms_) ms[i].reset();
+                if (own > slowest_ms_ && settings[i] != standard_) ms[i].reset();
             }
         }
         for (std::size_t i = 0; i < settings.size(); ++i) {
@@ -193,7 +193,11 @@ HeldOutGain held_out_gain(const std::vector<TuneView>& views, const std::vector<
     gain.time_ratio = ratio_interval(standard_ms, ms);
     gain.standard_ms = median_interval(std::move(standard_ms));
     gain.ms = median_interval(std::move(ms));
-    const auto leaves_out_1 = [](const MedianInterval& ratio) { return ratio.low > 1 || ratio.high < 1; };
+    // Fewer than five images bound nothing.
+    constexpr double kSomeConfidence = 0.9;
+    const auto leaves_out_1 = [](const MedianInterval& ratio) {
+        return ratio.confidence >= kSomeConfidence && (ratio.low > 1 || ratio.high < 1);
+    };
     gain.error_beyond_noise = leaves_out_1(gain.error_ratio) && std::fabs(difference) > 3 * difference_error;
     gain.time_beyond_noise = leaves_out_1(gain.time_ratio);
     return gain;

@@ -59,21 +59,25 @@ class Search {
         keep_best({standard}, judged({standard}, Effort::all, "defaults"));
         std::vector<TuneSetting> rung = spread_settings(axes_, kSettings - 1);
         rung.insert(rung.begin(), standard);
+        // The defaults stand in the first rung, so that its best is better than they are by the same effort.
+        std::pair<TuneSetting, std::optional<Judged>> so_far = {standard, std::nullopt};
         for (const Effort effort : {Effort::glance, Effort::look, Effort::all}) {
             const std::vector<std::optional<Judged>> found = judged(rung, effort, stage_of(effort));
             if (outcome_.interrupted) break;
             const std::vector<std::size_t> order = best_first(rung, found);
-            // The defaults stand among them, so that all are compared by the same effort.
-            if (!order.empty() && (effort == Effort::all || stop_()))
-                keep_best({rung[order[0]]}, {found[order[0]]});
+            if (order.empty()) break;
+            so_far = {rung[order[0]], found[order[0]]};
             std::vector<TuneSetting> next;
             for (const std::size_t i : order) {
                 if (next.size() < (rung.size() + kKept - 1) / kKept) next.push_back(rung[i]);
             }
             rung = std::move(next);
         }
-        descend();
-        return_to_defaults();
+        keep_best({so_far.first}, {so_far.second});
+        if (!outcome_.best.empty()) {
+            descend();
+            return_to_defaults();
+        }
         return std::move(outcome_);
     }
 

@@ -53,7 +53,7 @@ struct TuneTrial {
 
 struct TuneOutcome {
     std::vector<TuneTrial> tried;  // every judgement, in its order
-    TuneSetting best;
+    TuneSetting best;  // empty: nothing was judged
     Judged judged;
     bool interrupted = false;
 };

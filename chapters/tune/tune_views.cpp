@@ -57,6 +57,8 @@ TuneViews tune_views(const TuneViewsRequest& request) {
         SceneArgument argument = load_scene(name, {.surfaces = false, .run = request.run});
         if (triangle_count(argument.scene) == 0)
             throw InputError(name + ": nothing to tune for (0 triangles); give a scene with some");
+        settings_for(argument, name, *request.method,
+                     {});  // where its defaults do not fit the scene, it says so
         const Camera camera = argument.scene.camera;
         const auto scene = std::make_shared<const Scene>(std::move(argument.scene));
         const bool held_out = count > 1 && i + 1 == count;

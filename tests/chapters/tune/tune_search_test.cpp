@@ -117,6 +117,13 @@ TEST_CASE(
     CHECK(flat.best == standard_setting(kAxes));
 }
 
+TEST_CASE("tune search: where nothing can be judged there is no answer") {
+    const TuneJudge nothing = [](std::span<const TuneSetting> settings, Effort) {
+        return std::vector<std::optional<Judged>>(settings.size());
+    };
+    CHECK(tune_search(kAxes, within_ms(2), nothing, kNever).best.empty());
+}
+
 TEST_CASE("tune search: what makes no difference stays at its default") {
     std::vector<TuneAxis> axes = kAxes;
     axes.push_back({"idle", "-", 0.25, {}, 0, 1, false, false});
@@ -131,19 +138,25 @@ TEST_CASE("tune search: what makes no difference stays at its default") {
 }
 
 TEST_CASE("tune search: interrupted, it tells the best so far") {
-    int judgements = 0;
-    const std::function<bool()> after_the_glance = [&] { return judgements > 1; };
-    const TuneJudge counted = [&](std::span<const TuneSetting> settings, Effort effort) {
-        ++judgements;
-        return kKnown(settings, effort);
-    };
-    const TuneOutcome outcome = tune_search(kAxes, within_ms(20), counted, after_the_glance);
-    CHECK(outcome.interrupted);
-    CHECK(judgements == 2);
-    double least = std::numeric_limits<double>::infinity();
-    for (const TuneTrial& trial : outcome.tried) least = std::min(least, trial.judged->error);
-    CHECK(outcome.judged.error == least);
-    CHECK(least < known(standard_setting(kAxes)).error);
+    // After the defaults and so many rungs; what is then being judged comes to nothing.
+    for (const int rungs : {1, 2}) {
+        CAPTURE(rungs);
+        int judgements = 0;
+        const std::function<bool()> stop = [&] { return judgements > 1 + rungs; };
+        const TuneJudge counted = [&](std::span<const TuneSetting> settings, Effort effort) {
+            ++judgements;
+            return stop() ? std::vector<std::optional<Judged>>(settings.size()) : kKnown(settings, effort);
+        };
+        const TuneOutcome outcome = tune_search(kAxes, within_ms(20), counted, stop);
+        CHECK(outcome.interrupted);
+        CHECK(judgements == 2 + rungs);
+        double least = std::numeric_limits<double>::infinity();
+        for (const TuneTrial& trial : outcome.tried) {
+            if (trial.judged) least = std::min(least, trial.judged->error);
+        }
+        CHECK(outcome.judged.error == least);
+        CHECK(least < known(standard_setting(kAxes)).error);
+    }
 }
 
 TEST_CASE(

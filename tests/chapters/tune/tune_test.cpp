@@ -49,6 +49,7 @@ TEST_CASE(
     CHECK(outcome.judged.error < 0.7 * standard.error);
     const HeldOutGain gain = held_out_gain(views.held_out, axes, outcome.best, options.seeds, {});
     CHECK(gain.error_ratio.low > 1.2);
+    CHECK(!gain.error_beyond_noise);  // of two images nobody can tell
     CHECK(gain.error < gain.standard_error);
     // The same images again, whatever the clock says.
     CHECK(judging({{outcome.best}}, Effort::all)[0]->error == outcome.judged.error);
@@ -94,7 +95,10 @@ TEST_CASE("tune: the program writes its table, and says by its exit code whether
     CHECK(told["facts"]["held out"] == "wall_corner, turned by 20 degrees, seeds 5000 .. 5000");
     CHECK(told["tables"]["tried"].size() > 20);
     CHECK(std::filesystem::exists(scratch / "tune.csv"));
-    CHECK(crevice_says(words + " --error 1e-9").code == 1);
+    const Outcome too_fast = crevice_says(words + " --ms 1e-6");
+    CHECK(too_fast.code == 1);
+    CHECK(contains(too_fast.text,
+                   "nothing of what was tried meets the least error within 1e-06 ms; the nearest has"));
 }
 
 TEST_CASE("tune: bad words get one line each") {
