@@ -2,7 +2,12 @@
 
 #include <algorithm>
 
-#if CREVICE_TBB
+#if CREVICE_TBB && defined(__SANITIZE_THREAD__)
+#include <atomic>
+#include <exception>
+#include <thread>
+#include <vector>
+#elif CREVICE_TBB
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -11,7 +16,30 @@
 
 namespace crevice {
 
-#if CREVICE_TBB
+#if CREVICE_TBB && defined(__SANITIZE_THREAD__)
+namespace {
+// The thread sanitizer does not see how the threads of a oneTBB that was built without it wait for each other, and takes
+// whatever they share for a race. These do the same work, started anew for every loop.
+void on_threads(int threads, int count, const std::function<void(int)>& body) {
+    std::atomic<int> next = 0;
+    std::exception_ptr failure;
+    std::atomic_flag has_failed = ATOMIC_FLAG_INIT;
+    const auto work = [&] {
+        try {
+            for (int i = next++; i < count; i = next++) body(i);
+        } catch (...) {
+            if (!has_failed.test_and_set()) failure = std::current_exception();
+            next = count;
+        }
+    };
+    std::vector<std::jthread> others(static_cast<std::size_t>(std::min(threads, count) - 1));
+    for (std::jthread& other : others) other = std::jthread(work);
+    work();
+    for (std::jthread& other : others) other.join();
+    if (failure) std::rethrow_exception(failure);
+}
+}  // namespace
+#elif CREVICE_TBB
 namespace {
 void on_threads(int threads, int count, const std::function<void(int)>& body) {
     // The arena is limited to the machine's cores unless the limit is raised while it works.
