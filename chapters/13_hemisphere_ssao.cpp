@@ -29,7 +29,7 @@ double points_at(double distance) { return points_beside_wall(kLengths, distance
 Scene bare_floor() {
     Scene scene = empty_scene();
     scene.instances = {placed(add_mesh(scene, grid_mesh(400, 400, 2, 2)), {0, 0, 0})};
-    scene.camera.eye = {0, 0.6f, -4};
+    scene.camera.eye = {0, 0.6, -4};
     scene.camera.target = {0, 0, 4};
     return scene;
 }
@@ -298,8 +298,8 @@ book.check(
 // %% range
 JudgedView behind(book, "columns", "hemisphere");
 Camera beside_column = behind.camera();
-beside_column.eye = {-7.4f, -1.2f, -7.2f};
-beside_column.target = {-2.6f, -1.9f, -0.8f};
+beside_column.eye = {-7.4, -1.2, -7.2};
+beside_column.target = {-2.6, -1.9, -0.8};
 behind.look(beside_column, "--eye -7.4,-1.2,-7.2 --target -2.6,-1.9,-0.8");
 const MethodMap checked = behind.map("hemisphere"), unchecked = behind.map("hemisphere", {"range_check=false"});
 book.number("mean_checked", mean_over_surfaces(checked.denoised, checked.raw.inputs), 3);

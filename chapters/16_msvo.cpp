@@ -26,7 +26,7 @@ std::string text(glm::vec3 v) { return text(v.x) + ", " + text(v.y) + ", " + tex
 Image<float> floor_ao(Size size, MsvoPairs pairs) {
     Scene scene = empty_scene();
     scene.instances = {placed(add_mesh(scene, grid_mesh(400, 400, 2, 2)), {0, 0, 0})};
-    scene.camera.eye = {0, 1.5f, -4};
+    scene.camera.eye = {0, 1.5, -4};
     scene.camera.target = {0, 0, 2};
     MsvoSettings settings;
     settings.pairs = pairs;
@@ -252,8 +252,8 @@ book.check("The darkest texel of a bare floor is {floor_min}.", buffer_statistic
 // %% halo
 JudgedView behind(book, "columns", "msvo");
 Camera beside_column = behind.camera();
-beside_column.eye = {-7.4f, -1.2f, -7.2f};
-beside_column.target = {-2.6f, -1.9f, -0.8f};
+beside_column.eye = {-7.4, -1.2, -7.2};
+beside_column.target = {-2.6, -1.9, -0.8};
 behind.look(beside_column, "--eye -7.4,-1.2,-7.2 --target -2.6,-1.9,-0.8");
 const MethodMap thick = behind.map("msvo", {"thickness=10"}), thin = behind.map("msvo");
 book.compare({"thick", ao_picture(thick.raw.ao),
