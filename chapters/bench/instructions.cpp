@@ -49,10 +49,6 @@ std::vector<std::string> pass_names(const fs::path& out) {
 // Passes of the scene at rest, which are done before the frame.
 bool is_before_frame(const std::string& pass) { return pass == "ray_scene" || pass == "bake"; }
 
-void require_valgrind() {
-    if (!in_path("valgrind")) throw InputError("valgrind: not found; install the package valgrind");
-}
-
 InstructionFigures measured_figures(const fs::path& program) {
     require_valgrind();
     if (!isa_available(Isa::avx2))
@@ -97,6 +93,10 @@ InstructionFigures stored_figures(const fs::path& path) {
 }
 
 }  // namespace
+
+void require_valgrind() {
+    if (!in_path("valgrind")) throw InputError("valgrind: not found; install the package valgrind");
+}
 
 std::vector<InstructionCount> counted_frame(const fs::path& program, const std::string& scene,
                                             const std::vector<std::string>& words, Isa isa,

@@ -31,6 +31,9 @@ struct InstructionsOptions {
 // OutputError.
 int bench_instructions(const InstructionsOptions& options, std::ostream& out);
 
+// Throws InputError where there is no valgrind.
+void require_valgrind();
+
 // The instructions of each pass of one frame of `crevice render SCENE WORDS...` on one thread, last those of the whole frame.
 // Throws InputError without valgrind, and when it takes longer than `patience_s` seconds.
 std::vector<InstructionCount> counted_frame(const std::filesystem::path& program, const std::string& scene,

@@ -5,6 +5,7 @@
 #include "chapters/commands/commands.h"
 #include "chapters/report/sweep_report.h"
 #include "chapters/sweep/merge_sweep.h"
+#include "chapters/terminal/output_directory.h"
 #include "rasterizer/base/error.h"
 
 namespace crevice {
@@ -21,7 +22,7 @@ int run(const MergeWords& words) {
     if (words.directories.empty())
         throw UsageError("crevice merge: no directory; give those that crevice sweep wrote");
     const std::vector<std::filesystem::path> directories(words.directories.begin(), words.directories.end());
-    const std::filesystem::path out = words.out ? std::filesystem::path(*words.out) : directories.front();
+    const std::filesystem::path out = words.out ? named_directory("--out", *words.out) : directories.front();
     const Merged all = merged(directories);
     const int exit_code = write_merged(all, out, std::cout);
     write_sweep_report(all.results, out);

@@ -7,6 +7,7 @@
 #include "chapters/study/references.h"
 #include "chapters/sweep/run_sweep.h"
 #include "chapters/terminal/child.h"
+#include "chapters/terminal/output_directory.h"
 
 namespace crevice {
 
@@ -23,7 +24,7 @@ struct SweepWords {
 SweepOptions options_of(const SweepWords& words) {
     SweepOptions options;
     options.plan = words.plan;
-    if (words.out) options.out = *words.out;
+    if (words.out) options.out = named_directory("--out", *words.out);
     if (words.shard) options.shard = parse_shard("--shard", *words.shard);
     options.list = words.list;
     options.instructions = words.instructions;

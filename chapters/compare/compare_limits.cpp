@@ -1,59 +1,43 @@
 #include "chapters/compare/compare_limits.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
+#include "chapters/terminal/json_file.h"
 #include "chapters/terminal/number_text.h"
-#include "rasterizer/base/error.h"
 
 namespace crevice {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = JsonFile::Json;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 class LimitsReader {
  public:
-    LimitsReader(const std::string& text, const std::string& file) : text_(text), file_(file) {}
+    LimitsReader(const std::string& text, const std::string& file) : file_(text, file, ExitCode::input) {}
 
     LimitsOfBuffers all(const CompareLimits& otherwise) const {
         LimitsOfBuffers limits{otherwise, {}};
-        const Json whole = parsed();
-        if (!whole.is_object()) fail("not an object (" + whole.dump() + ")", "");
-        for (const auto& [key, value] : whole.items()) {
+        for (const auto& [key, value] : file_.root().items()) {
             if (key == "default") {
-                limits.otherwise = of_buffer(value, key);
+                limits.otherwise = of_buffer(value, key, {key});
             } else if (key == "limits") {
-                if (!value.is_object()) fail("\"limits\" is not an object (" + value.dump() + ")", key);
-                for (const auto& [buffer, of] : value.items()) limits.named[buffer] = of_buffer(of, buffer);
+                if (!value.is_object()) fail("\"limits\" is not an object (" + value.dump() + ")", {key});
+                for (const auto& [buffer, of] : value.items())
+                    limits.named[buffer] = of_buffer(of, buffer, {"limits", buffer});
             } else {
-                fail("no such member (" + key + ")", key);
+                fail("no such member (" + key + ")", {key});
             }
         }
         return limits;
     }
 
  private:
-    Json parsed() const {
-        try {
-            return Json::parse(text_);
-        } catch (const Json::parse_error& error) {
-            const auto end = text_.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text_.size()));
-            throw InputError(file_ + ":" + std::to_string(1 + std::count(text_.begin(), end, '\n')) +
-                             ": not JSON; " + kForm);
-        } catch (const Json::out_of_range&) {
-            fail("a number is too large to be read", "");
-        }
-    }
-
-    CompareLimits of_buffer(const Json& of, const std::string& buffer) const {
-        if (!of.is_object()) fail("no limits (" + buffer + ": " + of.dump() + ")", buffer);
+    CompareLimits of_buffer(const Json& of, const std::string& buffer, const JsonPlace& place) const {
+        if (!of.is_object()) fail("no limits (" + buffer + ": " + of.dump() + ")", place);
         CompareLimits limits;
         for (const auto& item : of.items()) {
             const std::string& name = item.key();
@@ -61,7 +45,8 @@ class LimitsReader {
             const auto number = [&](double lowest, double highest) {
                 const double read = value.is_number() ? value.get<double>() : kInfinity;
                 if (!(read >= lowest && read <= highest) || std::isinf(read))
-                    fail(buffer + ": " + name + " is out of range (" + value.dump() + ")", name);
+                    fail(buffer + ": " + name + " is out of range (" + value.dump() + ")",
+                         below(place, name));
                 return read;
             };
             if (name == "max_abs") {
@@ -74,28 +59,24 @@ class LimitsReader {
                 limits.ssim = number(-1, 1);
             } else if (name == "max_pixels") {
                 if (!value.is_number_integer())
-                    fail(buffer + ": max_pixels is no whole number (" + value.dump() + ")", name);
+                    fail(buffer + ": max_pixels is no whole number (" + value.dump() + ")",
+                         below(place, name));
                 limits.max_pixels = static_cast<long long>(number(0, 0x1p62));
             } else {
-                fail(buffer + ": no such limit (" + name + ")", name);
+                fail(buffer + ": no such limit (" + name + ")", below(place, name));
             }
         }
         return limits;
     }
 
-    // `word` stands in quotes on the line that is named.
-    [[noreturn]] void fail(const std::string& what, const std::string& word) const {
-        const std::size_t at = text_.find('"' + word + '"');
-        const auto end = text_.begin() + static_cast<std::ptrdiff_t>(at == std::string::npos ? 0 : at);
-        throw InputError(file_ + ":" + std::to_string(1 + std::count(text_.begin(), end, '\n')) + ": " +
-                         what + "; " + kForm);
+    [[noreturn]] void fail(const std::string& what, const JsonPlace& place) const {
+        file_.refuse(what + "; " + kForm, place);
     }
 
     static constexpr const char* kForm =
         "give {\"limits\": {BUFFER: {...}}, \"default\": {...}} with max_abs, rmse, flip, ssim and "
         "max_pixels";
-    const std::string& text_;
-    const std::string& file_;
+    const JsonFile file_;
 };
 
 }  // namespace

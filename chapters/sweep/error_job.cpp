@@ -48,6 +48,8 @@ SweepError sweep_error(const ReferenceError& error) {
     kept.flip = error.flip_mean.value_or(0);
     kept.ssim = error.ssim;
     kept.reference_error = surface.reference_error;
+    kept.mse = surface.squared.mean;
+    kept.mse_error = surface.squared.error;
     return kept;
 }
 
@@ -95,7 +97,7 @@ void ErrorJudge::look_at(const SweepJob& job, const Method& method, const FrameS
     limited_.clear();
 }
 
-std::vector<SweepErrorPart> ErrorJudge::parts_of(const MethodView& view, const FrameSettings& settings) {
+void ErrorJudge::take_apart(const MethodView& view, const FrameSettings& settings, SweepErrorResult& result) {
     const Method& method = *view.method;
     const MethodSettings limit = limit_settings(method, settings.method);
     const std::string limited = words_of_limit(method, limit);
@@ -109,7 +111,13 @@ std::vector<SweepErrorPart> ErrorJudge::parts_of(const MethodView& view, const F
         limited_ = limited;
     }
     const std::vector<ChainImage> chain = error_chain(view, references_, settings, kPartsSeeds, run_);
-    return sweep_parts(error_parts(chain, region_mask(kinds_, Region::surface)));
+    const Image<std::uint8_t> counted = region_mask(kinds_, Region::surface);
+    result.parts = sweep_parts(error_parts(chain, counted));
+    const auto halves = [](const char* step, const Reference& of) {
+        return ChainImage{step, of.image.half[0], of.image.half[1]};
+    };
+    const ChainImage to_limit[] = {halves("truth", references_.soft), halves("limit", references_.limit)};
+    result.limit_mse = error_parts(to_limit, counted).total.mse;
 }
 
 ErrorJudge::Judged ErrorJudge::judge(const SweepJob& job) {
@@ -130,7 +138,7 @@ ErrorJudge::Judged ErrorJudge::judge(const SweepJob& job) {
     result.nan_or_inf = soft.over(Region::surface).nan_or_inf;
     result.soft = sweep_error(soft);
     result.hard = sweep_error(reference_error(image, references_.hard.image, kinds_));
-    if (job.parts && !soft.failed()) result.parts = parts_of(view, settings);
+    if (job.parts && !soft.failed()) take_apart(view, settings, result);
     result.hash = content_hash(map);
     result.command = command_of(job.view, setting, job.seed, 0);
     judged.picture = small_picture(image);

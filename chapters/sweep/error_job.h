@@ -43,11 +43,12 @@ class ErrorJudge {
 
  private:
     void look_at(const SweepJob& job, const Method& method, const FrameSettings& settings);
-    std::vector<SweepErrorPart> parts_of(const MethodView& view, const FrameSettings& settings);
+    void take_apart(const MethodView& view, const FrameSettings& settings, SweepErrorResult& result);
 
     std::optional<std::filesystem::path> cache_;
     Run run_;
-    std::string seen_, asked_, limited_;  // what the following belong to
+    // What the following belong to.
+    std::string seen_, asked_, limited_;
     std::optional<MethodView> view_;
     References references_;
     ReferenceRequest request_;

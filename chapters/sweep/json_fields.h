@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "chapters/sweep/json_file.h"
+#include "chapters/terminal/json_file.h"
 
 namespace crevice {
 

@@ -1,17 +1,14 @@
 #include "chapters/sweep/merge_sweep.h"
 
 #include <algorithm>
-#include <iostream>
+#include <cmath>
 #include <map>
-#include <ostream>
 
-#include "chapters/sweep/results_tables.h"
 #include "chapters/sweep/sweep_directory.h"
 #include "chapters/sweep/sweep_jobs.h"
-#include "chapters/terminal/output_directory.h"
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/file_bytes.h"
-#include "rasterizer/base/write_file.h"
+#include "rasterizer/base/float_text.h"
 
 namespace crevice {
 
@@ -32,6 +29,13 @@ struct Shared {
                              "); " + cure);
     }
 };
+
+// As words_of() of the job that has done it.
+std::string words_of(const FinishedJob& job) {
+    if (job.error) return error_job_words(job.error->view, job.error->setting, job.error->seed);
+    if (job.times.empty()) return "times of nothing";
+    return time_job_words(job.times.front().view, job.times.size(), job.times.front().threads);
+}
 
 std::string words_of(const SweepMachine& machine) {
     return machine.cpu + ", " + std::to_string(machine.cores) + " threads, " + machine.isa + ", " +
@@ -144,11 +148,34 @@ class Merger {
             if (job.error.has_value() != is_error || job.machine.has_value() == is_error)
                 throw InputError(file.string() + ":1: not what such a job has done (" + wanted->second->kind +
                                  "); make the file anew");
+            require_sound(job, *wanted->second, file);
             return job;
         } catch (const InputError& error) {
             merged_.damaged.emplace_back(error.what());
             return std::nullopt;
         }
+    }
+
+    // What no job of these words can have written.
+    static void require_sound(const FinishedJob& job, const ListedJob& wanted, const fs::path& file) {
+        const auto refuse = [&](const std::string& what) {
+            throw InputError(file.string() + ":1: " + what + "; make the file anew");
+        };
+        const std::string words = words_of(job);
+        if (words != wanted.words) refuse("of another job (" + words + ") than " + wanted.words);
+        if (!job.error) return;
+        for (const SweepError& error : {job.error->soft, job.error->hard}) {
+            for (const double value : {error.rmse, error.rmse_error, error.mae, error.p99, error.flip}) {
+                if (!(value >= 0)) refuse("an error below 0 (" + shortest_text(value) + ")");
+            }
+            for (const double value :
+                 {error.rmse, error.bias, error.mae, error.p99, error.flip, error.ssim}) {
+                if (!std::isfinite(value))
+                    refuse("an error that is not finite (" + shortest_text(value) + ")");
+            }
+        }
+        if (job.error->nan_or_inf < 0)
+            refuse("a number of pixels below 0 (" + std::to_string(job.error->nan_or_inf) + ")");
     }
 
     void take(const Found& found) {
@@ -190,42 +217,12 @@ class Merger {
     Shared version_, machine_;
 };
 
-void write_pictures(const Merged& merged, const fs::path& out) {
-    for (std::size_t i = 0; i < merged.pictures.size(); ++i) {
-        std::error_code ignored;
-        const fs::path to = out / merged.results.errors[i].picture;
-        if (merged.pictures[i].empty() || fs::equivalent(merged.pictures[i], to, ignored)) continue;
-        write_file_atomically(to, read_file(merged.pictures[i], kLargestSweepFile));
-    }
-}
-
 }  // namespace
 
 Merged merged(const std::vector<fs::path>& directories) {
     Merger merger;
     for (const fs::path& directory : directories) merger.add(directory);
     return std::move(merger).result();
-}
-
-int write_merged(const Merged& merged, const fs::path& out, std::ostream& told) {
-    try_output_directory(out / "jobs");
-    write_pictures(merged, out);
-    const auto write = [&](const char* name, const std::string& text) {
-        write_file_atomically(out / name, text);
-        told << (out / name).string() << "\n";
-    };
-    for (const auto* lines : {&merged.damaged, &merged.faults}) {
-        for (const std::string& line : *lines) std::cerr << line << "\n";
-    }
-    for (const std::string& words : merged.results.missing) std::cerr << "missing: " << words << "\n";
-    if (merged.not_of_plan > 0)
-        told << merged.not_of_plan << " finished jobs are not of this plan and were left out\n";
-    write("results.csv", csv_text(results_table(merged.results)));
-    write("results.md", results_markdown(merged.results));
-    write("results.json", results_json(merged.results));
-    if (!merged.damaged.empty()) return static_cast<int>(ExitCode::input);
-    const bool whole = merged.faults.empty() && merged.results.missing.empty();
-    return static_cast<int>(whole ? ExitCode::done : ExitCode::check_failed);
 }
 
 }  // namespace crevice

@@ -13,8 +13,8 @@ namespace crevice {
 
 struct Merged {
     SweepResults results;
-    std::vector<std::string>
-        damaged;  // files and directories that were left out, "FILE:LINE: what is wrong (value); what to do"
+    // Files and directories that were left out: "FILE:LINE: what is wrong (value); what to do".
+    std::vector<std::string> damaged;
     std::vector<std::string> faults;              // what is wrong with the results
     std::size_t not_of_plan = 0;                  // finished jobs that the plan does not ask for
     std::vector<std::filesystem::path> pictures;  // of `errors`, in their order; empty: there is none

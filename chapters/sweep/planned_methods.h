@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "chapters/frame/frame_settings.h"
-#include "chapters/sweep/json_file.h"
 #include "chapters/sweep/sweep_results.h"
+#include "chapters/terminal/json_file.h"
 
 namespace crevice {
 

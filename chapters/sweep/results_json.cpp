@@ -39,6 +39,8 @@ void fields(Archive& archive, SweepError& error) {
     archive("flip", error.flip);
     archive("ssim", error.ssim);
     archive("reference_error", error.reference_error);
+    archive("mse", error.mse);
+    archive("mse_error", error.mse_error);
 }
 
 template <class Archive>
@@ -59,6 +61,7 @@ void fields(Archive& archive, SweepErrorResult& result) {
     archive("soft", result.soft);
     archive("hard", result.hard);
     archive("parts", result.parts);
+    archive("limit_mse", result.limit_mse);
     archive("hash", result.hash);
     archive("picture", result.picture);
     archive("command", result.command);

@@ -17,7 +17,8 @@ namespace {
 struct SettingRow {
     const SweepView* view = nullptr;
     const SweepSetting* setting = nullptr;
-    std::vector<const SweepErrorResult*> errors;  // one a seed
+    std::vector<const SweepErrorResult*> errors;  // one a seed whose image is finite
+    int failed = 0;                               // seeds whose image is not
     std::vector<const SweepTimeResult*> times;    // one a number of threads
 };
 
@@ -26,11 +27,17 @@ std::vector<SettingRow> rows_of(const SweepResults& results) {
     std::map<std::string, std::size_t> known;
     const auto row_of = [&](const SweepView& view, const SweepSetting& setting) -> SettingRow& {
         const auto [found, is_new] = known.emplace(json_line(view) + json_line(setting), rows.size());
-        if (is_new) rows.push_back({&view, &setting, {}, {}});
+        if (is_new) rows.push_back({&view, &setting, {}, 0, {}});
         return rows[found->second];
     };
-    for (const SweepErrorResult& error : results.errors)
-        row_of(error.view, error.setting).errors.push_back(&error);
+    for (const SweepErrorResult& error : results.errors) {
+        SettingRow& row = row_of(error.view, error.setting);
+        if (error.nan_or_inf > 0) {
+            ++row.failed;
+        } else {
+            row.errors.push_back(&error);
+        }
+    }
     for (const SweepTimeResult& time : results.times) row_of(time.view, time.setting).times.push_back(&time);
     return rows;
 }
@@ -42,18 +49,19 @@ std::string parameter_words(const SweepSetting& setting) {
     return words;
 }
 
-// Root of the mean square over the seeds, lowest, highest; nothing without errors.
+// Root of the mean square over the seeds, lowest, highest; nothing without errors. The squares are averaged as they are: near
+// the noise each alone may be below 0.
 std::array<TableValue, 3> rmse_over_seeds(const std::vector<const SweepErrorResult*>& errors,
                                           SweepError SweepErrorResult::*against) {
     if (errors.empty()) return {};
     double square = 0, lowest = (errors.front()->*against).rmse, highest = lowest;
     for (const SweepErrorResult* error : errors) {
-        const double rmse = (error->*against).rmse;
-        square += rmse * rmse / static_cast<double>(errors.size());
-        lowest = std::min(lowest, rmse);
-        highest = std::max(highest, rmse);
+        const SweepError& one = error->*against;
+        square += one.mse / static_cast<double>(errors.size());
+        lowest = std::min(lowest, one.rmse);
+        highest = std::max(highest, one.rmse);
     }
-    return {TableValue(std::sqrt(square), 4), TableValue(lowest, 4), TableValue(highest, 4)};
+    return {TableValue(std::sqrt(std::max(square, 0.0)), 4), TableValue(lowest, 4), TableValue(highest, 4)};
 }
 
 TableValue mean_over_seeds(const std::vector<const SweepErrorResult*>& errors,
@@ -96,7 +104,8 @@ std::vector<TableValue> cells_of(const SettingRow& row, const SweepTimeResult* t
                                      TableValue(static_cast<double>(view.triangles), 0),
                                      row.setting->method,
                                      parameter_words(*row.setting),
-                                     TableValue(static_cast<double>(row.errors.size()), 0)};
+                                     TableValue(static_cast<double>(row.errors.size()), 0),
+                                     TableValue(row.failed, 0)};
     for (SweepError SweepErrorResult::*const against : {&SweepErrorResult::soft, &SweepErrorResult::hard}) {
         for (const TableValue& value : rmse_over_seeds(row.errors, against)) cells.push_back(value);
         for (double SweepError::*const member :
@@ -114,7 +123,9 @@ std::vector<TableValue> cells_of(const SettingRow& row, const SweepTimeResult* t
 
 Table results_table(const SweepResults& results) {
     Table table{
-        "results", {"scene", "camera", "width", "height", "triangles", "method", "parameters", "seeds"}, {}};
+        "results",
+        {"scene", "camera", "width", "height", "triangles", "method", "parameters", "seeds", "failed_seeds"},
+        {}};
     for (const std::string against : {"soft", "hard"}) {
         for (const char* name : {"rmse", "rmse_lowest", "rmse_highest", "rmse_error", "bias", "mae", "p99",
                                  "flip", "ssim", "reference_error"})

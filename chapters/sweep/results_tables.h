@@ -8,8 +8,9 @@
 
 namespace crevice {
 
-// One row a setting, view and number of threads, in the plan's order; without times one a setting and view. Errors are roots
-// of the mean square over the seeds, or their mean: "rmse_soft", "rmse_soft_lowest", ...; times in ms.
+// One row a setting, view and number of threads, in the plan's order; without times one a setting and view. "soft_rmse" is the
+// root of the mean square over the seeds, "soft_rmse_lowest" and "_highest" those of single seeds, all others means over the
+// seeds; "hard_..." likewise. Seeds whose image is not finite count as "failed_seeds" alone. Times in ms.
 Table results_table(const SweepResults& results);
 
 // Plan, version, machine, what is missing, and the table's main columns.

@@ -4,11 +4,13 @@
 #include <map>
 #include <utility>
 
+#include "chapters/bench/instructions.h"
 #include "chapters/bench/machine.h"
 #include "chapters/sweep/error_job.h"
 #include "chapters/sweep/sweep_directory.h"
 #include "chapters/sweep/time_job.h"
 #include "chapters/terminal/exit_code.h"
+#include "chapters/terminal/output_directory.h"
 #include "chapters/terminal/program_version.h"
 #include "chapters/terminal/progress.h"
 #include "rasterizer/base/error.h"
@@ -43,54 +45,70 @@ class SweepRun {
     SweepRun(const SweepOptions& options, SweepDirectory directory)
         : options_(options), directory_(std::move(directory)), judge_(options.cache, options.run) {}
 
-    // The jobs of the shard that are not done yet.
-    std::vector<SweepJob> missing(const std::vector<SweepJob>& jobs) const {
+    bool is_done(const SweepJob& job) const { return directory_.finished(job.id, version_).has_value(); }
+
+    // The jobs of the shard that are not done yet. What is wrong with those that are is noted.
+    std::vector<SweepJob> missing(const std::vector<SweepJob>& jobs) {
         std::vector<SweepJob> left;
         for (const SweepJob& job : jobs) {
-            if (!is_done(job)) left.push_back(job);
+            const std::optional<FinishedJob> done = directory_.finished(job.id, version_);
+            if (!done) {
+                left.push_back(job);
+            } else if (!fault_of(*done).empty()) {
+                faults_.push_back(words_of(job) + ": " + fault_of(*done));
+            }
         }
         return left;
     }
-    bool is_done(const SweepJob& job) const { return directory_.finished(job.id, version_).has_value(); }
 
-    // The faults of the jobs that failed, a line each. `all`: of all shards, whose hashes the timed images must have.
-    std::vector<std::string> run(const std::vector<SweepJob>& jobs, const std::vector<SweepJob>& all) {
+    // Does them; the number that failed. `all`: of all shards, whose hashes the timed images must have.
+    std::size_t run(const std::vector<SweepJob>& jobs, const std::vector<SweepJob>& all) {
         long long steps = 0;
         for (const SweepJob& job : jobs) steps += steps_of(job.work);
         Progress progress("sweep", steps);
-        std::vector<std::string> faults;
+        std::size_t failed = 0;
         for (const SweepJob& job : jobs) {
             try {
-                const std::string fault = job.timed ? time(job, all, progress) : judge(job, progress);
-                if (!fault.empty()) faults.push_back(words_of(job) + ": " + fault);
+                const FinishedJob done = job.timed ? time(job, all, progress) : judge(job, progress);
+                if (fault_of(done).empty()) continue;
+                faults_.push_back(words_of(job) + ": " + fault_of(done));
             } catch (const OutputError&) {
                 throw;
             } catch (const Error& error) {
-                faults.push_back(words_of(job) + ": " + error.what());
+                faults_.push_back(words_of(job) + ": " + error.what());
             }
+            ++failed;
         }
-        return faults;
+        return failed;
     }
 
+    // A line for each job that failed, now or before.
+    const std::vector<std::string>& faults() const { return faults_; }
+
  private:
-    std::string judge(const SweepJob& job, Progress& progress) {
+    // Empty: there is none. An image that is not finite is kept as it is, and does not become right by being made again.
+    static std::string fault_of(const FinishedJob& done) {
+        if (!done.error || done.error->nan_or_inf == 0) return "";
+        return std::to_string(done.error->nan_or_inf) +
+               " pixels are NaN or infinite; they are left out of its errors";
+    }
+
+    FinishedJob judge(const SweepJob& job, Progress& progress) {
         ErrorJudge::Judged judged = judge_.judge(job);
         judged.result.picture = SweepDirectory::picture_name(job.id);
         FinishedJob done{job.id, version_, std::move(judged.result), {}, {}};
         directory_.store(done, &judged.picture);
         progress.advance(steps_of(job.work));
-        if (done.error->nan_or_inf == 0) return "";
-        return std::to_string(done.error->nan_or_inf) +
-               " pixels are NaN or infinite; they are left out of its errors";
+        return done;
     }
 
-    std::string time(const SweepJob& job, const std::vector<SweepJob>& all, Progress& progress) {
+    FinishedJob time(const SweepJob& job, const std::vector<SweepJob>& all, Progress& progress) {
         const long long round = steps_of(job.work) / (job.rounds + 1);
         FinishedJob done{job.id, version_, {}, machine_now(version_), {}};
         done.times = timed(job, hashes_for(job, all), [&] { progress.advance(round); });
         if (job.instructions) count_instructions(done.times, job, options_.program);
         directory_.store(done);
-        return "";
+        return done;
     }
 
     std::map<std::string, std::string> hashes_for(const SweepJob& timed,
@@ -108,6 +126,7 @@ class SweepRun {
     const SweepDirectory directory_;
     const std::string version_ = version_text(program_version());
     ErrorJudge judge_;
+    std::vector<std::string> faults_;
 };
 
 std::string counted(std::size_t n, const char* what) {
@@ -131,20 +150,23 @@ int run_sweep(const SweepOptions& options, std::ostream& out) {
                 << (run.is_done(job) ? "done     " : "missing  ") << words_of(job) << "\n";
         return static_cast<int>(ExitCode::done);
     }
-    directory.begin(plan, jobs);
     const std::vector<SweepJob> left = run.missing(own);
-    std::vector<std::string> faults;
+    // Known before long work, not after.
+    if (options.instructions) require_valgrind();
+    if (!left.empty()) try_output_directory(path / "jobs");
+    directory.begin(plan, jobs);
+    std::size_t failed = 0;
     {
         const StoppedText text("\ncrevice sweep: stopped; finished jobs are kept in " + path.string() +
                                ", and the same command goes on from there\n");
-        faults = run.run(left, jobs);
+        failed = run.run(left, jobs);
     }
-    for (const std::string& fault : faults) std::cerr << fault << "\n";
-    out << path.string() << ": " << counted(left.size() - faults.size(), "job") << " done, "
+    for (const std::string& fault : run.faults()) std::cerr << fault << "\n";
+    out << path.string() << ": " << counted(left.size() - failed, "job") << " done, "
         << own.size() - left.size() << " had been done before";
-    if (!faults.empty()) out << ", " << faults.size() << " failed";
+    if (!run.faults().empty()) out << ", " << run.faults().size() << " failed";
     out << "\nNow: crevice merge " << path.string() << "\n";
-    return static_cast<int>(faults.empty() ? ExitCode::done : ExitCode::check_failed);
+    return static_cast<int>(run.faults().empty() ? ExitCode::done : ExitCode::check_failed);
 }
 
 }  // namespace crevice

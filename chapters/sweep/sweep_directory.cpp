@@ -3,7 +3,6 @@
 #include "chapters/notebook/picture.h"
 #include "chapters/sweep/json_fields.h"
 #include "chapters/terminal/json_text.h"
-#include "chapters/terminal/output_directory.h"
 #include "rasterizer/base/file_bytes.h"
 #include "rasterizer/base/write_file.h"
 
@@ -49,7 +48,11 @@ void write_shared(const std::filesystem::path& path, const std::string& bytes) {
 const char* kind_of(const SweepJob& job) { return job.timed ? "time" : "error"; }
 
 void SweepDirectory::begin(const SweepPlan& plan, const std::vector<SweepJob>& jobs) const {
-    try_output_directory(path_ / "jobs");
+    std::error_code error;
+    std::filesystem::create_directories(path_ / "jobs", error);
+    if (error)
+        throw OutputError(path_.string() + ": cannot make this directory (" + error.message() +
+                          "); choose another --out");
     SweepListing listing{plan.name, {}};
     for (const SweepJob& job : jobs) listing.jobs.push_back({job.id, words_of(job), kind_of(job)});
     write_shared(path_ / kPlanFile, plan.text);

@@ -19,7 +19,7 @@ namespace {
 using Json = JsonFile::Json;
 
 // A new one when an equal job means another result.
-constexpr int kJobVersion = 1;
+constexpr int kJobVersion = 2;
 
 std::string flag_words(const CameraFlags& flags) {
     std::string words;
@@ -207,14 +207,19 @@ std::string words_of(const SweepView& view) {
     return view.scene + (view.camera.empty() ? "" : " " + view.camera) + " " + size_text(view.size);
 }
 
+std::string error_job_words(const SweepView& view, const SweepSetting& setting, std::uint32_t seed) {
+    return words_of(view) + ", " + words_of(setting) + ", seed " + std::to_string(seed);
+}
+
+std::string time_job_words(const SweepView& view, std::size_t settings, int threads) {
+    return words_of(view) + ", times of " + std::to_string(settings) +
+           (settings == 1 ? " setting on " : " settings on ") + std::to_string(threads) +
+           (threads == 1 ? " thread" : " threads");
+}
+
 std::string words_of(const SweepJob& job) {
-    if (!job.timed)
-        return words_of(job.view) + ", " + words_of(job.settings.front()) + ", seed " +
-               std::to_string(job.seed);
-    const std::size_t n = job.settings.size();
-    return words_of(job.view) + ", times of " + std::to_string(n) +
-           (n == 1 ? " setting on " : " settings on ") + std::to_string(job.threads) +
-           (job.threads == 1 ? " thread" : " threads");
+    return job.timed ? time_job_words(job.view, job.settings.size(), job.threads)
+                     : error_job_words(job.view, job.settings.front(), job.seed);
 }
 
 FrameSettings frame_settings(const SweepSetting& setting, std::uint32_t seed, float length_unit) {

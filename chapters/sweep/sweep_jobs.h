@@ -41,6 +41,8 @@ std::vector<SweepJob> sweep_jobs(const SweepPlan& plan, bool instructions, const
 
 // "columns 640x360, gtao samples=4 ao_scale=1, seed 1000" or "columns 640x360, times of 12 settings on 2 threads"
 std::string words_of(const SweepJob& job);
+std::string error_job_words(const SweepView& view, const SweepSetting& setting, std::uint32_t seed);
+std::string time_job_words(const SweepView& view, std::size_t settings, int threads);
 std::string words_of(const SweepSetting& setting);
 std::string words_of(const SweepView& view);
 

@@ -19,6 +19,7 @@ namespace {
 
 using Json = JsonFile::Json;
 
+constexpr std::size_t kLongestName = 64;
 constexpr std::uintmax_t kLargestPlan = 1 << 20;  // bytes
 constexpr int kMostRepetitions = 10000, kMostThreads = 1024, kMostRays = 1 << 20;
 constexpr const char* kBuiltinPlans[] = {"quick", "full"};
@@ -44,7 +45,10 @@ class PlanReader {
         plan.repetitions = whole("repetitions", plan.repetitions, 0, kMostRepetitions);
         plan.reference_rays = whole("reference_rays", plan.reference_rays, kReplicates, kMostRays);
         if (!root_.contains("parts")) return;
-        plan.parts = file_.at({"parts"}, [&] { return parse_yes_no("parts", word_of(root_["parts"])); });
+        if (!root_["parts"].is_boolean())
+            file_.refuse("parts: neither true nor false (" + root_["parts"].dump() + "); write one of them",
+                         {"parts"});
+        plan.parts = root_["parts"].get<bool>();
     }
 
  private:
@@ -60,7 +64,7 @@ class PlanReader {
         std::vector<Whole> values;
         for_each(name, [&](const Json& item, const JsonPlace& place) {
             values.push_back(static_cast<Whole>(
-                file_.at(place, [&] { return parse_whole(name, word_of(item), lowest, highest); })));
+                file_.at(place, [&] { return parse_whole(name, item.dump(), lowest, highest); })));
         });
         return values;
     }
@@ -68,7 +72,7 @@ class PlanReader {
     int whole(const char* name, int otherwise, int lowest, int highest) const {
         if (!root_.contains(name)) return otherwise;
         return static_cast<int>(
-            file_.at({name}, [&] { return parse_whole(name, word_of(root_[name]), lowest, highest); }));
+            file_.at({name}, [&] { return parse_whole(name, root_[name].dump(), lowest, highest); }));
     }
 
     std::string name() const {
@@ -77,9 +81,10 @@ class PlanReader {
         const auto fits = [](char c) {
             return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-';
         };
-        if (!root_["name"].is_string() || given.empty() || !std::ranges::all_of(given, fits))
+        if (!root_["name"].is_string() || given.empty() || given.size() > kLongestName ||
+            !std::ranges::all_of(given, fits))
             file_.refuse(
-                "name: not of letters, digits, _ and - (" + given + "); directories are called by it",
+                "name: not 1 to 64 letters, digits, _ and - (" + given + "); directories are called by it",
                 {"name"});
         return given;
     }
@@ -87,8 +92,7 @@ class PlanReader {
     Size size(const Json& item, const JsonPlace& place) const {
         if (!item.is_array() || item.size() != 2)
             file_.refuse("sizes: not two numbers (" + item.dump() + "); write [640, 360]", place);
-        return file_.at(place,
-                        [&] { return parse_size("sizes", word_of(item[0]) + "x" + word_of(item[1])); });
+        return file_.at(place, [&] { return parse_size("sizes", item[0].dump() + "x" + item[1].dump()); });
     }
 
     PlannedScene scene(const Json& item, const JsonPlace& place) const {

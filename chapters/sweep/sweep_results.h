@@ -42,6 +42,8 @@ struct SweepError {
     double mae = 0, p99 = 0;
     double flip = 0, ssim = 0;
     double reference_error = 0;  // root mean square of the reference's own standard error
+    // The square of `rmse` before it was kept from going below 0, and its standard error: to be averaged over seeds.
+    double mse = 0, mse_error = 0;
 };
 
 // A step of truth -> screen -> limit -> image, as ErrorPart has it.
@@ -63,6 +65,9 @@ struct SweepErrorResult {
     std::string hash;                   // of the AO image, as `crevice render` prints it
     std::string picture;  // PNG of the AO image, at most 320 pixels wide, relative to the results
     std::string command;  // that makes the same image, whole
+    // Of the method's limit against soft truth, debiased, so that it may be below 0: what ever more samples would leave. With
+    // the parts.
+    std::optional<double> limit_mse;
 };
 
 struct SweepPassTime {

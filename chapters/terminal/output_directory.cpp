@@ -22,4 +22,9 @@ void try_output_directory(const std::filesystem::path& out) {
     std::filesystem::remove(trial, error);
 }
 
+std::filesystem::path named_directory(const std::string& flag, const std::string& word) {
+    if (word.empty()) throw UsageError(flag + ": no directory (); name one, or . for this one");
+    return word;
+}
+
 }  // namespace crevice

@@ -106,7 +106,12 @@ TEST_CASE("limits: a file beside the goldens names buffers, flags stand for the 
 TEST_CASE("limits: what a file of them cannot say is named with its line") {
     CHECK(contains(refusal("{\n\"limits\": {,}\n}"), "limits.json:2: not JSON"));
     CHECK(contains(refusal("[]"), "limits.json:1: not an object ([])"));
-    CHECK(contains(refusal("{\"default\": {\"rmse\": 1e999}}"), "a number is too large to be read; "));
+    CHECK(contains(refusal("{\"default\": {\"rmse\": 1e999}}"), "a number is too large to be read (1e999); "));
+    const std::string deep = "{\"default\":\n" + std::string(300000, '[') + std::string(300000, ']') + "}";
+    CHECK(contains(refusal(deep), "limits.json:2: nested too deeply (more than 100 levels); "));
+    // The line is that of the value itself, not of the first one by its name.
+    CHECK(contains(refusal("{\"limits\": {\"normal\": {\n\"rmse\": 1}, \"ao_raw\": {\n\"rmse\": -1}}}"),
+                   "limits.json:3: ao_raw: rmse is out of range (-1)"));
     CHECK(contains(refusal("{\n\"limit\": {}}"), "limits.json:2: no such member (limit)"));
     CHECK(contains(refusal("{\"limits\": 3}"), "\"limits\" is not an object (3)"));
     CHECK(contains(refusal("{\"limits\": {\n\"ao\": 1}}"), "limits.json:2: no limits (ao: 1)"));

@@ -36,6 +36,7 @@ TEST_CASE("sweep error: a known bias") {
     const SweepError error = judged(slope(0.125f), exact_reference(slope(0)));
     for (const double value : {error.bias, error.rmse, error.mae, error.p99})
         CHECK(value == doctest::Approx(0.125).epsilon(1e-5));
+    CHECK(error.mse == doctest::Approx(0.125 * 0.125).epsilon(1e-5));
     CHECK(error.flip > 0.05);
     CHECK(error.rmse_error < 1e-6);
 }
@@ -115,6 +116,7 @@ TEST_CASE(
         CHECK(result.parts.empty() == (job.seed != 1000));
         double share = 0;
         for (const SweepErrorPart& part : result.parts) share += part.share;
+        CHECK(result.limit_mse.has_value() == !result.parts.empty());
         if (!result.parts.empty())
             CHECK(share == doctest::Approx(result.soft.rmse * result.soft.rmse).epsilon(0.05));
         FrameRequest request;
@@ -140,7 +142,10 @@ TEST_CASE("error job: every method can be judged and taken apart") {
         CHECK(result.nan_or_inf == 0);
         CHECK(result.soft.rmse > 0);
         CHECK(result.soft.rmse < 0.6);
-        CHECK(result.parts.size() >= 3);
+        REQUIRE(result.parts.size() >= 3);
+        // No mean square lies below the square of its mean, but for noise.
+        const double bias = result.parts[0].bias + result.parts[1].bias;
+        CHECK(*result.limit_mse > bias * bias - 0.005);
     }
 }
 

@@ -2,6 +2,7 @@
 #include "chapters/sweep/merge_sweep.h"
 
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 #include <doctest/doctest.h>
@@ -240,6 +241,60 @@ TEST_CASE("merge: truncated and foreign files are named with their line, and the
           }).starts_with((scratch / "nowhere" / "jobs.json").string() + ": "));
 }
 
+TEST_CASE("sweep and merge: an image that is not finite is a fault each time") {
+    const ScratchDirectory scratch;
+    const std::string plan = plan_file(scratch, kSmallPlan);
+    swept(plan, scratch / "a");
+    const SweepDirectory directory(scratch / "a");
+    FinishedJob broken = *directory.finished(jobs_of(kSmallPlan)[0].id, version_text(program_version()));
+    broken.error->nan_or_inf = 3;
+    directory.store(broken);
+    for (int run = 0; run < 2; ++run) {
+        std::ostringstream said;
+        SweepOptions options;
+        options.plan = plan;
+        options.out = scratch / "a";
+        CHECK(run_sweep(options, said) == 1);
+        CHECK(contains(said.str(), "0 jobs done, 12 had been done before, 1 failed"));
+    }
+    REQUIRE(merged({directory.path()}).faults.size() == 1);
+    CHECK(contains(merged({directory.path()}).faults[0], "seed 1000: 3 pixels are NaN or infinite"));
+    CHECK(merge_code({directory.path()}, scratch / "merged") == 1);
+}
+
+TEST_CASE("merge: job files that say what no job can have written are left out") {
+    const ScratchDirectory scratch;
+    const std::string plan = plan_file(scratch, kSmallPlan);
+    swept(plan, scratch / "a");
+    const SweepDirectory directory(scratch / "a");
+    const fs::path file = directory.file_of(jobs_of(kSmallPlan)[0].id);
+    const FinishedJob sound = job_from_json(text_of(file), file.string());
+    const auto told = [&](const auto& change) {
+        FinishedJob job = sound;
+        change(*job.error);
+        directory.store(job);
+        const Merged merge = merged({directory.path()});
+        return merge.damaged.size() == 1 ? merge.damaged[0] : "";
+    };
+    CHECK(told([](SweepErrorResult&) {}) == "");
+    CHECK(contains(told([](SweepErrorResult& e) { e.soft.rmse = -1; }), ":1: an error below 0 (-1); "));
+    CHECK(contains(told([](SweepErrorResult& e) { e.hard.mae = std::numeric_limits<double>::infinity(); }),
+                   ":1: an error that is not finite (inf); "));
+    CHECK(contains(told([](SweepErrorResult& e) { e.setting.method = "foo"; }),
+                   ":1: of another job (cornell 48x27, foo"));
+    CHECK(contains(told([](SweepErrorResult& e) {
+                       e.view.size = {-160, 90};
+                   }),
+                   ":1: of another job (cornell -160x90"));
+    CHECK(contains(told([](SweepErrorResult& e) { e.nan_or_inf = -1; }),
+                   ":1: a number of pixels below 0 (-1); "));
+    // jobs/ that is a file, or not there: everything is missing.
+    fs::remove_all(scratch / "a" / "jobs");
+    CHECK(merged({directory.path()}).results.missing.size() == 12);
+    write_text(scratch / "a" / "jobs", "");
+    CHECK(merged({directory.path()}).results.missing.size() == 12);
+}
+
 TEST_CASE("merge: an image that was timed and is not the one that was judged is a fault") {
     const ScratchDirectory scratch;
     const std::string text =
@@ -277,6 +332,8 @@ TEST_CASE("sweep and merge: as commands, with their exit codes") {
     CHECK(crevice_says("sweep " + plan + " --out " + out + " --shard 2/2", cache).code == 0);
     CHECK(crevice_says("merge " + out).code == 0);
     CHECK(crevice_says("merge").code == 2);
+    CHECK(crevice_says("merge " + out + " --out \"\"").code == 2);
+    CHECK(crevice_says("sweep " + plan + " --out \"\"").code == 2);
     CHECK(crevice_says("merge " + (scratch / "nowhere").string()).code == 3);
     CHECK(crevice_says("sweep nowhere").code == 2);
     write_text(scratch / "plan.json", plan_with("xjun", "xjum"));

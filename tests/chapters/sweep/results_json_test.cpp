@@ -1,6 +1,8 @@
 // Results as JSON and back.
 #include "chapters/sweep/results_json.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <doctest/doctest.h>
@@ -28,15 +30,20 @@ SweepResults awkward_results() {
     error.view = view;
     error.setting = setting;
     error.seed = 0xffffffffu;
-    error.nan_or_inf = 3;
-    error.soft = {0.1, 1.0 / 3, -0x1p-1074, 0x1.fffffffffffffp1023, 1e-300, 0, -0.0, 2};
-    error.hard = {0.2, std::numeric_limits<double>::infinity(), -1.0 / 7, 4, 5, 6, 7, 8};
+    error.nan_or_inf = 0;
+    error.soft = {0.1, 1.0 / 3, -0x1p-1074, 0x1.fffffffffffffp1023, 1e-300, 0, -0.0, 2, 0.01, 1e-5};
+    error.hard = {0.2,  std::numeric_limits<double>::infinity(), -1.0 / 7, 4, 5, 6, 7, 8,
+                  0.04, std::numeric_limits<double>::infinity()};
     error.parts = {{"definition", -0.1, 0.3, -1e-17}, {"blur, bias", 0.7, 0, 0}};
     error.hash = "fedcba9876543210";
     error.picture = "jobs/0123456789abcdef.png";
     error.command = "crevice render columns --only ao_blurred";
-    results.errors = {error, error};
+    error.limit_mse = -1e-5;
+    results.errors = {error, error, error};
     results.errors[1].parts.clear();
+    results.errors[1].limit_mse.reset();
+    results.errors[2].nan_or_inf = 3;
+    results.errors[2].soft.mse = 7;
     SweepTimeResult time;
     time.id = "1123456789abcdef";
     time.view = view;
@@ -66,7 +73,7 @@ TEST_CASE("results as JSON: writing and reading are exact inverses") {
     const std::string text = results_json(results);
     const SweepResults again = results_from_json(text, "results.json");
     CHECK(results_json(again) == text);
-    REQUIRE(again.errors.size() == 2);
+    REQUIRE(again.errors.size() == 3);
     const SweepErrorResult &one = results.errors[0], &other = again.errors[0];
     CHECK(other.soft.rmse_error == one.soft.rmse_error);
     CHECK(other.soft.bias == one.soft.bias);
@@ -76,6 +83,9 @@ TEST_CASE("results as JSON: writing and reading are exact inverses") {
     CHECK(other.seed == one.seed);
     CHECK(other.setting == one.setting);
     CHECK(other.view == one.view);
+    CHECK(other.hard.mse_error == one.hard.mse_error);
+    CHECK(other.limit_mse == one.limit_mse);
+    CHECK(!again.errors[1].limit_mse);
     CHECK(other.parts[0].share == one.parts[0].share);
     CHECK(again.times[0].same_again->low == results.times[0].same_again->low);
     CHECK(!again.times[1].same_again);
@@ -115,6 +125,7 @@ TEST_CASE("results as a table: one row a setting, view and number of threads") {
     CHECK(cell("method").text == "gtao");
     CHECK(cell("parameters").text == "samples=18 ao_scale=0.5");
     CHECK(cell("seeds").number == 2);
+    CHECK(cell("failed_seeds").number == 1);  // and in no other number
     CHECK(cell("soft_rmse").number == doctest::Approx(0.1));
     CHECK(cell("hard_bias").number == doctest::Approx(-1.0 / 7));
     CHECK(cell("threads").number == 2);
@@ -122,6 +133,9 @@ TEST_CASE("results as a table: one row a setting, view and number of threads") {
     CHECK(cell("ao_ms").number == 0.1);
     CHECK(cell("blur_ms").kind == TableValue::Kind::nothing);
     CHECK(cell("same_again_high").number == 1.01);
+    // Squares below 0 are averaged as they are: (0.01 - 0.0075) / 2.
+    results.errors[1].soft.mse = -0.0075;
+    CHECK(results_table(results).rows[0].at(9).number == doctest::Approx(std::sqrt(0.00125)));
     results.times.clear();
     REQUIRE(results_table(results).rows.size() == 1);
     CHECK(results_table(results).rows[0].size() == table.columns.size());

@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "chapters/sweep/shards.h"
+#include "rasterizer/base/image_io.h"
 #include "tests/tools/error_message.h"
 #include "tests/tools/scratch_directory.h"
 #include "tests/tools/sweep_plans.h"
@@ -84,6 +85,21 @@ TEST_CASE(
     CHECK(id_of("# nothing new\n" + corner) == id);
     CHECK(id_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 2\nf 1 2 3\nf 1 3 4\n") != id);
     CHECK(id_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 3\n") != id);
+}
+
+TEST_CASE("sweep jobs: an OBJ's id follows from what its material cuts out") {
+    const ScratchDirectory scratch;
+    std::ofstream(scratch / "a.mtl") << "newmtl leaf\nKd 1 1 1\nmap_d a.png\n";
+    std::ofstream(scratch / "a.obj") << "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                                        "usemtl leaf\nf 1/1 2/2 3/3\n";
+    const auto id_of = [&](std::uint8_t last_texel) {
+        const std::vector<std::uint8_t> alpha = {255, 0, 255, last_texel};
+        write_png(scratch / "a.png", {2, 2}, 1, alpha);
+        return jobs_of(plan_with("cornell", (scratch / "a.obj").string())).front().id;
+    };
+    const std::string id = id_of(0);
+    CHECK(id_of(0) == id);
+    CHECK(id_of(255) != id);
 }
 
 TEST_CASE("sweep jobs: lengths are judged in the scene's own units") {

@@ -88,7 +88,7 @@ TEST_CASE("plan: what is wrong is told with its line") {
               .starts_with("plan.json:3: scenes: there is no such scene and no such file (cornel); did you "
                            "mean cornell? "));
     CHECK(refusal("\"seeds\"", "\"sedes\"")
-              .starts_with("plan.json:7: top: there is no such member (sedes); did you mean seeds? "));
+              .starts_with("plan.json:7: plan: there is no such member (sedes); did you mean seeds? "));
     CHECK(refusal("{\"samples\": [4", "{\"sample\": [4")
               .starts_with("plan.json:5: parameters: there is no such parameter of gtao (sample); did you "
                            "mean samples? "));
@@ -115,7 +115,7 @@ TEST_CASE("plan: what is wrong is told with its line") {
     CHECK(refusal("\"repetitions\": 0", "\"repetitions\": 1.5")
               .starts_with("plan.json:9: repetitions: not a whole number in "));
     CHECK(refusal("[1000, 1001]", "[1000, -1]").starts_with("plan.json:7: seeds: not a whole number in "));
-    CHECK(refusal("\"small\"", "\"../small\"").starts_with("plan.json:2: name: not of letters"));
+    CHECK(refusal("\"small\"", "\"../small\"").starts_with("plan.json:2: name: not 1 to 64 letters"));
     CHECK(refusal("\"cornell\"", "{\"scene\": \"cornell\", \"eye\": [1, 2]}")
               .starts_with("plan.json:3: eye: not three numbers ([1,2]); "));
     CHECK(refusal("\"cornell\"", "{\"scene\": \"cornell\", \"fov_y\": 400}")
@@ -134,6 +134,15 @@ TEST_CASE("plan: texts that are no JSON, or end too soon") {
     CHECK(said("").starts_with("plan.json:1: the file ends too soon (0 bytes); "));
     CHECK(said(kSmallPlan.substr(0, 60)).starts_with("plan.json:4: the file ends too soon (60 bytes); "));
     CHECK(said("{\n\"name\": small}").starts_with("plan.json:2: not JSON (at byte 11); "));
+    const std::string deep = "{\"scenes\":\n" + std::string(300000, '[') + std::string(300000, ']') + "}";
+    CHECK(said(deep) == "plan.json:2: nested too deeply (more than 100 levels); write it flatter");
+    CHECK(said("{\"name\": \"a\\u0000b\"}").find('\0') == std::string::npos);
+    CHECK(
+        said(plan_with("small", std::string(65, 'a'))).starts_with("plan.json:2: name: not 1 to 64 letters"));
+    CHECK(said(plan_with("[1000, 1001]", "[1000, \"1001\"]"))
+              .starts_with("plan.json:7: seeds: not a whole number in "));
+    CHECK(said(plan_with("\"reference_rays\": 16", "\"parts\": 1"))
+              .starts_with("plan.json:10: parts: neither true nor false (1); "));
     CHECK(said("[1]").starts_with("plan.json:1: not an object ([1]); "));
     CHECK(said(plan_with("48", "1e999"))
               .starts_with("plan.json:4: a number is too large to be read (1e999); "));

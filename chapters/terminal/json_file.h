@@ -18,16 +18,18 @@ JsonPlace below(JsonPlace place, const std::string& step);
 // A number, a word, or true or false, as it would be typed on a command line.
 std::string word_of(const nlohmann::ordered_json& value);
 
+// What is nested deeper is nobody's plan, and ends the stack of who prints it.
+inline constexpr int kDeepestJson = 100;
+
 class JsonFile {
  public:
     using Json = nlohmann::ordered_json;
 
     // `name` is what messages call it. They come as UsageError where `code` is ExitCode::usage, else as InputError. Throws
-    // one for a text that is no JSON, or no object.
+    // one for a text that is no JSON, or no object, or nested deeper than kDeepestJson.
     JsonFile(std::string text, std::string name, ExitCode code);
 
     const Json& root() const { return root_; }
-    const std::string& name() const { return name_; }
 
     // Of a value that is there, counted from 1; 1 where there is none.
     int line_of(const JsonPlace& place) const;

@@ -1,6 +1,7 @@
-#include "chapters/sweep/json_file.h"
+#include "chapters/terminal/json_file.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "rasterizer/base/float_text.h"
@@ -85,6 +86,25 @@ class JsonWalk {
     std::size_t at_ = 0;
 };
 
+// The offset of the bracket that opens a level too many; none where there is none.
+std::optional<std::size_t> too_deep(const std::string& text) {
+    int depth = 0;
+    bool in_string = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (in_string && c == '\\') {
+            ++i;
+        } else if (c == '"') {
+            in_string = !in_string;
+        } else if (!in_string && (c == '[' || c == '{') && ++depth > kDeepestJson) {
+            return i;
+        } else if (!in_string && (c == ']' || c == '}')) {
+            --depth;
+        }
+    }
+    return std::nullopt;
+}
+
 int line_at(const std::string& text, std::size_t offset) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(offset, text.size()));
     return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
@@ -105,6 +125,10 @@ std::string word_of(const Json& value) {
 
 JsonFile::JsonFile(std::string text, std::string name, ExitCode code)
     : text_(std::move(text)), name_(std::move(name)), code_(code) {
+    if (const std::optional<std::size_t> at = too_deep(text_))
+        refuse_at(
+            "nested too deeply (more than " + std::to_string(kDeepestJson) + " levels); write it flatter",
+            line_at(text_, *at));
     try {
         root_ = Json::parse(text_);
     } catch (const Json::parse_error& error) {
@@ -137,7 +161,7 @@ void JsonFile::require_known(const Json& object, const JsonPlace& place,
                              const std::vector<std::string>& known) const {
     for (const auto& [key, ignored] : object.items()) {
         if (std::ranges::find(known, key) != known.end()) continue;
-        const std::string where = place.empty() ? "top" : place.front();
+        const std::string where = place.empty() ? "plan" : place.front();
         refuse(no_such(where, "member", key, known).what(), below(place, key));
     }
 }
@@ -155,7 +179,10 @@ void JsonFile::require_list(const Json& list, const JsonPlace& place) const {
 }
 
 void JsonFile::refuse_at(const std::string& what, int line) const {
-    const std::string message = name_ + ":" + std::to_string(line) + ": " + what;
+    std::string message = name_ + ":" + std::to_string(line) + ": " + what;
+    // A message is one line, whatever the value it quotes is made of.
+    std::ranges::replace_if(
+        message, [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
     if (code_ == ExitCode::usage) throw UsageError(message);
     throw InputError(message);
 }
