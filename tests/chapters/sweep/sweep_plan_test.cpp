@@ -21,7 +21,7 @@ std::string refusal(const std::string& old_text, const std::string& new_text) {
 }
 
 nlohmann::json schema() {
-    std::ifstream file(std::string(CREVICE_SCHEMA_DIR) + "/sweep_plan.schema.json");
+    std::ifstream file(CREVICE_SCHEMA_DIR "/sweep_plan.schema.json");
     return nlohmann::json::parse(file);
 }
 
