@@ -36,7 +36,7 @@ Shard parse_shard(const std::string& flag, const std::string& word) {
 
 std::vector<SweepJob> dealt(std::vector<SweepJob> jobs, Shard shard) {
     const auto first_timed =
-        std::ranges::stable_partition(jobs, [](const SweepJob& job) { return !job.timed; }).begin();
+        std::stable_partition(jobs.begin(), jobs.end(), [](const SweepJob& job) { return !job.timed; });
     std::vector<SweepJob> errors(jobs.begin(), first_timed), times(first_timed, jobs.end());
     // Views in the plan's order, and of each view the questions in the order in which they are first asked.
     std::map<std::string, std::size_t> first_asked;

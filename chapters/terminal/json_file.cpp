@@ -160,7 +160,7 @@ void JsonFile::refuse(const std::string& what, const JsonPlace& place) const {
 void JsonFile::require_known(const Json& object, const JsonPlace& place,
                              const std::vector<std::string>& known) const {
     for (const auto& [key, ignored] : object.items()) {
-        if (std::ranges::find(known, key) != known.end()) continue;
+        if (std::find(known.begin(), known.end(), key) != known.end()) continue;
         const std::string where = place.empty() ? "plan" : place.front();
         refuse(no_such(where, "member", key, known).what(), below(place, key));
     }
@@ -181,8 +181,8 @@ void JsonFile::require_list(const Json& list, const JsonPlace& place) const {
 void JsonFile::refuse_at(const std::string& what, int line) const {
     std::string message = name_ + ":" + std::to_string(line) + ": " + what;
     // A message is one line, whatever the value it quotes is made of.
-    std::ranges::replace_if(
-        message, [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
+    std::replace_if(
+        message.begin(), message.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
     if (code_ == ExitCode::usage) throw UsageError(message);
     throw InputError(message);
 }
