@@ -83,9 +83,8 @@ ReportBlock floors_block(const ViewFigures& view, const SweepResults& results) {
         "shares of these steps add up to the mean squared error of the frame. A share below 0 takes error "
         "away. The floor is "
         "what ever more samples would leave, the error of C: its bias is the sum of the first two steps', "
-        "and its RMSE lies "
-        "between the difference and the sum of what these have alone. Of each method, its setting with the "
-        "most samples.";
+        "and its RMSE was measured as that of the frame, without the noise of either. Of each method, its "
+        "setting with the most samples.";
     DrawingOutput plot = error_parts_plot(view);
     TableOutput table = floors_table(view);
     plot.caption.en = made_by(results) + " So is the table below.";

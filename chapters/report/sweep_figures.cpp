@@ -36,13 +36,14 @@ SettingFigures& setting_in(ViewFigures& view, const SweepSetting& setting) {
 // seeds do not make it surer.
 BarFigure root_figure(const std::vector<const SweepErrorResult*>& seeds,
                       SweepError SweepErrorResult::*truth) {
+    // The squares are averaged as they are: near the noise each alone may be below 0.
     double square = 0, variance = 0;
     for (const SweepErrorResult* const seed : seeds) {
         const SweepError& error = seed->*truth;
-        square += error.rmse * error.rmse / static_cast<double>(seeds.size());
+        square += error.mse / static_cast<double>(seeds.size());
         variance += error.rmse_error * error.rmse_error / static_cast<double>(seeds.size());
     }
-    const double root = std::sqrt(square), margin = kErrors95 * std::sqrt(variance);
+    const double root = std::sqrt(std::max(square, 0.0)), margin = kErrors95 * std::sqrt(variance);
     return {root, std::max(0.0, root - margin), root + margin};
 }
 
@@ -77,6 +78,19 @@ std::vector<SweepErrorPart> mean_parts(std::vector<const SweepErrorResult*> seed
     return parts;
 }
 
+// Of the seeds that have it.
+std::optional<double> limit_rmse(const std::vector<const SweepErrorResult*>& seeds) {
+    double square = 0;
+    int count = 0;
+    for (const SweepErrorResult* const seed : seeds) {
+        if (!seed->limit_mse) continue;
+        square += *seed->limit_mse;
+        ++count;
+    }
+    if (count == 0) return std::nullopt;
+    return std::sqrt(std::max(square / count, 0.0));
+}
+
 std::optional<SettingErrors> errors_of(const SettingFigures& figures) {
     std::vector<const SweepErrorResult*> sound = figures.seeds;
     std::erase_if(sound, [](const SweepErrorResult* seed) { return seed->nan_or_inf > 0; });
@@ -95,6 +109,7 @@ std::optional<SettingErrors> errors_of(const SettingFigures& figures) {
         errors.hard_reference_error = std::max(errors.hard_reference_error, seed->hard.reference_error);
     }
     errors.parts = mean_parts(sound);
+    errors.limit_rmse = limit_rmse(sound);
     return errors;
 }
 
@@ -193,10 +208,6 @@ std::vector<const SettingFigures*> settings_apart(const ViewFigures& view) {
         if (samples(&figures) > samples(most)) most = &figures;
     }
     return chosen;
-}
-
-double ErrorTerms::least_floor() const {
-    return std::min(most_floor(), std::max(std::fabs(screen_rmse - limit_rmse), std::fabs(floor_bias())));
 }
 
 ErrorTerms error_terms(const std::vector<SweepErrorPart>& parts) {

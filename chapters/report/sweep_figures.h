@@ -29,6 +29,8 @@ struct SettingErrors {
     double mae = 0, ssim = 0;
     double reference_error = 0, hard_reference_error = 0;  // standard errors of the references themselves
     std::vector<SweepErrorPart> parts;                     // mean of the seeds that have them
+    // Of the method's limit, what ever more samples would leave; none: the plan takes no errors apart.
+    std::optional<double> limit_rmse;
 
     // Half the width of the RMSE's interval; infinite where too little surface is seen to tell.
     double rmse_margin() const { return rmse.high - rmse.value; }
@@ -80,11 +82,8 @@ struct ErrorTerms {
     double screen_share = 0, limit_share = 0,
            frame_share = 0;  // add up to the mean squared error of the frame
 
-    // What ever more samples would leave: the error of the method's limit.
+    // What ever more samples would leave: that of the method's limit.
     double floor_bias() const { return screen_bias + limit_bias; }
-    // Its RMSE lies between these: by the triangle's inequality, and no RMSE is below its bias.
-    double least_floor() const;
-    double most_floor() const { return screen_rmse + limit_rmse; }
 };
 ErrorTerms error_terms(const std::vector<SweepErrorPart>& parts);
 

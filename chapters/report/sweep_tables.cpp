@@ -139,15 +139,14 @@ TableOutput floors_table(const ViewFigures& view) {
         const ErrorTerms terms = error_terms(figures->errors->parts);
         const SweepErrorPart* const largest = largest_part(figures->errors->parts);
         const auto share = [](double value) { return text(significant_text(value, 3)); };
-        const std::string least = decimal_text(terms.least_floor(), kErrorDecimals),
-                          most = decimal_text(terms.most_floor(), kErrorDecimals);
-        table.rows.push_back(
-            {text(figures->setting.method), text(setting_words(figures->setting)),
-             error_text(figures->errors->rmse.value), text(least == most ? least : least + " to " + most),
-             error_text(terms.floor_bias()), error_text(terms.screen_rmse), error_text(terms.limit_rmse),
-             text(terms.screen_rmse > terms.limit_rmse ? "depth buffer" : "definition"),
-             share(terms.screen_share), share(terms.limit_share), share(terms.frame_share),
-             text(largest == nullptr ? "-" : largest->step)});
+        const std::optional<double>& floor = figures->errors->limit_rmse;
+        table.rows.push_back({text(figures->setting.method), text(setting_words(figures->setting)),
+                              error_text(figures->errors->rmse.value), floor ? error_text(*floor) : text("-"),
+                              error_text(terms.floor_bias()), error_text(terms.screen_rmse),
+                              error_text(terms.limit_rmse),
+                              text(terms.screen_rmse > terms.limit_rmse ? "depth buffer" : "definition"),
+                              share(terms.screen_share), share(terms.limit_share), share(terms.frame_share),
+                              text(largest == nullptr ? "-" : largest->step)});
     }
     return table;
 }

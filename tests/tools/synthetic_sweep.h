@@ -31,7 +31,10 @@ inline SweepErrorResult synthetic_error(const SweepView& view, const SweepSettin
     result.seed = seed;
     result.soft = {rmse, rmse_error, -rmse / 4, rmse / 2, rmse * 3, rmse / 5, 1 - rmse, 0.01};
     result.hard = result.soft;
+    result.soft.mse = rmse * rmse;
     result.hard.rmse = 2 * rmse;
+    result.hard.mse = 4 * rmse * rmse;
+    result.limit_mse = rmse * rmse / 4;
     result.parts = {{"depth buffer", -rmse / 8, rmse / 4, rmse * rmse / 10},
                     {"definition", -rmse / 8, rmse / 2, rmse * rmse / 2},
                     {"sampling", 0, rmse, rmse * rmse * 6 / 10},
