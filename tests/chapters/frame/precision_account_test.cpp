@@ -26,7 +26,7 @@ Frame frame_of(const Scene& scene, const Camera& camera, const std::string& meth
     return render_frame(scene, camera, request);
 }
 
-const PrecisionLoss& loss_of(const Frame& frame, const std::string& name) {
+PrecisionLoss loss_of(const Frame& frame, const std::string& name) {
     for (const PrecisionLoss& loss : frame.precision) {
         if (loss.name == name) return loss;
     }
@@ -70,7 +70,7 @@ TEST_CASE(
     // 1 - near / z rounds to 1 from z = near * 2^25 on.
     const Scene scene = wall_at(1e6f);
     const Frame lost = frame_of(scene, from_origin(1e-4, 1e7));
-    const PrecisionLoss& loss = loss_of(lost, "pixels_lost_to_clear_depth");
+    const PrecisionLoss loss = loss_of(lost, "pixels_lost_to_clear_depth");
     CHECK(loss.count == static_cast<std::size_t>(kSize.width * kSize.height));
     CHECK(loss.warning.find("depth_format=d32f_reversed") != std::string::npos);
     const Frame kept = frame_of(scene, from_origin(1e-4, 1e7), "luna", {"depth_format=d32f_reversed"});
@@ -103,7 +103,7 @@ TEST_CASE("precision account: surfaces behind others, where steps are too coarse
     const auto all = static_cast<std::size_t>(kSize.width * kSize.height);
     for (const char* method : {"xjun", "none"}) {
         CAPTURE(std::string(method));
-        const PrecisionLoss& loss =
+        const PrecisionLoss loss =
             loss_of(frame_of(scene, from_origin(2e-5, 1e7), method), "pixels_in_wrong_order");
         CHECK(loss.count == all);
         CHECK(loss.warning.find("lies behind another one") != std::string::npos);
