@@ -3,7 +3,7 @@
 
 #include <iosfwd>
 
-#include "chapters/commands/camera_path.h"
+#include "chapters/frame/camera_path.h"
 #include "chapters/commands/render.h"
 
 namespace crevice {

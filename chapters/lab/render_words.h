@@ -7,9 +7,6 @@
 
 namespace crevice {
 
-// As it is where no shell reads anything into it, else in single quotes.
-std::string shell_word(const std::string& word);
-
 // "crevice render SCENE --size WxH --ao METHOD --eye=X,Y,Z ... --param name=value": camera flags with an equals sign,
 // because a number below 0 would be taken for a flag.
 std::string render_command(const LabWords& words);

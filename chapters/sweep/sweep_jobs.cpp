@@ -1,7 +1,6 @@
 #include "chapters/sweep/sweep_jobs.h"
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 #include <sstream>
 
@@ -10,6 +9,7 @@
 #include "chapters/sweep/results_json.h"
 #include "chapters/sweep/scene_key.h"
 #include "chapters/terminal/number_text.h"
+#include "chapters/terminal/shell_word.h"
 #include "rasterizer/base/float_text.h"
 
 namespace crevice {
@@ -38,18 +38,6 @@ std::string flag_words(const CameraFlags& flags) {
 bool has_seed(const std::string& name) {
     const Method& method = find_method(name);
     return value_of(method, defaults_of(method), "seed").has_value();
-}
-
-// As a shell reads it.
-std::string quoted(const std::string& word) {
-    const auto is_plain = [](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-               std::string("_-+=.,:/%@").find(c) != std::string::npos;
-    };
-    if (std::ranges::all_of(word, is_plain)) return word;
-    std::string text = "'";
-    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return text + "'";
 }
 
 SweepScene loaded_scene(const PlannedScene& planned, const JsonFile& file, const Run& run) {
@@ -244,7 +232,7 @@ std::vector<std::string> render_words(const SweepView& view, const SweepSetting&
 
 std::string command_of(const SweepView& view, const SweepSetting& setting, std::uint32_t seed, int threads) {
     std::string command = "crevice";
-    for (const std::string& word : render_words(view, setting, seed)) command += " " + quoted(word);
+    for (const std::string& word : render_words(view, setting, seed)) command += " " + shell_word(word);
     if (threads > 0) command += " --threads " + std::to_string(threads);
     return command + " --out out";
 }

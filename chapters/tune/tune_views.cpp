@@ -1,6 +1,6 @@
 #include "chapters/tune/tune_views.h"
 
-#include "chapters/commands/camera_path.h"
+#include "chapters/frame/camera_path.h"
 #include "chapters/frame/scene_argument.h"
 #include "chapters/study/methods_study.h"
 #include "chapters/terminal/progress.h"

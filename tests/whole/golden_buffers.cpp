@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "chapters/compare/difference_page.h"
-#include "chapters/commands/camera_path.h"
+#include "chapters/frame/camera_path.h"
 #include "chapters/frame/frame.h"
 #include "chapters/frame/presets.h"
 #include "chapters/study/references.h"

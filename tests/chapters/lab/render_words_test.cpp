@@ -5,14 +5,6 @@
 
 using namespace crevice;
 
-TEST_CASE("render_words: what a shell would read something into stands in quotes") {
-    CHECK(shell_word("columns") == "columns");
-    CHECK(shell_word("--eye=-1,2.5,3e-7") == "--eye=-1,2.5,3e-7");
-    CHECK(shell_word("my model's.obj") == "'my model'\\''s.obj'");
-    CHECK(shell_word("$HOME") == "'$HOME'");
-    CHECK(shell_word("") == "''");
-}
-
 TEST_CASE("render_words: the line holds camera and parameters, and a parameter stands there once") {
     LabWords words;
     words.scene = "columns";

@@ -1,4 +1,4 @@
-#include "chapters/commands/camera_path.h"
+#include "chapters/frame/camera_path.h"
 
 #include <glm/geometric.hpp>
 
