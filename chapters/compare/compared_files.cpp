@@ -25,6 +25,27 @@ bool same_shape(const ComparedImage& a, const ComparedImage& b) {
     return a.planes.size() == b.planes.size() && a.planes[0].size == b.planes[0].size;
 }
 
+bool same_values(const Image<float>& a, const Image<float>& b) {
+    for (int y = 0; y < a.size.height; ++y) {
+        if (!std::equal(a.row(y), a.row(y) + a.size.width, b.row(y))) return false;
+    }
+    return true;
+}
+
+// Three equal components, as a decoder makes of a grey picture, are one.
+void keep_one_grey(ComparedImage& image) {
+    Planes& planes = image.planes;
+    if (planes.size() == 3 && same_values(planes[0], planes[1]) && same_values(planes[0], planes[2]))
+        planes.resize(1);
+}
+
+// Grey pictures are compared as grey, whatever either file stores.
+void match_greys(ComparedImage& a, ComparedImage& b) {
+    if (!a.picture || !b.picture) return;
+    if (a.planes.size() == 1) keep_one_grey(b);
+    if (b.planes.size() == 1) keep_one_grey(a);
+}
+
 std::string shape_text(const Planes& planes) {
     return std::to_string(planes[0].size.width) + "x" + std::to_string(planes[0].size.height) + "x" +
            std::to_string(planes.size());
@@ -66,6 +87,7 @@ void add_layer(const std::string& file, const std::string& layer, Side& a, Side&
     ComparedImage* const of_a = image_of(a, layer);
     ComparedImage* const of_b = image_of(b, layer);
     const std::string name = file.empty() || layer.empty() ? file + layer : file + ", " + layer;
+    if (of_a != nullptr && of_b != nullptr) match_greys(*of_a, *of_b);
     if (of_a != nullptr && of_b != nullptr && same_shape(*of_a, *of_b)) {
         const auto path = [&](const Side& side) { return file.empty() ? side.path : side.path / file; };
         add_pair(name, path(a), std::move(*of_a), path(b), std::move(*of_b), warnings, entries);
@@ -107,6 +129,7 @@ std::string layer_names(const Side& side) {
 // Two files of one image each.
 std::vector<DifferenceEntry> only_pair(Side a, Side b, std::ostream& warnings) {
     ComparedImage &of_a = a.images[0], &of_b = b.images[0];
+    match_greys(of_a, of_b);
     if (!same_shape(of_a, of_b)) {
         throw InputError(b.path.string() + ": of another shape than " + a.path.string() + " (" +
                          shape_text(of_b.planes) + " and " + shape_text(of_a.planes) +

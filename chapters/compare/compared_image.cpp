@@ -5,8 +5,8 @@
 #include <ostream>
 #include <utility>
 
-#include "chapters/compare/pfm.h"
 #include "chapters/images/exr.h"
+#include "chapters/images/pfm.h"
 #include "chapters/images/tiff.h"
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/file_bytes.h"
@@ -39,12 +39,16 @@ ComparedImage of_png(const fs::path& path) {
     ImageCodes codes = read_png(path);
     return {.planes = planes_of(std::move(codes.colour)),
             .alpha = std::move(codes.alpha),
-            .linear = codes.linear};
+            .linear = codes.linear,
+            .picture = true};
 }
 
 ComparedImage of_tiff(const fs::path& path) {
     TiffImage image = tiff_image(read_file(path, kMaxFile), path.string());
-    return {.planes = std::move(image.planes), .alpha = std::move(image.alpha), .linear = image.linear};
+    return {.planes = std::move(image.planes),
+            .alpha = std::move(image.alpha),
+            .linear = image.linear,
+            .picture = true};
 }
 
 std::vector<ComparedImage> of_exr(const fs::path& path) {

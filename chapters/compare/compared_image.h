@@ -17,6 +17,7 @@ struct ComparedImage {
     Image<float> alpha = {};  // empty: it has none
     bool linear = true;       // its values are proportional to light, or no light at all; else sRGB codes
     bool light = false;       // R, G and B of an EXR
+    bool picture = false;     // of a PNG or TIFF, where grey may be stored as three equal components
 };
 
 // .npy of floats, halves, doubles, bytes or words with one to four components, .pfm, .png, .tif and .exr. Codes of PNG and

@@ -37,7 +37,7 @@ struct ExrLayer {
 
 // The layers in the order of the file, of float32 and float16, in lines or flat tiles. A layer that holds colour and depth
 // (R, G, B, Z) makes two; the second is named after its letters. Throws InputError naming the file: damaged, cut short,
-// deep, subsampled or whole-number channels, more than 2^30 values.
+// deep, subsampled or whole-number channels, 2^30 values or more.
 std::vector<ExrLayer> exr_layers(const std::string& bytes, const std::string& name);
 
 }  // namespace crevice

@@ -24,7 +24,6 @@ namespace crevice {
 
 namespace {
 
-constexpr long long kMostValues = 1LL << 30;
 constexpr int kLongestSide =
     1 << 17;  // what OpenEXR is to believe of a header, before anything of its size is allocated
 
@@ -118,7 +117,7 @@ void read_part(Imf::MultiPartInputFile& file, int number, long long& values, std
         if (channel.channel().xSampling != 1 || channel.channel().ySampling != 1)
             throw InputError("it holds fewer values than pixels" + named);
         values += static_cast<long long>(size.width) * size.height;
-        if (values > kMostValues) throw InputError("it holds more than 2^30 values");
+        if (values >= kMaxImageValues) throw InputError("it holds 2^30 values or more");
         names.push_back(channel_name(channel.name(), part));
     }
     Imf::InputPart input(file, number);

@@ -14,8 +14,8 @@ struct TiffImage {
     bool linear = false;  // float samples; else k / 255 or k / 65535
 };
 
-// The first picture of a file: 8 or 16 bits or float16, float32 a sample, 1 to 4 samples, in strips. Throws InputError
-// naming the file and what was found.
+// The picture of a file, in strips or tiles: 8 or 16 bits or float16, float32 a sample, 1 to 4 samples. Throws InputError
+// naming the file and what was found: another layout, a picture that is not upright, more than one.
 TiffImage tiff_image(const std::string& bytes, const std::string& name);
 
 }  // namespace crevice

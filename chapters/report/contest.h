@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "chapters/report/sweep_figures.h"
+#include "chapters/sweep/sweep_figures.h"
 
 namespace crevice {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "chapters/report/sweep_figures.h"
+#include "chapters/sweep/sweep_figures.h"
 #include "chapters/study/statistics.h"
 
 namespace crevice {

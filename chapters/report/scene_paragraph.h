@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "chapters/report/sweep_figures.h"
+#include "chapters/sweep/sweep_figures.h"
 
 namespace crevice {
 

@@ -4,44 +4,28 @@
 #include <cmath>
 
 #include "chapters/terminal/number_text.h"
-#include "rasterizer/base/float_text.h"
-#include "ssao/ao_methods.h"
 
 namespace crevice {
 
 namespace {
 
-std::optional<double> number_of(const std::string& text) {
-    double value = 0;
-    const auto [end, fault] = number_from_text(text.data(), text.data() + text.size(), value);
-    if (fault != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
-
 // A whole count in words, or nothing.
 std::optional<std::string> count_words(const std::string& value, const std::string& word) {
-    const std::optional<double> number = number_of(value);
+    const std::optional<double> number = number_in(value);
     if (!number || *number != static_cast<double>(static_cast<long long>(*number))) return std::nullopt;
     return *number == 0 ? "no " + word : counted(static_cast<long long>(*number), word);
 }
 
-std::string parameter_words(const std::string& name, const std::string& value) {
+std::string parameter_phrase(const std::string& name, const std::string& value) {
     if (name == "samples") {
         if (const auto words = count_words(value, "sample")) return *words;
     }
     if (name == "blur_iterations") {
         if (const auto words = count_words(value, "blur")) return *words;
     }
-    if (name == "ao_scale" && number_of(value) == 1.0) return "full size";
-    if (name == "ao_scale" && number_of(value) == 0.5) return "half size";
+    if (name == "ao_scale" && number_in(value) == 1.0) return "full size";
+    if (name == "ao_scale" && number_in(value) == 0.5) return "half size";
     return name + " " + value;
-}
-
-const Method* method_of(const SweepSetting& setting) {
-    for (const Method& method : ao_methods()) {
-        if (setting.method == method.name) return &method;
-    }
-    return nullptr;
 }
 
 }  // namespace
@@ -49,7 +33,7 @@ const Method* method_of(const SweepSetting& setting) {
 std::string setting_words(const SweepSetting& setting) {
     std::string words;
     for (const auto& [name, value] : setting.parameters)
-        words += (words.empty() ? "" : ", ") + parameter_words(name, value);
+        words += (words.empty() ? "" : ", ") + parameter_phrase(name, value);
     return words.empty() ? "defaults" : words;
 }
 
@@ -58,7 +42,7 @@ std::string setting_phrase(const SweepSetting& setting) {
     std::vector<std::string> with;
     std::string at;
     for (const auto& [name, value] : setting.parameters) {
-        const std::string words = parameter_words(name, value);
+        const std::string words = parameter_phrase(name, value);
         if (words.ends_with(" size")) {
             at = " at " + words;
         } else {
@@ -73,24 +57,12 @@ SweepSetting without(SweepSetting setting, const std::string& parameter) {
     return setting;
 }
 
-std::optional<double> parameter_value(const SweepSetting& setting, const std::string& parameter) {
-    for (const auto& [name, value] : setting.parameters) {
-        if (name == parameter) return number_of(value);
-    }
-    const Method* const method = method_of(setting);
-    return method == nullptr ? std::nullopt : value_of(*method, defaults_of(*method), parameter);
-}
-
 std::string view_words(const SweepView& view) {
     return view.scene + (view.camera.empty() ? "" : " " + view.camera) + ", " + size_text(view.size);
 }
 
 std::string margin_words(double margin) {
     return std::isfinite(margin) ? decimal_text(margin, 4) : "unknown";
-}
-
-std::string counted(long long count, const std::string& word) {
-    return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
 }
 
 std::string listed(const std::vector<std::string>& words) {

@@ -1,7 +1,6 @@
 // Settings, views and lists in words, as tables and sentences of a sweep's report name them.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,18 +17,11 @@ std::string setting_phrase(const SweepSetting& setting);
 // The setting without one of its parameters.
 SweepSetting without(SweepSetting setting, const std::string& parameter);
 
-// The value of a parameter, the method's default where the setting does not change it. None where the method has no such
-// number.
-std::optional<double> parameter_value(const SweepSetting& setting, const std::string& parameter);
-
 // "columns, 640x360"; with the camera's words where it is not the scene's own.
 std::string view_words(const SweepView& view);
 
 // "0.0020", or "unknown" where it is infinite.
 std::string margin_words(double margin);
-
-// "1 thread", "2 threads"; the plural is the word with an s.
-std::string counted(long long count, const std::string& word);
 
 // "a", "a and b", "a, b and c".
 std::string listed(const std::vector<std::string>& words);

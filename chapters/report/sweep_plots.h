@@ -7,7 +7,7 @@
 
 #include "chapters/notebook/cells.h"
 #include "chapters/report/power_fits.h"
-#include "chapters/report/sweep_figures.h"
+#include "chapters/sweep/sweep_figures.h"
 #include "chapters/study/error_points.h"
 
 namespace crevice {

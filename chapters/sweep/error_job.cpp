@@ -5,6 +5,7 @@
 
 #include "chapters/study/error_chain.h"
 #include "chapters/sweep/results_json.h"
+#include "chapters/sweep/sweep_words.h"
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/float_text.h"
 #include "rasterizer/base/image_summary.h"
@@ -120,7 +121,7 @@ void ErrorJudge::take_apart(const MethodView& view, const FrameSettings& setting
     result.limit_mse = error_parts(to_limit, counted).total.mse;
 }
 
-ErrorJudge::Judged ErrorJudge::judge(const SweepJob& job) {
+ErrorJudge::JudgedImage ErrorJudge::judge(const SweepJob& job) {
     const SweepSetting& setting = job.settings.front();
     const Method& method = find_method(setting.method);
     const FrameSettings settings = frame_settings(setting, job.seed, job.scene->argument.scene.length_unit);
@@ -129,7 +130,7 @@ ErrorJudge::Judged ErrorJudge::judge(const SweepJob& job) {
     const Image<float> map = ao_map_of(view, settings, run_);
     const Image<float> image = ao_at_picture_size(map, view.size, run_);
     const ReferenceError soft = reference_error(image, references_.soft.image, kinds_);
-    Judged judged;
+    JudgedImage judged;
     SweepErrorResult& result = judged.result;
     result.id = job.id;
     result.view = job.view;

@@ -34,12 +34,12 @@ class ErrorJudge {
     ErrorJudge(std::optional<std::filesystem::path> cache, const Run& run)
         : cache_(std::move(cache)), run_(run) {}
 
-    struct Judged {
+    struct JudgedImage {
         SweepErrorResult result;  // without the picture's name
         Image<float> picture;     // small_picture()
     };
     // Throws UsageError for a view without any surface.
-    Judged judge(const SweepJob& job);
+    JudgedImage judge(const SweepJob& job);
 
  private:
     void look_at(const SweepJob& job, const Method& method, const FrameSettings& settings);

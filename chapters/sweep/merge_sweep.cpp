@@ -5,7 +5,7 @@
 #include <map>
 
 #include "chapters/sweep/sweep_directory.h"
-#include "chapters/sweep/sweep_jobs.h"
+#include "chapters/sweep/sweep_words.h"
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/file_bytes.h"
 #include "rasterizer/base/float_text.h"

@@ -8,6 +8,7 @@
 #include "chapters/bench/machine.h"
 #include "chapters/sweep/error_job.h"
 #include "chapters/sweep/sweep_directory.h"
+#include "chapters/sweep/sweep_words.h"
 #include "chapters/sweep/time_job.h"
 #include "chapters/terminal/exit_code.h"
 #include "chapters/terminal/output_directory.h"
@@ -94,7 +95,7 @@ class SweepRun {
     }
 
     FinishedJob judge(const SweepJob& job, Progress& progress) {
-        ErrorJudge::Judged judged = judge_.judge(job);
+        ErrorJudge::JudgedImage judged = judge_.judge(job);
         judged.result.picture = SweepDirectory::picture_name(job.id);
         FinishedJob done{job.id, version_, std::move(judged.result), {}, {}};
         directory_.store(done, &judged.picture);
@@ -129,10 +130,6 @@ class SweepRun {
     std::vector<std::string> faults_;
 };
 
-std::string counted(std::size_t n, const char* what) {
-    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
-}
-
 }  // namespace
 
 int run_sweep(const SweepOptions& options, std::ostream& out) {
@@ -162,7 +159,7 @@ int run_sweep(const SweepOptions& options, std::ostream& out) {
         failed = run.run(left, jobs);
     }
     for (const std::string& fault : run.faults()) std::cerr << fault << "\n";
-    out << path.string() << ": " << counted(left.size() - failed, "job") << " done, "
+    out << path.string() << ": " << counted(static_cast<long long>(left.size() - failed), "job") << " done, "
         << own.size() - left.size() << " had been done before";
     if (!run.faults().empty()) out << ", " << run.faults().size() << " failed";
     out << "\nNow: crevice merge " << path.string() << "\n";

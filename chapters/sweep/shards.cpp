@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "chapters/sweep/sweep_words.h"
 #include "chapters/terminal/parse.h"
 
 namespace crevice {

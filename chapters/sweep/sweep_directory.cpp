@@ -2,6 +2,7 @@
 
 #include "chapters/notebook/picture.h"
 #include "chapters/sweep/json_fields.h"
+#include "chapters/sweep/sweep_words.h"
 #include "chapters/terminal/json_text.h"
 #include "rasterizer/base/file_bytes.h"
 #include "rasterizer/base/write_file.h"

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <set>
-#include <sstream>
 
 #include "chapters/study/reference_cache.h"
 #include "chapters/sweep/error_job.h"
 #include "chapters/sweep/results_json.h"
 #include "chapters/sweep/scene_key.h"
+#include "chapters/sweep/sweep_words.h"
 #include "chapters/terminal/number_text.h"
-#include "chapters/terminal/shell_word.h"
 #include "rasterizer/base/float_text.h"
 
 namespace crevice {
@@ -17,6 +16,8 @@ namespace crevice {
 namespace {
 
 using Json = JsonFile::Json;
+
+constexpr double kMostJobs = 100'000;
 
 // A new one when an equal job means another result.
 constexpr int kJobVersion = 2;
@@ -33,11 +34,6 @@ std::string flag_words(const CameraFlags& flags) {
     add("--far", flags.far_plane);
     add("--ortho", flags.ortho);
     return words;
-}
-
-bool has_seed(const std::string& name) {
-    const Method& method = find_method(name);
-    return value_of(method, defaults_of(method), "seed").has_value();
 }
 
 SweepScene loaded_scene(const PlannedScene& planned, const JsonFile& file, const Run& run) {
@@ -174,67 +170,35 @@ class JobMaker {
     std::vector<SweepJob> errors_, times_;
 };
 
+// Before any of them is made: lists of values multiply.
+void require_fewer_jobs(const SweepPlan& plan) {
+    double settings = 0;
+    for (const PlannedMethod& method : plan.methods) {
+        double of_method = 1;
+        for (const PlannedValues& values : method.values)
+            of_method *= static_cast<double>(values.words.size());
+        settings += of_method;
+    }
+    const double views = static_cast<double>(plan.scenes.size() * plan.sizes.size()),
+                 jobs = views * (settings * static_cast<double>(plan.seeds.size()));
+    if (jobs > kMostJobs)
+        plan.file.refuse("methods: too many images, " + decimal_text(views, 0) + " views of " +
+                             decimal_text(settings, 0) + " settings with " +
+                             std::to_string(plan.seeds.size()) + " seeds (" + decimal_text(jobs, 0) +
+                             ", at most " + decimal_text(kMostJobs, 0) + "); make several plans",
+                         {"methods"});
+}
+
 }  // namespace
 
 std::vector<SweepJob> sweep_jobs(const SweepPlan& plan, bool instructions, const Run& run) {
+    require_fewer_jobs(plan);
     JobMaker maker(plan, instructions);
     for (const PlannedScene& planned : plan.scenes) {
         const auto scene = std::make_shared<const SweepScene>(loaded_scene(planned, plan.file, run));
         for (const Size size : plan.sizes) maker.add_view(planned, scene, size);
     }
     return std::move(maker).jobs();
-}
-
-std::string words_of(const SweepSetting& setting) {
-    std::string words = setting.method;
-    for (const auto& [name, word] : setting.parameters) words += " " + name + "=" + word;
-    return words;
-}
-
-std::string words_of(const SweepView& view) {
-    return view.scene + (view.camera.empty() ? "" : " " + view.camera) + " " + size_text(view.size);
-}
-
-std::string error_job_words(const SweepView& view, const SweepSetting& setting, std::uint32_t seed) {
-    return words_of(view) + ", " + words_of(setting) + ", seed " + std::to_string(seed);
-}
-
-std::string time_job_words(const SweepView& view, std::size_t settings, int threads) {
-    return words_of(view) + ", times of " + std::to_string(settings) +
-           (settings == 1 ? " setting on " : " settings on ") + std::to_string(threads) +
-           (threads == 1 ? " thread" : " threads");
-}
-
-std::string words_of(const SweepJob& job) {
-    return job.timed ? time_job_words(job.view, job.settings.size(), job.threads)
-                     : error_job_words(job.view, job.settings.front(), job.seed);
-}
-
-FrameSettings frame_settings(const SweepSetting& setting, std::uint32_t seed, float length_unit) {
-    std::vector<std::string> words;
-    for (const auto& [name, word] : setting.parameters) words.push_back(name + "=" + word);
-    if (has_seed(setting.method)) words.push_back("seed=" + std::to_string(seed));
-    return settings_of(find_method(setting.method), words, length_unit);
-}
-
-std::vector<std::string> render_words(const SweepView& view, const SweepSetting& setting,
-                                      std::uint32_t seed) {
-    std::vector<std::string> words = {"render", view.scene, "--size", size_text(view.size)};
-    std::istringstream camera(view.camera);
-    for (std::string word; camera >> word;) words.push_back(word);
-    words.insert(words.end(), {"--ao", setting.method});
-    for (const auto& [name, word] : setting.parameters)
-        words.insert(words.end(), {"--param", name + "=" + word});
-    if (has_seed(setting.method)) words.insert(words.end(), {"--param", "seed=" + std::to_string(seed)});
-    words.insert(words.end(), {"--only", "ao_blurred"});
-    return words;
-}
-
-std::string command_of(const SweepView& view, const SweepSetting& setting, std::uint32_t seed, int threads) {
-    std::string command = "crevice";
-    for (const std::string& word : render_words(view, setting, seed)) command += " " + shell_word(word);
-    if (threads > 0) command += " --threads " + std::to_string(threads);
-    return command + " --out out";
 }
 
 }  // namespace crevice

@@ -70,8 +70,11 @@ struct SweepErrorResult {
     std::optional<double> limit_mse;
 };
 
+// The sum of a method's passes, by whose times settings are compared.
+inline constexpr const char* kWholePass = "ao and blur";
+
 struct SweepPassTime {
-    std::string pass;          // "ao", its inputs included; "blur", where there is one; "ao and blur"
+    std::string pass;          // "ao", its inputs included; "blur", where there is one; kWholePass
     MedianInterval wall, cpu;  // ms, over the rounds after the warm-up
     double wall_mad = 0;       // median absolute deviation
     double instructions = 0;   // a frame; 0 where they were not counted
@@ -94,7 +97,7 @@ struct SweepTimeResult {
     int threads = 1, rounds = 0;
     std::vector<SweepPassTime> passes;
     std::optional<MedianInterval>
-        same_again;    // A/A: ratio of "ao and blur", one of the setting's twins over the other
+        same_again;    // A/A: ratio of kWholePass, one of the setting's twins over the other
     std::string hash;  // of the AO image, taken from inside the timed loop
     std::string command;
 };

@@ -8,6 +8,7 @@
 #include "chapters/bench/instructions.h"
 #include "chapters/study/method_view.h"
 #include "chapters/sweep/results_json.h"
+#include "chapters/sweep/sweep_words.h"
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/image_summary.h"
 

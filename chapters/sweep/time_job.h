@@ -13,9 +13,6 @@
 
 namespace crevice {
 
-// The sums of passes, by whose times settings are compared.
-inline constexpr const char* kWholePass = "ao and blur";
-
 SweepPassTime pass_time(const PassSamples& samples);
 
 // A/A: the times of a pass over those of the same pass of a setting that is entered twice, round by round.

@@ -45,7 +45,9 @@ void require_known_command(const CLI::App& program, const std::string& name, con
     if (known.empty() || first.empty() || first[0] == '-' ||
         std::count(known.begin(), known.end(), first) > 0)
         return;
-    throw UsageError(name + ": there is no such command (" + first + "); " + did_you_mean(first, known) +
+    std::vector<std::string> words = known;
+    for (const std::string& flag : flags_of(program)) words.push_back(flag);
+    throw UsageError(name + ": there is no such command (" + first + "); " + did_you_mean(first, words) +
                      name + " --help lists them");
 }
 
@@ -105,7 +107,9 @@ bool CommandLine::parse(int argc, const char* const* argv) const {
     // `help` and `help COMMAND` are --help.
     if (!words.empty() && words[0] == "help" && !commands_of(*app_).empty()) {
         words.erase(words.begin());
-        words.resize(std::min<std::size_t>(words.size(), 1));
+        if (words.size() > 1)
+            throw UsageError(name_of(*app_, argv[0]) + " help: tells of one command at a time (" + words[1] +
+                             "); leave it away");
         words.push_back("--help");
     }
     require_known_command(*app_, name_of(*app_, argv[0]), words.empty() ? "" : words[0]);

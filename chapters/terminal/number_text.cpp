@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "rasterizer/base/float_text.h"
+
 namespace crevice {
 
 namespace {
@@ -35,6 +37,18 @@ std::string exact_text(float value) {
         if (std::strtof(text.c_str(), nullptr) == value) break;
     }
     return text;
+}
+
+std::optional<double> number_in(const std::string& text) {
+    double value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = number_from_text(text.data(), end, value);
+    if (error != std::errc() || stop != end) return std::nullopt;
+    return value;
+}
+
+std::string counted(long long count, const std::string& word) {
+    return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
 }
 
 std::string size_text(Size size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }

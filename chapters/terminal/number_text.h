@@ -1,6 +1,7 @@
 // Numbers as texts, with a decimal point everywhere.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "rasterizer/base/image.h"
@@ -15,6 +16,10 @@ std::string significant_text(double value, int digits);
 std::string percent_text(double share);
 // The fewest digits, at least six where there are as many, that read back as the same float; "NaN" for any NaN.
 std::string exact_text(float value);
+// The number that the whole text is; none where it is anything else.
+std::optional<double> number_in(const std::string& text);
+// "1 thread", "2 threads"; the plural is the word with an s.
+std::string counted(long long count, const std::string& word);
 // Pixels or texels: "1280x720".
 std::string size_text(Size size);
 

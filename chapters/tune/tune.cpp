@@ -47,7 +47,8 @@ std::string axes_text(const std::vector<TuneAxis>& axes) {
     return text;
 }
 
-std::string setting_words(const std::vector<TuneAxis>& axes, const TuneSetting& setting, double length_unit) {
+std::string words_or_defaults(const std::vector<TuneAxis>& axes, const TuneSetting& setting,
+                              double length_unit) {
     const std::string words = param_words(axes, setting, length_unit);
     return words.empty() ? "(the defaults)" : words;
 }
@@ -67,7 +68,7 @@ Table tried_table(const TuneViews& views, const std::vector<TuneAxis>& axes, con
     });
     const double length_unit = views.searched[0].scene->length_unit;
     for (const TuneTrial* trial : order) {
-        const std::string words = setting_words(axes, trial->setting, length_unit);
+        const std::string words = words_or_defaults(axes, trial->setting, length_unit);
         if (!trial->judged) {
             table.rows.push_back({trial->stage, TableValue(), TableValue(), "left aside", words});
         } else {

@@ -19,13 +19,6 @@ constexpr double kRadiusRange = 2;  // the same of the radius, which the questio
 
 double rounded(double value) { return std::strtod(significant_text(value, kDigits).c_str(), nullptr); }
 
-std::optional<double> number_in(const std::string& text) {
-    double value = 0;
-    const auto [end, error] = number_from_text(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
-
 // The ends of "[0, 64]", "(0, inf)" or "[fade_start, inf)"; what is no number is no end.
 struct Ends {
     std::optional<double> low, high;

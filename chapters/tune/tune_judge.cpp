@@ -23,7 +23,7 @@ int seeds_of(Effort effort, int all) {
     return std::min(all, effort == Effort::glance ? 1 : effort == Effort::look ? 2 : all);
 }
 
-FrameSettings frame_settings(const TuneView& view, const std::vector<TuneAxis>& axes,
+FrameSettings tuned_settings(const TuneView& view, const std::vector<TuneAxis>& axes,
                              const TuneSetting& setting, std::uint32_t seed) {
     FrameSettings settings;
     settings.method = settings_with(*view.view.method, axes, setting, view.scene->length_unit, seed);
@@ -31,11 +31,11 @@ FrameSettings frame_settings(const TuneView& view, const std::vector<TuneAxis>& 
 }
 
 // A setting on a view, ready to be timed: what is baked is no part of a frame.
-class TimedSetting {
+class TuneTimer {
  public:
-    TimedSetting(const TuneView& view, const std::vector<TuneAxis>& axes, const TuneSetting& setting,
-                 std::uint32_t seed, const Run& run)
-        : view_(view.view), settings_(frame_settings(view, axes, setting, seed)), run_(run) {
+    TuneTimer(const TuneView& view, const std::vector<TuneAxis>& axes, const TuneSetting& setting,
+              std::uint32_t seed, const Run& run)
+        : view_(view.view), settings_(tuned_settings(view, axes, setting, seed)), run_(run) {
         if (view_.method->bake) baked_ = with_bake(view_, settings_, run_);
     }
 
@@ -54,7 +54,7 @@ class TimedSetting {
 
 Image<float> picture_of(const TuneView& view, const std::vector<TuneAxis>& axes, const TuneSetting& setting,
                         std::uint32_t seed, const Run& run) {
-    return ao_picture_of(view.view, frame_settings(view, axes, setting, seed), run);
+    return ao_picture_of(view.view, tuned_settings(view, axes, setting, seed), run);
 }
 
 }  // namespace
@@ -71,7 +71,7 @@ TuneJudging::TuneJudging(const std::vector<TuneView>& views, const std::vector<T
       on_steps_(std::move(on_steps)) {
     double slowest = 0;
     for (const TuneView& view : views_) {
-        const TimedSetting standard(view, axes_, standard_, kFirstSearchedSeed, run_);
+        const TuneTimer standard(view, axes_, standard_, kFirstSearchedSeed, run_);
         std::vector<double> ms;
         for (int round = -1; round < kStandardRounds; ++round) {
             const double once = standard.ms();
@@ -103,8 +103,8 @@ std::vector<std::optional<double>> TuneJudging::times(std::span<const TuneSettin
         if (!valid(settings[i])) ms[i].reset();
     }
     for (std::size_t v = 0; v < views_.size(); ++v) {
-        const TimedSetting standard(views_[v], axes_, standard_, kFirstSearchedSeed, run_);
-        std::vector<std::optional<TimedSetting>> timed(settings.size());
+        const TuneTimer standard(views_[v], axes_, standard_, kFirstSearchedSeed, run_);
+        std::vector<std::optional<TuneTimer>> timed(settings.size());
         std::vector<std::vector<double>> ratios(settings.size());
         for (int round = 0; round < rounds; ++round) {
             for (std::size_t k = 0; k < settings.size(); ++k) {
@@ -177,7 +177,7 @@ HeldOutGain held_out_gain(const std::vector<TuneView>& views, const std::vector<
             difference += apart.mean;
             difference_error += apart.error;  // of one truth, and so no less over many images
         }
-        const TimedSetting of_standard(view, axes, standard, kFirstHeldOutSeed, run),
+        const TuneTimer of_standard(view, axes, standard, kFirstHeldOutSeed, run),
             of_setting(view, axes, setting, kFirstHeldOutSeed, run);
         for (int round = -1; round < kHeldOutRounds; ++round) {
             const double first = of_standard.ms(), second = of_setting.ms();

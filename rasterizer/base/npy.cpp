@@ -20,7 +20,6 @@ static_assert(std::endian::native == std::endian::little,
 namespace {
 
 constexpr std::string_view kMagic = "\x93NUMPY";
-constexpr long long kMaxValues = 1LL << 30;
 constexpr int kMaxComponents = 4;
 
 using PlaneList = std::vector<const Image<float>*>;
@@ -43,7 +42,7 @@ std::string_view bytes_of(const std::vector<float>& values) {
 
 void check_extent(Size size, int components) {
     const long long values = static_cast<long long>(size.width) * size.height * components;
-    if (size.width > 0 && size.height > 0 && values < kMaxValues) return;
+    if (size.width > 0 && size.height > 0 && values < kMaxImageValues) return;
     throw OutputError("an image of " + std::to_string(size.width) + "x" + std::to_string(size.height) + "x" +
                       std::to_string(components) +
                       " cannot be stored; give it at least one pixel and fewer than 2^30 values");
@@ -166,7 +165,7 @@ class NpyReader {
         const bool image =
             shape.size() == 2 || (shape.size() == 3 && shape[2] > 0 && shape[2] <= kMaxComponents);
         if (!image || shape[0] <= 0 || shape[1] <= 0 ||
-            static_cast<long long>(shape[0]) * shape[1] >= kMaxValues / header.components()) {
+            static_cast<long long>(shape[0]) * shape[1] >= kMaxImageValues / header.components()) {
             fail("shape is " + std::string(header.shape_text));
         }
         return header;
@@ -215,7 +214,7 @@ class NpyReader {
 
 std::string npy_file_bytes(const std::filesystem::path& path) {
     constexpr std::uintmax_t kMaxHeader = 1 << 20;
-    return read_file(path, kMaxHeader + sizeof(double) * kMaxValues);
+    return read_file(path, kMaxHeader + sizeof(double) * kMaxImageValues);
 }
 
 }  // namespace

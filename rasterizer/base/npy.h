@@ -12,6 +12,8 @@ namespace crevice {
 
 // An image of one to four components, one plane each, all of one size: what a file may turn out to hold.
 using Planes = std::vector<Image<float>>;
+// In files of every kind an image has fewer values than this.
+inline constexpr long long kMaxImageValues = 1LL << 30;
 Planes planes_of(Image<float> image);
 Planes planes_of(Image3 image);
 

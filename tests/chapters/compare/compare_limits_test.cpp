@@ -106,7 +106,8 @@ TEST_CASE("limits: a file beside the goldens names buffers, flags stand for the 
 TEST_CASE("limits: what a file of them cannot say is named with its line") {
     CHECK(contains(refusal("{\n\"limits\": {,}\n}"), "limits.json:2: not JSON"));
     CHECK(contains(refusal("[]"), "limits.json:1: not an object ([])"));
-    CHECK(contains(refusal("{\"default\": {\"rmse\": 1e999}}"), "a number is too large to be read (1e999); "));
+    CHECK(
+        contains(refusal("{\"default\": {\"rmse\": 1e999}}"), "a number is too large to be read (1e999); "));
     const std::string deep = "{\"default\":\n" + std::string(300000, '[') + std::string(300000, ']') + "}";
     CHECK(contains(refusal(deep), "limits.json:2: nested too deeply (more than 100 levels); "));
     // The line is that of the value itself, not of the first one by its name.
@@ -127,8 +128,8 @@ TEST_CASE("limits: what a file of them cannot say is named with its line") {
 TEST_CASE("limits: FLIP is refused of what is no picture") {
     const ScratchDirectory scratch;
     write_npy(scratch / "depth.npy", Image<float>({16, 16}, 34.0f));
-    const ComparedOutcome outcome =
-        compare({.a = scratch / "depth.npy", .b = scratch / "depth.npy", .limits = {.flip = 1}, .json = true});
+    const ComparedOutcome outcome = compare(
+        {.a = scratch / "depth.npy", .b = scratch / "depth.npy", .limits = {.flip = 1}, .json = true});
     CHECK(outcome.code == 3);
     CHECK(contains(outcome.report, "depth.npy: FLIP is of pictures"));
 }

@@ -6,11 +6,13 @@
 
 #include <doctest/doctest.h>
 
-#include "chapters/compare/pfm.h"
+#include "chapters/images/pfm.h"
 #include "chapters/notebook/picture.h"
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/image_io.h"
 #include "tests/tools/error_message.h"
 #include "tests/tools/scratch_directory.h"
+#include "tests/tools/tiff_by_hand.h"
 
 using namespace crevice;
 namespace fs = std::filesystem;
@@ -47,8 +49,32 @@ TEST_CASE("PFM: rows from the lowest up, both orders of bytes, one component or 
     CHECK(contains(refusal("Pf\n0 1\n-1\n"), "its size is no size (0 1)"));
     CHECK(contains(refusal("Pf\n99999 99999\n-1\n"), "its size is no size"));
     CHECK(contains(refusal("Pf\n1 1\n0\n1234"), "its scale is no scale (0)"));
+    CHECK(contains(refusal("Pf\n1 1\nnan\n1234"), "its scale is no scale (nan)"));
     CHECK(contains(refusal("Pf\n1 1\n-1\n123"), "holds 3 bytes of values where its size needs 4"));
     CHECK(contains(refusal(""), "not a PFM file"));
+}
+
+TEST_CASE("compared files: a grey TIFF and a grey PNG are a pair; a coloured one is of another shape") {
+    const ScratchDirectory scratch;
+    const unsigned char grey[] = {51, 51, 51, 255, 255, 255}, colour[] = {51, 51, 51, 255, 0, 255};
+    write_png(scratch / "grey.png", {2, 1}, 3, grey);
+    write_png(scratch / "colour.png", {2, 1}, 3, colour);
+    std::ofstream(scratch / "grey.tif", std::ios::binary)
+        << tiff_by_hand(2, 1, 8, 1, 1, std::string("\x33\xff", 2));
+    std::ostringstream warnings;
+    const auto pair = [&](const char* png) {
+        return compared_entries(scratch / "grey.tif", scratch / png, warnings);
+    };
+    try {
+        const std::vector<DifferenceEntry> entries = pair("grey.png");
+        REQUIRE(entries.size() == 1);
+        REQUIRE(entries[0].b.size() == 1);
+        CHECK(entries[0].b[0].at(0, 0) == entries[0].a[0].at(0, 0));
+        CHECK(entries[0].b[0].at(1, 0) == 1);
+        CHECK(contains(message_of<InputError>([&] { pair("colour.png"); }), "2x1x3 and 2x1x1"));
+    } catch (const UsageError& error) {
+        CHECK(contains(error.what(), "built without libtiff"));
+    }
 }
 
 TEST_CASE("compared files: a PFM and a .npy of the same floats are the same image") {

@@ -2,68 +2,42 @@
 #include "chapters/images/tiff.h"
 
 #include <cstdint>
-#include <cstring>
 #include <vector>
 
 #include <doctest/doctest.h>
 
 #include "rasterizer/base/error.h"
 #include "tests/tools/error_message.h"
+#include "tests/tools/tiff_by_hand.h"
 
 using namespace crevice;
 
 namespace {
 
-template <class T>
-std::string number(T value) {
-    std::string bytes(sizeof value, '\0');
-    std::memcpy(bytes.data(), &value, sizeof value);
-    return bytes;
-}
-
-struct Tag {
-    std::uint16_t tag;
-    std::uint32_t value;
-};
-
-// One strip, little-endian: TIFF 6.0, section 2. `other` tags replace those of the same number.
-std::string tiff_by_hand(std::uint32_t width, std::uint32_t height, std::uint32_t bits, std::uint32_t samples,
-                         std::uint32_t format, const std::string& pixels,
-                         const std::vector<Tag>& other = {}) {
-    std::vector<Tag> tags = {{256, width},
-                             {257, height},
-                             {258, bits},
-                             {259, 1},
-                             {262, samples >= 3 ? 2u : 1u},
-                             {273, 0},
-                             {277, samples},
-                             {278, height},
-                             {279, static_cast<std::uint32_t>(pixels.size())},
-                             {339, format}};
-    for (const Tag& changed : other) {
-        for (Tag& tag : tags) {
-            if (tag.tag == changed.tag) tag = changed;
+// 20 x 2 pixels of 8 bits in two tiles of 16 x 16 side by side; pixel (x, y) is x + 20 y, all around it 255.
+std::string tiled_by_hand() {
+    constexpr std::uint32_t kWidth = 20, kHeight = 2, kTile = 16, kTileBytes = kTile * kTile;
+    const std::vector<TiffTag> tags = {{256, kWidth}, {257, kHeight}, {258, 8},     {259, 1}, {262, 1},
+                                       {277, 1},      {322, kTile},   {323, kTile}, {324, 0}, {325, 0}};
+    const std::uint32_t arrays = 8 + 2 + 12 * static_cast<std::uint32_t>(tags.size()) + 4,
+                        pixels = arrays + 16;
+    std::string file = std::string("II*\0", 4) + bytes_of_number(std::uint32_t{8}) +
+                       bytes_of_number(static_cast<std::uint16_t>(tags.size()));
+    for (const TiffTag& tag : tags) {
+        const bool array = tag.tag == 324 || tag.tag == 325;
+        const std::uint32_t place = tag.tag == 324 ? arrays : arrays + 8;
+        file += bytes_of_number(tag.tag) + bytes_of_number(std::uint16_t{4}) +
+                bytes_of_number(array ? 2u : 1u) + bytes_of_number(array ? place : tag.value);
+    }
+    file += bytes_of_number(std::uint32_t{0}) + bytes_of_number(pixels) +
+            bytes_of_number(pixels + kTileBytes) + bytes_of_number(kTileBytes) + bytes_of_number(kTileBytes);
+    for (std::uint32_t left = 0; left < kWidth; left += kTile) {
+        for (std::uint32_t i = 0; i < kTileBytes; ++i) {
+            const std::uint32_t x = left + i % kTile, y = i / kTile;
+            file += static_cast<char>(x < kWidth && y < kHeight ? x + kWidth * y : 255);
         }
     }
-    const bool many = samples > 2;  // then these are arrays, behind the directory
-    const std::uint32_t end = 8 + 2 + 12 * static_cast<std::uint32_t>(tags.size()) + 4;
-    std::string arrays;
-    std::string file =
-        std::string("II*\0", 4) + number(std::uint32_t{8}) + number(static_cast<std::uint16_t>(tags.size()));
-    for (const Tag& tag : tags) {
-        const bool each = tag.tag == 258 || tag.tag == 339;
-        std::uint32_t value = tag.value;
-        if (tag.tag == 273) value = end + (many ? 4 * samples : 0);
-        if (each && many) value = end + static_cast<std::uint32_t>(arrays.size());
-        if (each && !many && samples == 2) value = tag.value | tag.value << 16;
-        if (each && many) {
-            for (std::uint32_t s = 0; s < samples; ++s)
-                arrays += number(static_cast<std::uint16_t>(tag.value));
-        }
-        file += number(tag.tag) + number(std::uint16_t{each ? std::uint16_t{3} : std::uint16_t{4}}) +
-                number(each ? samples : 1u) + number(value);
-    }
-    return file + number(std::uint32_t{0}) + arrays + pixels;
+    return file;
 }
 
 // Empty where the program was built without libtiff.
@@ -99,15 +73,16 @@ TEST_CASE("tiff: codes of 8 and 16 bits, floats, grey and RGB, alpha") {
         CHECK(!grey.linear);
         CHECK(grey.alpha.empty());
     }
-    const std::string words =
-        number(std::uint16_t{1}) + number(std::uint16_t{65535}) + number(std::uint16_t{256});
+    const std::string words = bytes_of_number(std::uint16_t{1}) + bytes_of_number(std::uint16_t{65535}) +
+                              bytes_of_number(std::uint16_t{256});
     for (const TiffImage& colour : read(tiff_by_hand(1, 1, 16, 3, kWhole, words))) {
         REQUIRE(colour.planes.size() == 3);
         CHECK(colour.planes[0].at(0, 0) == 1.0f / 65535);
         CHECK(colour.planes[1].at(0, 0) == 1);
         CHECK(colour.planes[2].at(0, 0) == 256.0f / 65535);
     }
-    const std::string floats = number(1.5f) + number(-2.0f) + number(1e-30f) + number(0.25f);
+    const std::string floats =
+        bytes_of_number(1.5f) + bytes_of_number(-2.0f) + bytes_of_number(1e-30f) + bytes_of_number(0.25f);
     for (const TiffImage& colour : read(tiff_by_hand(1, 1, 32, 4, kReal, floats))) {
         REQUIRE(colour.planes.size() == 3);
         CHECK(colour.linear);
@@ -115,10 +90,25 @@ TEST_CASE("tiff: codes of 8 and 16 bits, floats, grey and RGB, alpha") {
         CHECK(colour.planes[2].at(0, 0) == 1e-30f);
         CHECK(colour.alpha.at(0, 0) == 0.25f);
     }
-    const std::string halves = number(std::uint16_t{0x3c00}) + number(std::uint16_t{0xc000});
+    const std::string halves =
+        bytes_of_number(std::uint16_t{0x3c00}) + bytes_of_number(std::uint16_t{0xc000});
     for (const TiffImage& grey : read(tiff_by_hand(2, 1, 16, 1, kReal, halves))) {
         CHECK(grey.planes[0].at(0, 0) == 1);
         CHECK(grey.planes[0].at(1, 0) == -2);
+    }
+}
+
+TEST_CASE("tiff: tiles are put together, and what they hold beyond the picture is left out") {
+    for (const TiffImage& grey : read(tiled_by_hand())) {
+        REQUIRE(grey.planes.size() == 1);
+        REQUIRE(grey.planes[0].size == Size{20, 2});
+        for (int y = 0; y < 2; ++y) {
+            for (int x = 0; x < 20; ++x) {
+                CAPTURE(x);
+                CAPTURE(y);
+                CHECK(grey.planes[0].at(x, y) == static_cast<float>(x + 20 * y) / 255);
+            }
+        }
     }
 }
 
@@ -126,11 +116,18 @@ TEST_CASE("tiff: what cannot be compared is named in one line") {
     const std::string pixels(4, '\x10'), good = tiff_by_hand(2, 2, 8, 1, kWhole, pixels);
     if (read(good).empty()) return;
     CHECK(contains(refusal(""), "a.tif: not a TIFF that can be compared"));
-    CHECK(contains(refusal("GIF89a"), "; give grey or RGB in strips"));
+    CHECK(contains(refusal("GIF89a"), "; give grey or RGB, upright"));
     CHECK(contains(refusal(tiff_by_hand(2, 2, 32, 1, kWhole, std::string(16, '\1'))), "32 bits, format 1"));
     constexpr std::uint32_t kPhotometric = 262, kWhiteIsZero = 0;
     CHECK(contains(refusal(tiff_by_hand(2, 2, 8, 1, kWhole, pixels, {{kPhotometric, kWhiteIsZero}})),
                    "photometric 0"));
+    constexpr std::uint16_t kCompression = 259, kOrientation = 274;
+    CHECK(contains(refusal(tiff_by_hand(2, 2, 8, 1, kWhole, pixels, {{kOrientation, 4}})), "orientation 4"));
+    constexpr std::uint32_t kFirstDirectory = 8;
+    CHECK(contains(refusal(tiff_by_hand(2, 2, 8, 1, kWhole, pixels, {}, kFirstDirectory)),
+                   "more than one picture"));
+    CHECK(contains(refusal(tiff_by_hand(1u << 29, 1, 8, 1, kWhole, pixels, {{kCompression, 32773}})),
+                   "its lines are longer than the file can hold"));
     CHECK(refusal(tiff_by_hand(2, 2, 8, 1, kWhole, pixels, {{256, 0}})) != "");
     CHECK(refusal(tiff_by_hand(60000, 60000, 8, 1, kWhole, pixels)) != "");
     for (std::size_t length = 0; length < good.size(); ++length) {

@@ -24,18 +24,7 @@ TEST_CASE("setting_phrase: a setting inside a sentence") {
           "gtao with 4 samples, radius 0.5 and 2 blurs at full size");
 }
 
-TEST_CASE("parameter_value: as set, or the method's default") {
-    CHECK(parameter_value({"xjun", {{"samples", "3"}}}, "samples") == 3.0);
-    CHECK(parameter_value({"xjun", {}}, "samples") == 14.0);
-    CHECK_FALSE(parameter_value({"xjun", {}}, "no such"));
-    CHECK_FALSE(parameter_value({"a method of a later version", {}}, "samples"));
-    CHECK_FALSE(parameter_value({"xjun", {{"samples", "many"}}}, "samples"));
-}
-
-TEST_CASE("counted, listed, view_words") {
-    CHECK(counted(0, "thread") == "0 threads");
-    CHECK(counted(1, "thread") == "1 thread");
-    CHECK(counted(2, "thread") == "2 threads");
+TEST_CASE("listed, view_words") {
     CHECK(listed({}) == "");
     CHECK(listed({"a"}) == "a");
     CHECK(listed({"a", "b"}) == "a and b");

@@ -9,6 +9,7 @@
 #include "chapters/frame/frame.h"
 #include "chapters/sweep/results_json.h"
 #include "chapters/sweep/shards.h"
+#include "chapters/sweep/sweep_words.h"
 #include "rasterizer/base/image_summary.h"
 #include "tests/tools/noisy_images.h"
 #include "tests/tools/sweep_plans.h"

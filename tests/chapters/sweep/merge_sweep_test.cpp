@@ -10,6 +10,7 @@
 #include "chapters/sweep/error_job.h"
 #include "chapters/sweep/run_sweep.h"
 #include "chapters/sweep/sweep_directory.h"
+#include "chapters/sweep/sweep_words.h"
 #include "chapters/terminal/program_version.h"
 #include "rasterizer/base/file_bytes.h"
 #include "tests/tools/crevice_says.h"
@@ -303,7 +304,7 @@ TEST_CASE("merge: an image that was timed and is not the one that was judged is 
     const SweepDirectory directory(scratch / "a");
     directory.begin(plan_from_text(text, "plan.json"), jobs);
     ErrorJudge judge(std::nullopt, {.threads = 1});
-    const ErrorJudge::Judged judged = judge.judge(jobs[0]);
+    const ErrorJudge::JudgedImage judged = judge.judge(jobs[0]);
     directory.store({jobs[0].id, version_text(program_version()), judged.result, {}, {}}, &judged.picture);
     FinishedJob times = made_up_times(jobs[6]);
     times.times[0].hash = judged.result.hash;

@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "chapters/sweep/shards.h"
+#include "chapters/sweep/sweep_words.h"
 #include "rasterizer/base/image_io.h"
 #include "tests/tools/error_message.h"
 #include "tests/tools/scratch_directory.h"
@@ -39,6 +40,14 @@ TEST_CASE("sweep jobs: one a setting, seed and view; times one a view and number
     CHECK(words_of(jobs[13]) == "cornell 48x27, times of 6 settings on 2 threads");
     CHECK(jobs_of(kSmallPlan).size() == 12);
     CHECK(jobs_of(plan_with("[[48, 27]]", "[[48, 27], [27, 48]]", timed_plan())).size() == 28);
+}
+
+TEST_CASE("sweep jobs: lists that multiply to too many images are refused before any is made") {
+    std::string seeds = "[0";
+    for (int seed = 1; seed < 20'000; ++seed) seeds += ", " + std::to_string(seed);
+    CHECK(contains(
+        message_of<UsageError>([&] { jobs_of(plan_with("[1000, 1001]", seeds + "]")); }),
+        "methods: too many images, 1 views of 6 settings with 20000 seeds (120000, at most 100000)"));
 }
 
 TEST_CASE("sweep jobs: ids are the same each time and another where anything is another") {

@@ -72,6 +72,8 @@ TEST_CASE("help is --help, of the program and of its commands") {
     CHECK(!Program().parse({"help", "draw"}));
     CHECK(!Program().parse({"draw", "--help"}));
     CHECK(refusal({"help", "darw"}).starts_with("program: "));
+    CHECK(refusal({"help", "draw", "columns"}) ==
+          "program help: tells of one command at a time (columns); leave it away");
 }
 
 TEST_CASE("all words can be listed: for a shell that completes them") {

@@ -24,3 +24,18 @@ TEST_CASE("an exact text reads back as the same float") {
     CHECK(exact_text(-std::numeric_limits<float>::infinity()) == "-inf");
     CHECK(exact_text(-std::numeric_limits<float>::quiet_NaN()) == "NaN");
 }
+
+TEST_CASE("a number is the whole text or none") {
+    CHECK(number_in("3") == 3.0);
+    CHECK(number_in("-0.25") == -0.25);
+    for (const char* other : {"", " 3", "3 ", "3px", "many"}) {
+        CAPTURE(other);
+        CHECK_FALSE(number_in(other));
+    }
+}
+
+TEST_CASE("counted: one alone is singular") {
+    CHECK(counted(0, "thread") == "0 threads");
+    CHECK(counted(1, "thread") == "1 thread");
+    CHECK(counted(2, "thread") == "2 threads");
+}

@@ -1,8 +1,9 @@
-#include "chapters/compare/pfm.h"
+#include "chapters/images/pfm.h"
 
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 
 #include "rasterizer/base/error.h"
@@ -10,8 +11,6 @@
 namespace crevice {
 
 namespace {
-
-constexpr long long kMaxValues = 1LL << 30;
 
 // The words of a header, one after the other; each ends with one blank character.
 class HeaderWords {
@@ -64,10 +63,10 @@ Planes planes_from_pfm(const std::string& bytes, const std::string& name) {
     const Size size{number<int>(width), number<int>(height)};
     const int components = kind == "PF" ? 3 : 1;
     if (size.width <= 0 || size.height <= 0 ||
-        static_cast<long long>(size.width) * size.height >= kMaxValues / components)
+        static_cast<long long>(size.width) * size.height >= kMaxImageValues / components)
         fail("its size is no size (" + width + " " + height + ")");
     const double unit = number<double>(scale);
-    if (unit == 0) fail("its scale is no scale (" + scale + ")");
+    if (unit == 0 || !std::isfinite(unit)) fail("its scale is no scale (" + scale + ")");
     const std::size_t expected = sizeof(float) * static_cast<std::size_t>(components) *
                                  static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
     if (bytes.size() - words.at() != expected)

@@ -1,4 +1,4 @@
-// A sweep's results as its report reads them: what belongs to one view stands together, and the errors of a setting, over its
+// A sweep's results as its tables and its report read them: what belongs to one view stands together, and the errors of a setting, over its
 // seeds, beside its times.
 // Errors: against soft truth, that is with the method's own fade, unless another is named; of the seeds that did not fail
 // Times:  of AO and blur together, median wall time of the rounds
@@ -52,8 +52,9 @@ struct SettingFigures {
     std::string point = "";                      // of the first of its times, or its own where there is none
 
     const SettingTime* time(int threads) const;
-    // The seeds whose image had pixels with NaN or infinity.
-    int failed_seeds() const;
+    // The seeds whose image is finite; of all others nothing is told but that they failed.
+    std::vector<const SweepErrorResult*> sound_seeds() const;
+    int failed_seeds() const { return static_cast<int>(seeds.size() - sound_seeds().size()); }
 };
 
 struct ViewFigures {
@@ -89,6 +90,10 @@ ErrorTerms error_terms(const std::vector<SweepErrorPart>& parts);
 
 // The step with the largest share, the first of equals; null where there are no parts or none adds to the error.
 const SweepErrorPart* largest_part(const std::vector<SweepErrorPart>& parts);
+
+// The value of a parameter, the method's default where the setting does not change it. None where the method has no such
+// number.
+std::optional<double> parameter_value(const SweepSetting& setting, const std::string& parameter);
 
 // In the order in which they first appear: a method has the same place, and colour, in all plots with one line a method.
 std::vector<std::string> methods_of(const SweepResults& results);

@@ -1,9 +1,10 @@
-#include "chapters/report/sweep_figures.h"
+#include "chapters/sweep/sweep_figures.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "chapters/report/setting_words.h"
+#include "chapters/terminal/number_text.h"
+#include "ssao/ao_methods.h"
 
 namespace crevice {
 
@@ -92,8 +93,7 @@ std::optional<double> limit_rmse(const std::vector<const SweepErrorResult*>& see
 }
 
 std::optional<SettingErrors> errors_of(const SettingFigures& figures) {
-    std::vector<const SweepErrorResult*> sound = figures.seeds;
-    std::erase_if(sound, [](const SweepErrorResult* seed) { return seed->nan_or_inf > 0; });
+    const std::vector<const SweepErrorResult*> sound = figures.sound_seeds();
     if (sound.empty()) return std::nullopt;
     SettingErrors errors;
     errors.seeds = static_cast<int>(sound.size());
@@ -118,7 +118,7 @@ std::optional<BarFigure> time_figure(const SweepTimeResult& result) {
     const SweepPassTime* timed = nullptr;
     for (const SweepPassTime& pass : result.passes) {
         timed = &pass;
-        if (pass.pass == "ao and blur") break;
+        if (pass.pass == kWholePass) break;
     }
     if (timed == nullptr || !(timed->wall.median > 0)) return std::nullopt;
     return BarFigure{timed->wall.median, timed->wall.low, timed->wall.high};
@@ -143,9 +143,10 @@ const SettingTime* SettingFigures::time(int threads) const {
     return nullptr;
 }
 
-int SettingFigures::failed_seeds() const {
-    return static_cast<int>(std::count_if(seeds.begin(), seeds.end(),
-                                          [](const SweepErrorResult* seed) { return seed->nan_or_inf > 0; }));
+std::vector<const SweepErrorResult*> SettingFigures::sound_seeds() const {
+    std::vector<const SweepErrorResult*> sound = seeds;
+    std::erase_if(sound, [](const SweepErrorResult* seed) { return seed->nan_or_inf > 0; });
+    return sound;
 }
 
 std::optional<BarFigure> ViewFigures::same_again(int of_threads) const {
@@ -235,6 +236,16 @@ const SweepErrorPart* largest_part(const std::vector<SweepErrorPart>& parts) {
         if (part.share > 0 && (largest == nullptr || part.share > largest->share)) largest = &part;
     }
     return largest;
+}
+
+std::optional<double> parameter_value(const SweepSetting& setting, const std::string& parameter) {
+    for (const auto& [name, value] : setting.parameters) {
+        if (name == parameter) return number_in(value);
+    }
+    for (const Method& method : ao_methods()) {
+        if (setting.method == method.name) return value_of(method, defaults_of(method), parameter);
+    }
+    return std::nullopt;
 }
 
 std::vector<std::string> methods_of(const SweepResults& results) {

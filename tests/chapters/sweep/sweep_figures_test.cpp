@@ -1,4 +1,4 @@
-#include "chapters/report/sweep_figures.h"
+#include "chapters/sweep/sweep_figures.h"
 
 #include <cmath>
 
@@ -138,4 +138,12 @@ TEST_CASE("error_terms: T to S, S to C and C to frame add up") {
     REQUIRE(largest_part(parts) != nullptr);
     CHECK(largest_part(parts)->step == "sampling");
     CHECK(largest_part({{"blur", 0, 0, -1}}) == nullptr);
+}
+
+TEST_CASE("parameter_value: as set, or the method's default") {
+    CHECK(parameter_value({"xjun", {{"samples", "3"}}}, "samples") == 3.0);
+    CHECK(parameter_value({"xjun", {}}, "samples") == 14.0);
+    CHECK_FALSE(parameter_value({"xjun", {}}, "no such"));
+    CHECK_FALSE(parameter_value({"a method of a later version", {}}, "samples"));
+    CHECK_FALSE(parameter_value({"xjun", {{"samples", "many"}}}, "samples"));
 }
