@@ -68,7 +68,7 @@ SceneArgument load_scene(const std::string& name_or_path, const WantedOfScene& w
     options.want_textures = wanted.surfaces;
     options.want_unused_texcoords = wanted.unused_texcoords;
     options.outside_files = wanted.outside_files;
-    LoadedObj loaded = load_obj(name_or_path, options);
+    LoadedObj loaded = load_obj(name_or_path, options, wanted.run);
     require_within_reach(name_or_path, world_bounds(loaded.scene));
     for (const std::string& warning : loaded.report.warnings) std::cerr << warning << "\n";
     return {std::move(loaded.scene), true, std::move(loaded.steps)};

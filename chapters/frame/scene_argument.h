@@ -22,7 +22,7 @@ struct WantedOfScene {
     bool surfaces = true;
     bool unused_texcoords = false;  // of an OBJ: texture coordinates that no texture asks for
     bool outside_files = false;     // of an OBJ: materials and textures outside its directory
-    Run run = {};                   // with which a built-in scene is made
+    Run run = {};                   // with which a built-in scene is made, and an OBJ is read
 };
 
 // Warnings of the OBJ loader go to stderr. Throws UsageError for a word that names nothing, InputError for a file that cannot

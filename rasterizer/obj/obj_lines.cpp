@@ -5,8 +5,6 @@
 namespace crevice {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\0' || c == '\v' || c == '\f'; }
-
 bool ends_in_backslash(std::string_view physical) { return !physical.empty() && physical.back() == '\\'; }
 
 bool is_comment(std::string_view physical) {
@@ -33,15 +31,15 @@ bool LogicalLines::advance() {
 
 std::string_view LogicalLines::take_physical() {
     if (rest.empty()) return {};
-    const char* const begin = rest.data();
-    const char* const end = begin + rest.size();
-    const char* stop = begin;
-    while (stop != end && *stop != '\n' && *stop != '\r') ++stop;
-    const char* next = stop == end ? end : stop + 1;
-    if (stop != end && *stop == '\r' && next != end && *next == '\n') ++next;
-    rest.remove_prefix(static_cast<std::size_t>(next - begin));
+    if (to_feed == 0) to_feed = std::min(rest.find('\n'), rest.size()) + 1;
+    const std::string_view before_feed = rest.substr(0, to_feed - 1);
+    const std::string_view physical = before_feed.substr(0, before_feed.find('\r'));
+    const bool crlf = physical.size() + 1 == before_feed.size();
+    const std::size_t taken = physical.size() + (crlf ? 2 : 1);
+    rest.remove_prefix(std::min(taken, rest.size()));
+    to_feed -= taken;
     ++next_line;
-    return {begin, static_cast<std::size_t>(stop - begin)};
+    return physical;
 }
 
 std::string_view take_word(std::string_view& rest) {

@@ -9,9 +9,10 @@ namespace crevice {
 
 // One logical line after another: lines end in LF, CRLF or CR, and a backslash at the end joins a line to the
 // next one (not in a comment). After advance() returned true, `text` is the line and `line` the number of its
-// first physical line, from 1.
+// first physical line, counted from that of the text.
 struct LogicalLines {
-    explicit LogicalLines(std::string_view whole_text) : rest(whole_text) {}
+    explicit LogicalLines(std::string_view whole_text, std::size_t first_line = 1)
+        : rest(whole_text), next_line(first_line) {}
 
     bool advance();  // false: there are no more
 
@@ -22,12 +23,18 @@ struct LogicalLines {
     std::string_view take_physical();
 
     std::string_view rest;
-    std::size_t next_line = 1;
+    std::size_t next_line;
+    std::size_t to_feed =
+        0;               // length of the rest with its first LF, or 1 more than its own; 0: not looked for
     std::string joined;  // backs `text` where lines were joined
 };
 
-// Takes the next word off the front of `rest`; empty at the end and at a comment. Blanks are space, tab, NUL,
-// VT and FF.
+// Space, tab, NUL, VT and FF. Most characters are none, and found to be so at the first look.
+inline bool is_blank(char c) {
+    return c <= ' ' && (c == ' ' || c == '\t' || c == '\0' || c == '\v' || c == '\f');
+}
+
+// Takes the next word off the front of `rest`; empty at the end and at a comment.
 std::string_view take_word(std::string_view& rest);
 
 // `text` without blanks at both ends.

@@ -16,10 +16,10 @@
 #include "rasterizer/obj/ear_clip.h"
 #include "rasterizer/obj/obj_materials.h"
 #include "rasterizer/obj/obj_mesh.h"
-#include "rasterizer/obj/obj_parse.h"
-#include "rasterizer/obj/obj_prescan.h"
+#include "rasterizer/obj/obj_text.h"
 #include "rasterizer/obj/obj_triangles.h"
 #include "rasterizer/obj/text_encoding.h"
+#include "rasterizer/obj/text_pieces.h"
 
 namespace crevice {
 namespace {
@@ -115,35 +115,40 @@ void check_memory(const std::filesystem::path& path) {
                      " are there); split or simplify it");
 }
 
-LoadedObj loaded_from(const std::filesystem::path& path, const ObjOptions& options) {
+ObjText read_text(std::string_view bytes, const std::string& name, const ObjOptions& options,
+                  const Run& run) {
+    const std::vector<TextPiece> pieces = text_pieces(bytes, options.piece_bytes, run);
+    ObjText text = read_obj_text(pieces, name, run);
+    text.vertices.recentre(pieces, name, text.faces, text.report.warnings, run);
+    return text;
+}
+
+LoadedObj loaded_from(const std::filesystem::path& path, const ObjOptions& options, const Run& run) {
     const std::string name = path.string();
     LoadedObj loaded;
     StepTimer timer(loaded.steps);
     check_memory(path);
     std::string bytes = read_file(path, kMaxObjBytes);
     if (bytes.empty()) throw InputError(name + ": the file is empty; give an OBJ with vertices and faces");
-    const std::string text = utf8_text(std::move(bytes), name);
+    bytes = utf8_text(std::move(bytes), name);
     timer.finish("read the file");
-    ObjPrescan prescan = prescan_obj(text, name);
-    timer.finish("numbers and structure");
-    const ObjFaces faces = parse_faces(prescan);
-    prescan.vertices.recentre(text, name, faces, prescan.report.warnings);
-    timer.finish("faces");
-    ObjTriangles triangles = triangulate_obj(prescan, faces, std::move(prescan.report));
+    ObjText text = read_text(bytes, name, options, run);
+    bytes = {};
+    timer.finish("numbers and faces");
+    ObjTriangles triangles = triangulate_obj(text, std::move(text.report));
     timer.finish("triangles");
     ObjMaterials materials =
-        load_obj_materials(path, prescan.libraries, prescan.materials,
+        load_obj_materials(path, text.libraries, text.materials,
                            {.surfaces = options.want_textures, .outside = options.outside_files});
-    if (!prescan.vertices.colours.empty()) show_vertex_colours_alone(materials.materials.back());
+    if (!text.vertices.colours.empty()) show_vertex_colours_alone(materials.materials.back());
     timer.finish("materials and textures");
     const auto any = [&](const auto& has) {
         return std::any_of(materials.materials.begin(), materials.materials.end(), has);
     };
     const bool normal_maps = any([](const Material& m) { return m.normal_map != nullptr; });
     const bool textured = normal_maps || any([](const Material& m) { return m.texture != nullptr; });
-    ObjMesh built =
-        build_obj_mesh(prescan, faces, triangles, {materials.of_use, materials.texcoord_maps, normal_maps},
-                       options.want_unused_texcoords || textured, options.crease_angle_rad);
+    ObjMesh built = build_obj_mesh(text, triangles, {materials.of_use, materials.texcoord_maps, normal_maps},
+                                   options.want_unused_texcoords || textured, options.crease_angle_rad);
     timer.finish("vertices and normals");
 
     ObjReport& report = loaded.report = std::move(triangles.report);
@@ -151,7 +156,7 @@ LoadedObj loaded_from(const std::filesystem::path& path, const ObjOptions& optio
     const std::size_t skipped = report.too_few_corners.count + report.too_many_corners.count;
     report.dropped_faces =
         skipped + report.missing_vertices.count + report.not_finite.count + report.zero_area.count;
-    const std::vector<std::string> found = warnings_of(report, name, skipped + faces.faces.size());
+    const std::vector<std::string> found = warnings_of(report, name, skipped + text.faces.faces.size());
     report.warnings.insert(report.warnings.end(), found.begin(), found.end());
     report.warnings.insert(report.warnings.end(), materials.warnings.begin(), materials.warnings.end());
     report.warnings = few_of_each_kind(report.warnings);
@@ -162,7 +167,7 @@ LoadedObj loaded_from(const std::filesystem::path& path, const ObjOptions& optio
     scene.instances.push_back({});
     scene.materials = std::move(materials.materials);
     scene.two_sided = true;
-    scene.origin = {prescan.vertices.origin.x, prescan.vertices.origin.y, -prescan.vertices.origin.z};
+    scene.origin = {text.vertices.origin.x, text.vertices.origin.y, -text.vertices.origin.z};
     add_light(scene);
     const Bounds bounds = world_bounds(scene);
     scene.camera = framing_camera(scene);
@@ -172,9 +177,9 @@ LoadedObj loaded_from(const std::filesystem::path& path, const ObjOptions& optio
 
 }  // namespace
 
-LoadedObj load_obj(const std::filesystem::path& path, const ObjOptions& options) {
+LoadedObj load_obj(const std::filesystem::path& path, const ObjOptions& options, const Run& run) {
     try {
-        return loaded_from(path, options);
+        return loaded_from(path, options, run);
     } catch (const std::bad_alloc&) {
         throw InputError(path.string() + ": there is not enough memory for the scene; give a smaller one");
     }

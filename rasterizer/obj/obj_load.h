@@ -1,13 +1,16 @@
 // OBJ files (with MTL and textures) as scenes.
 //
-// A file's text is first looked over and its numbers read (obj_prescan), its faces are then read by
-// tinyobjloader (obj_parse), cut into triangles (obj_triangles), and made a mesh (obj_mesh); its materials
-// come from MTL files (mtl_read, obj_materials) and their pictures (material_textures).
+// A file's text is read in pieces (text_pieces): each is first looked over and its numbers read (obj_prescan),
+// its faces are then read by tinyobjloader (obj_parse), and the pieces joined (obj_text). Faces are cut into
+// triangles (obj_triangles), and these made a mesh (obj_mesh); materials come from MTL files (mtl_read,
+// obj_materials) and their pictures (material_textures).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 
+#include "rasterizer/base/run.h"
 #include "rasterizer/obj/obj_report.h"
 #include "rasterizer/scene/framing_camera.h"
 #include "rasterizer/scene/scene.h"
@@ -26,6 +29,8 @@ struct ObjOptions {
     bool outside_files = false;  // MTL and texture files outside the OBJ's directory are read, too
     bool want_unused_texcoords =
         true;  // false: no texture coordinates unless a texture that was read needs them
+    // At least 1; the text is read in pieces of about this length. It changes nothing in what is read.
+    std::size_t piece_bytes = std::size_t{1} << 18;
 };
 
 // What a part of the loading took.
@@ -49,6 +54,6 @@ struct LoadedObj {
 // face was dropped is a scene without triangles. Throws InputError when the file is missing, no regular file,
 // too large (for memory, too), no OBJ, or has a number or an index that is not one ("path:line: ...");
 // UsageError for an option out of range.
-LoadedObj load_obj(const std::filesystem::path& path, const ObjOptions& options = {});
+LoadedObj load_obj(const std::filesystem::path& path, const ObjOptions& options = {}, const Run& run = {});
 
 }  // namespace crevice

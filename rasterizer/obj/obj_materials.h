@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "rasterizer/obj/material_textures.h"
-#include "rasterizer/obj/obj_parse.h"
+#include "rasterizer/obj/obj_faces.h"
 #include "rasterizer/obj/obj_prescan.h"
 #include "rasterizer/scene/scene.h"
 

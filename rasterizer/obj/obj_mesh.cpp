@@ -69,8 +69,7 @@ struct FinalNormals {
 };
 
 // The file's normals, followed by the generated ones.
-FinalNormals final_normals(const ObjPrescan& prescan, const ObjFaces& faces, const ObjTriangles& from,
-                           double crease_angle_rad) {
+FinalNormals final_normals(const ObjText& text, const ObjTriangles& from, double crease_angle_rad) {
     FinalNormals result{from.normals, std::vector<std::array<std::uint32_t, 3>>(from.triangles.size())};
     for (std::size_t t = 0; t < from.triangles.size(); ++t) {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -85,12 +84,12 @@ FinalNormals final_normals(const ObjPrescan& prescan, const ObjFaces& faces, con
     for (std::size_t t = 0; t < from.triangles.size(); ++t) {
         for (std::size_t k = 0; k < 3; ++k) {
             by_position[t][k] =
-                static_cast<std::uint32_t>(faces.corners[from.triangles[t].corners[k]].position);
+                static_cast<std::uint32_t>(text.faces.corners[from.triangles[t].corners[k]].position);
         }
     }
-    const std::vector<std::uint32_t> groups = smoothing_groups(faces, from.triangles);
+    const std::vector<std::uint32_t> groups = smoothing_groups(text.faces, from.triangles);
     const CornerNormals generated =
-        angle_weighted_normals(prescan.vertices.positions, by_position, crease_angle_rad, groups);
+        angle_weighted_normals(text.vertices.positions, by_position, crease_angle_rad, groups);
     const auto first_generated = static_cast<std::uint32_t>(result.normals.size());
     result.normals.insert(result.normals.end(), generated.normals.begin(), generated.normals.end());
     for (std::size_t t = 0; t < from.triangles.size(); ++t) {
@@ -129,7 +128,7 @@ std::vector<int> first_of_equal_maps(std::span<const TexcoordMap> maps) {
     return first;
 }
 
-void add_vertices(Mesh& mesh, const std::vector<VertexKey>& keys, const ObjPrescan& prescan,
+void add_vertices(Mesh& mesh, const std::vector<VertexKey>& keys, const ObjText& text,
                   const std::vector<glm::vec3>& normals, std::span<const TexcoordMap> maps,
                   bool has_texcoords) {
     mesh.positions.reserve(keys.size());
@@ -137,13 +136,13 @@ void add_vertices(Mesh& mesh, const std::vector<VertexKey>& keys, const ObjPresc
     if (has_texcoords) mesh.texcoords.reserve(keys.size());
     for (const VertexKey& key : keys) {
         const auto position = static_cast<std::size_t>(key.position);
-        mesh.positions.push_back(world_from_file(prescan.vertices.positions[position]));
+        mesh.positions.push_back(world_from_file(text.vertices.positions[position]));
         mesh.normals.push_back(world_from_file(normals[key.normal]));
-        if (!prescan.vertices.colours.empty()) mesh.colours.push_back(prescan.vertices.colours[position]);
+        if (!text.vertices.colours.empty()) mesh.colours.push_back(text.vertices.colours[position]);
         if (!has_texcoords) continue;
         const bool absent = key.texcoord == kAbsentIndex;
         const TexcoordMap& map = maps[static_cast<std::size_t>(key.texcoord_map)];
-        const glm::vec2 t = absent ? glm::vec2(0) : prescan.texcoords[static_cast<std::size_t>(key.texcoord)];
+        const glm::vec2 t = absent ? glm::vec2(0) : text.texcoords[static_cast<std::size_t>(key.texcoord)];
         const glm::vec2 mapped = map.scale * t + map.offset;
         const bool finite = std::isfinite(mapped.x) && std::isfinite(mapped.y);
         mesh.texcoords.emplace_back(finite ? mapped.x : 0, finite ? 1 - mapped.y : 1);
@@ -152,9 +151,9 @@ void add_vertices(Mesh& mesh, const std::vector<VertexKey>& keys, const ObjPresc
 
 }  // namespace
 
-ObjMesh build_obj_mesh(const ObjPrescan& prescan, const ObjFaces& faces, const ObjTriangles& triangles,
-                       const ObjMeshMaterials& materials, bool want_texcoords, double crease_angle_rad) {
-    const FinalNormals normals = final_normals(prescan, faces, triangles, crease_angle_rad);
+ObjMesh build_obj_mesh(const ObjText& text, const ObjTriangles& triangles, const ObjMeshMaterials& materials,
+                       bool want_texcoords, double crease_angle_rad) {
+    const FinalNormals normals = final_normals(text, triangles, crease_angle_rad);
     const std::vector<int> texcoord_map_of = first_of_equal_maps(materials.texcoord_maps);
     ObjMesh result{{}, normals.generated};
     Mesh& mesh = result.mesh;
@@ -163,7 +162,7 @@ ObjMesh build_obj_mesh(const ObjPrescan& prescan, const ObjFaces& faces, const O
     bool has_texcoords = false;
     for (std::size_t t = 0; t < triangles.triangles.size(); ++t) {
         const ObjTriangle& triangle = triangles.triangles[t];
-        const std::int32_t use = faces.faces[triangle.face].material;
+        const std::int32_t use = text.faces.faces[triangle.face].material;
         const int material = use < 0 ? static_cast<int>(texcoord_map_of.size()) - 1
                                      : materials.of_use[static_cast<std::size_t>(use)];
         std::array<std::uint32_t, 3> numbers;
@@ -173,12 +172,12 @@ ObjMesh build_obj_mesh(const ObjPrescan& prescan, const ObjFaces& faces, const O
             has_texcoords = has_texcoords || texcoord != kAbsentIndex;
             const int texcoord_map = want_texcoords ? texcoord_map_of[static_cast<std::size_t>(material)] : 0;
             numbers[k] = vertices.number_of(
-                {faces.corners[corner].position, texcoord, normals.of_triangle[t][k], texcoord_map});
+                {text.faces.corners[corner].position, texcoord, normals.of_triangle[t][k], texcoord_map});
         }
         mesh.triangles.push_back({numbers[0], numbers[2], numbers[1]});
         add_to_parts(mesh.parts, material);
     }
-    add_vertices(mesh, vertices.keys, prescan, normals.normals, materials.texcoord_maps, has_texcoords);
+    add_vertices(mesh, vertices.keys, text, normals.normals, materials.texcoord_maps, has_texcoords);
     if (materials.normal_maps && has_texcoords) {
         mesh.tangents = vertex_tangents(mesh.positions, mesh.normals, mesh.texcoords, mesh.triangles);
     }

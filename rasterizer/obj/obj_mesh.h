@@ -4,8 +4,7 @@
 #include <span>
 
 #include "rasterizer/obj/material_textures.h"
-#include "rasterizer/obj/obj_parse.h"
-#include "rasterizer/obj/obj_prescan.h"
+#include "rasterizer/obj/obj_text.h"
 #include "rasterizer/obj/obj_triangles.h"
 #include "rasterizer/scene/scene.h"
 
@@ -18,7 +17,7 @@ struct ObjMesh {
 
 // What the mesh needs to know of the materials; the last one is for faces without.
 struct ObjMeshMaterials {
-    std::span<const int> of_use;                 // a material for each of ObjPrescan::materials
+    std::span<const int> of_use;                 // a material for each of ObjText::materials
     std::span<const TexcoordMap> texcoord_maps;  // one a material
     bool normal_maps = false;                    // any has one: the mesh gets tangents
 };
@@ -27,7 +26,7 @@ struct ObjMeshMaterials {
 // Corners without a normal get a generated one (see vertex_normals.h; the faces of one smoothing group share
 // it), those without texture coordinates (0, 0) in file space; when no corner has any, or want_texcoords is
 // false, the mesh has none. A part is a run of faces of one material.
-ObjMesh build_obj_mesh(const ObjPrescan& prescan, const ObjFaces& faces, const ObjTriangles& triangles,
-                       const ObjMeshMaterials& materials, bool want_texcoords, double crease_angle_rad);
+ObjMesh build_obj_mesh(const ObjText& text, const ObjTriangles& triangles, const ObjMeshMaterials& materials,
+                       bool want_texcoords, double crease_angle_rad);
 
 }  // namespace crevice

@@ -9,7 +9,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "rasterizer/obj/obj_parse.h"
+#include "rasterizer/obj/obj_faces.h"
 
 namespace crevice {
 

@@ -3,10 +3,12 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/obj/obj_lines.h"
 #include "rasterizer/obj/obj_numbers.h"
 
@@ -33,13 +35,30 @@ struct ObjPlace {
         return *value;
     }
 
+    // Takes the next number off the front of `rest`; nothing at the end and at a comment.
+    template <class Number>
+    std::optional<Number> take_number(std::string_view& rest) const {
+        std::size_t begin = 0;
+        while (begin < rest.size() && is_blank(rest[begin])) ++begin;
+        // Where digits end at a blank, they are a word of their own.
+        const char* const end = rest.data() + rest.size();
+        Number value = 0;
+        const auto [stop, error] = number_from_text(rest.data() + begin, end, value);
+        if (error == std::errc() && (stop == end || is_blank(*stop))) {
+            rest.remove_prefix(static_cast<std::size_t>(stop - rest.data()));
+            return value;
+        }
+        const std::string_view token = take_word(rest);
+        return token.empty() ? std::nullopt : std::optional(number<Number>(token));
+    }
+
     // Of a statement that has between `least` and kMost.
     template <class Number, std::size_t kMost>
     Numbers<Number, kMost> numbers(std::string_view keyword, std::string_view rest, std::size_t least) const {
         Numbers<Number, kMost> read;
-        for (std::string_view token = take_word(rest); !token.empty(); token = take_word(rest)) {
-            const Number value = number<Number>(token);
-            if (read.count < kMost) read.values[read.count] = value;
+        for (std::optional<Number> value = take_number<Number>(rest); value;
+             value = take_number<Number>(rest)) {
+            if (read.count < kMost) read.values[read.count] = *value;
             ++read.count;
         }
         if (read.count < least || read.count > kMost) {

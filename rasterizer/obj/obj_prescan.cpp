@@ -38,6 +38,35 @@ void check_index(const ObjPlace& place, std::string_view field, std::string_view
     if (value == 0) place.fail("an index is zero (" + std::string(corner) + "); OBJ counts from 1");
 }
 
+// How many corners `rest` has, if it is written as nearly every face is, so that nothing can be said against it
+// and it can go on as it stands: a blank before each corner, and one to three indices with slashes between them.
+// 0 if it is not.
+std::size_t plain_corners(std::string_view rest) {
+    constexpr int kDigits = 9;  // any number of so many fits
+    std::size_t corners = 0;
+    int fields = 0, digits = 0;
+    bool above_zero = false;
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+        const char c = rest[i];
+        if (c >= '0' && c <= '9') {
+            if (++digits > kDigits || fields == 0) return 0;
+            above_zero = above_zero || c != '0';
+            continue;
+        }
+        const bool no_texcoord = c == '/' && fields == 2 && rest[i - 1] == '/';
+        if (i > 0 && !above_zero && !no_texcoord) return 0;
+        if (c == ' ') {
+            ++corners;
+            fields = 1;
+        } else if (c != '/' || ++fields > 3) {
+            return 0;
+        }
+        digits = 0;
+        above_zero = false;
+    }
+    return above_zero ? corners : 0;
+}
+
 // v, v/vt, v//vn or v/vt/vn, also with empty last fields, which some exporters write.
 void check_corner(const ObjPlace& place, std::string_view corner) {
     std::string_view rest = corner;
@@ -53,15 +82,19 @@ void check_corner(const ObjPlace& place, std::string_view corner) {
 
 struct Scanner {
     ObjPlace place;
-    std::size_t vertex_or_face_lines = 0;
-    ObjPrescan found;
-    FaceOrigin of_next_face;
-    std::map<std::string, std::int32_t> material_of_name;
+    ObjPrescan found = {};
+    FaceOrigin of_next_face = {};
+    std::map<std::string, std::int32_t> material_of_name = {};
+    std::map<std::string, std::size_t> ignored_at = {};  // in the report
 
     void face(std::string_view rest) {
         const std::size_t begin = found.statements.size();
         found.statements.push_back('f');
-        std::size_t corners = 0;
+        std::size_t corners = plain_corners(rest);
+        if (corners > 0) {
+            found.statements.append(rest);
+            rest = {};
+        }
         for (std::string_view corner = take_word(rest); !corner.empty(); corner = take_word(rest)) {
             check_corner(place, corner);
             // Behind an empty last field tinyobjloader would read on into the next corner.
@@ -90,7 +123,7 @@ struct Scanner {
         const auto next = static_cast<std::int32_t>(found.materials.size());
         const auto [at, is_new] = material_of_name.emplace(material, next);
         if (is_new) found.materials.push_back({material, place.line});
-        of_next_face.material = at->second;
+        say(found.material, of_next_face.material = at->second);
     }
 
     void smoothing(std::string_view rest) {
@@ -100,41 +133,42 @@ struct Scanner {
         const auto [stop, error] = std::from_chars(group.data(), end, number);
         const bool whole = error == std::errc() && stop == end && number != kNoSmoothing;
         if (whole || group == "off" || group == "null") {
-            of_next_face.smoothing = number;
+            say(found.smoothing, of_next_face.smoothing = number);
         } else {
             ignore("s");
         }
     }
 
+    template <class T>
+    void say(Said<T>& said, T value) {
+        if (!said.last) said.faces_before = found.face_origins.size();
+        said.last = value;
+    }
+
     void ignore(std::string_view keyword) {
+        constexpr std::size_t kLongest = 40;
         auto& all = found.report.ignored_statements;
-        const auto same =
-            std::find_if(all.begin(), all.end(), [&](const auto& s) { return s.keyword == keyword; });
-        // A file of another kind can start every line with another word: the ninth and later are counted
-        // together.
-        constexpr std::size_t kMostKeywords = 8;
-        if (same != all.end()) {
-            same->lines.add(place.line);
-        } else if (all.size() <= kMostKeywords) {
-            const bool last = all.size() == kMostKeywords;
-            all.push_back({last ? "others" : std::string(keyword.substr(0, 40)), {}});
-            all.back().lines.add(place.line);
-        } else {
-            all.back().lines.add(place.line);
-        }
+        const auto [at, is_new] = ignored_at.emplace(keyword.substr(0, kLongest), all.size());
+        if (is_new) all.push_back({at->first, {}});
+        all[at->second].lines.add(place.line);
+    }
+
+    void comment(std::string_view text) {
+        constexpr std::string_view kPolypaint = "#MRGB ";
+        if (text.starts_with(kPolypaint)) found.vertices.add_polypaint(place, text.substr(kPolypaint.size()));
     }
 
     void statement(std::string_view rest) {
-        constexpr std::string_view kPolypaint = "#MRGB ";
-        if (const std::string_view line = trimmed(rest); line.starts_with(kPolypaint)) {
-            return found.vertices.add_polypaint(place, line.substr(kPolypaint.size()));
-        }
         const std::string_view written = take_word(rest);
-        const std::string keyword = lower_case(written);
-        if (keyword.empty()) return;
+        if (written.empty()) return comment(trimmed(rest));
+        std::string small;  // which nearly every keyword is already
+        const bool any_capital =
+            std::any_of(written.begin(), written.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
+        if (any_capital) small = lower_case(written);
+        const std::string_view keyword = any_capital ? small : written;
         if (keyword == "v") {
             found.vertices.add(place, rest);
-            ++vertex_or_face_lines;
+            ++found.vertex_or_face_lines;
         } else if (keyword == "vn") {
             const auto n = place.numbers<float, 3>(keyword, rest, 3).values;
             found.normals.push_back({n[0], n[1], n[2]});
@@ -143,7 +177,7 @@ struct Scanner {
             found.texcoords.push_back({t[0], t[1]});
         } else if (keyword == "f") {
             face(rest);
-            ++vertex_or_face_lines;
+            ++found.vertex_or_face_lines;
         } else if (keyword == "s") {
             smoothing(rest);
         } else if (keyword == "usemtl") {
@@ -158,22 +192,14 @@ struct Scanner {
 
 }  // namespace
 
-ObjPrescan prescan_obj(std::string_view text, const std::string& name) {
-    Scanner scanner{.place = {name}, .found = {}, .of_next_face = {}, .material_of_name = {}};
-    LogicalLines lines(text);
+ObjPrescan prescan_obj(const TextPiece& piece, const std::string& name) {
+    Scanner scanner{.place = {name}};
+    LogicalLines lines(piece.text, piece.first_line);
     while (lines.advance()) {
         scanner.place.line = lines.line;
         scanner.statement(lines.text);
     }
-    if (scanner.vertex_or_face_lines == 0) {
-        throw InputError(name + ": this is not an OBJ (no `v` and no `f` line in " +
-                         std::to_string(lines.line) + " lines); give an OBJ with vertices and faces");
-    }
-    if (scanner.found.vertices.positions.empty()) {
-        throw InputError(name + ":" + std::to_string(lines.line) +
-                         ": the file has faces and no vertices; give an OBJ with vertices and faces");
-    }
-    scanner.found.vertices.finish_colours(name, scanner.found.report.warnings);
+    scanner.found.last_line = lines.line;
     return std::move(scanner.found);
 }
 

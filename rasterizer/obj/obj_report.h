@@ -16,6 +16,11 @@ struct Tally {
         if (count == 0) first_line = line;
         ++count;
     }
+    // What was met further on.
+    void add(const Tally& later) {
+        if (count == 0) first_line = later.first_line;
+        count += later.count;
+    }
 };
 
 // A kind of statement that the loader does not draw, such as `l` or `curv`.

@@ -24,13 +24,12 @@ glm::vec3 unit_or_zero(glm::dvec3 v) {
 }
 
 struct Builder {
-    const ObjPrescan& prescan;
-    const ObjFaces& faces;
+    const ObjText& text;
     ObjTriangles made;
     std::vector<glm::vec3> outline;  // of the face in hand
 
     const glm::vec3& position(std::size_t corner) const {
-        return prescan.vertices.positions[static_cast<std::size_t>(faces.corners[corner].position)];
+        return text.vertices.positions[static_cast<std::size_t>(text.faces.corners[corner].position)];
     }
 
     // Collects the outline of a face; false when the face cannot be drawn.
@@ -38,7 +37,7 @@ struct Builder {
         outline.clear();
         for (std::uint32_t i = 0; i < face.corner_count; ++i) {
             const std::size_t corner = face.first_corner + i;
-            if (!is_listed(faces.corners[corner].position, prescan.vertices.positions)) {
+            if (!is_listed(text.faces.corners[corner].position, text.vertices.positions)) {
                 made.report.missing_vertices.add(face.line);
                 return false;
             }
@@ -53,7 +52,7 @@ struct Builder {
     }
 
     void add_triangle(std::uint32_t face_index, std::size_t a, std::size_t b, std::size_t c) {
-        const std::size_t first = faces.faces[face_index].first_corner;
+        const std::size_t first = text.faces.faces[face_index].first_corner;
         made.triangles.push_back({{first + a, first + b, first + c}, face_index});
     }
 
@@ -71,7 +70,7 @@ struct Builder {
             }
         }
         const Triangulation cut = ear_clip(outline);
-        if (cut.self_intersecting) made.report.self_intersecting.add(faces.faces[face_index].line);
+        if (cut.self_intersecting) made.report.self_intersecting.add(text.faces.faces[face_index].line);
         for (const auto& [a, b, c] : cut.triangles) add_triangle(face_index, a, b, c);
     }
 
@@ -92,16 +91,16 @@ struct Builder {
         const glm::dvec3 geometric = newell_normal(outline);
         glm::dvec3 sum(0);
         for (std::size_t c = face.first_corner; c < face.first_corner + face.corner_count; ++c) {
-            const std::int32_t n = faces.corners[c].normal, t = faces.corners[c].texcoord;
-            if (is_listed(n, prescan.normals)) {
+            const std::int32_t n = text.faces.corners[c].normal, t = text.faces.corners[c].texcoord;
+            if (is_listed(n, text.normals)) {
                 made.corner_normal[c] = n;
                 sum += glm::dvec3(made.normals[static_cast<std::size_t>(n)]);
             } else if (n != kAbsentIndex) {
                 made.report.missing_normals.add(face.line);
             }
-            const bool usable = is_listed(t, prescan.texcoords) &&
-                                std::isfinite(prescan.texcoords[static_cast<std::size_t>(t)].x) &&
-                                std::isfinite(prescan.texcoords[static_cast<std::size_t>(t)].y);
+            const bool usable = is_listed(t, text.texcoords) &&
+                                std::isfinite(text.texcoords[static_cast<std::size_t>(t)].x) &&
+                                std::isfinite(text.texcoords[static_cast<std::size_t>(t)].y);
             if (usable) made.corner_texcoord[c] = t;
             if (!usable && t != kAbsentIndex) made.report.missing_texcoords.add(face.line);
         }
@@ -138,7 +137,7 @@ struct Builder {
     }
 
     void add_face(std::uint32_t face_index) {
-        const ObjFace& face = faces.faces[face_index];
+        const ObjFace& face = text.faces.faces[face_index];
         if (!take_outline(face)) return;
         const std::size_t first = made.triangles.size();
         triangulate(face_index);
@@ -150,16 +149,16 @@ struct Builder {
 
 }  // namespace
 
-ObjTriangles triangulate_obj(const ObjPrescan& prescan, const ObjFaces& faces, ObjReport report) {
-    Builder builder{.prescan = prescan, .faces = faces, .made = {}, .outline = {}};
+ObjTriangles triangulate_obj(const ObjText& text, ObjReport report) {
+    Builder builder{.text = text, .made = {}, .outline = {}};
     ObjTriangles& made = builder.made;
     made.report = std::move(report);
-    made.triangles.reserve(faces.faces.size());
-    made.normals.reserve(prescan.normals.size());
-    for (const glm::vec3& normal : prescan.normals) made.normals.push_back(unit_or_zero(normal));
-    made.corner_normal.assign(faces.corners.size(), kAbsentIndex);
-    made.corner_texcoord.assign(faces.corners.size(), kAbsentIndex);
-    for (std::uint32_t f = 0; f < faces.faces.size(); ++f) builder.add_face(f);
+    made.triangles.reserve(text.faces.faces.size());
+    made.normals.reserve(text.normals.size());
+    for (const glm::vec3& normal : text.normals) made.normals.push_back(unit_or_zero(normal));
+    made.corner_normal.assign(text.faces.corners.size(), kAbsentIndex);
+    made.corner_texcoord.assign(text.faces.corners.size(), kAbsentIndex);
+    for (std::uint32_t f = 0; f < text.faces.faces.size(); ++f) builder.add_face(f);
     return std::move(builder.made);
 }
 

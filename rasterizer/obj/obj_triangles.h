@@ -8,9 +8,8 @@
 
 #include <glm/vec3.hpp>
 
-#include "rasterizer/obj/obj_parse.h"
-#include "rasterizer/obj/obj_prescan.h"
 #include "rasterizer/obj/obj_report.h"
+#include "rasterizer/obj/obj_text.h"
 
 namespace crevice {
 
@@ -23,7 +22,7 @@ struct ObjTriangles {
     std::vector<ObjTriangle> triangles;         // in the order of their faces; none without area
     std::vector<glm::vec3> normals;             // file space, unit: the file's (0: useless), then those added
     std::vector<std::int32_t> corner_normal;    // a corner's, into `normals`; kAbsentIndex: to be generated
-    std::vector<std::int32_t> corner_texcoord;  // a corner's, into ObjPrescan::texcoords; or kAbsentIndex
+    std::vector<std::int32_t> corner_texcoord;  // a corner's, into ObjText::texcoords; or kAbsentIndex
     ObjReport report;                           // the one passed in, with what the faces added
 };
 
@@ -31,6 +30,6 @@ struct ObjTriangles {
 // first and third corner. A face wound against its own normals (it faces away from their sum) is turned
 // round; a normal that is zero or not finite is replaced by the normal of the face, and so is an absent one
 // of a face that is shaded flat (`s off`).
-ObjTriangles triangulate_obj(const ObjPrescan& prescan, const ObjFaces& faces, ObjReport report);
+ObjTriangles triangulate_obj(const ObjText& text, ObjReport report);
 
 }  // namespace crevice

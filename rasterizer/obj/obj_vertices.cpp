@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 
 #include "rasterizer/base/float_text.h"
+#include "rasterizer/base/parallel.h"
 #include "rasterizer/lanes/approx_math.h"
 #include "rasterizer/obj/obj_origin.h"
 
@@ -24,6 +25,39 @@ glm::dvec3 exact_position(const ObjPlace& place, std::string_view rest) {
     return glm::dvec3(p[0], p[1], p[2]) / (count == 4 ? p[3] : 1.0);
 }
 
+struct ExactPositions {
+    std::vector<glm::dvec3> positions;
+    std::vector<std::size_t> lines;
+};
+
+ExactPositions exact_positions_of_piece(const TextPiece& piece, const std::string& name) {
+    ExactPositions exact;
+    for (LogicalLines lines(piece.text, piece.first_line); lines.advance();) {
+        std::string_view rest = lines.text;
+        if (lower_case(take_word(rest)) != "v") continue;
+        exact.positions.push_back(exact_position({name, lines.line}, rest));
+        exact.lines.push_back(lines.line);
+    }
+    return exact;
+}
+
+ExactPositions exact_positions(std::span<const TextPiece> pieces, const std::string& name, const Run& run) {
+    std::vector<ExactPositions> of_piece(pieces.size());
+    parallel_for(static_cast<int>(pieces.size()), run, [&](int i) {
+        const auto at = static_cast<std::size_t>(i);
+        of_piece[at] = exact_positions_of_piece(pieces[at], name);
+    });
+    ExactPositions all;
+    for (const ExactPositions& exact : of_piece) {
+        all.positions.insert(all.positions.end(), exact.positions.begin(), exact.positions.end());
+        all.lines.insert(all.lines.end(), exact.lines.begin(), exact.lines.end());
+    }
+    return all;
+}
+
+// The first line that was met, if any was (0: none).
+std::size_t first_of(std::size_t line, std::size_t later) { return line != 0 ? line : later; }
+
 }  // namespace
 
 void ObjVertices::add(const ObjPlace& place, std::string_view rest) {
@@ -39,6 +73,18 @@ void ObjVertices::add(const ObjPlace& place, std::string_view rest) {
     }
     if (first_coloured_line_ == 0) return;
     colours.push_back(count >= 6 ? glm::vec3(p[3], p[4], p[5]) : kUncoloured);
+}
+
+void ObjVertices::append(const ObjVertices& next) {
+    first_coloured_line_ = first_of(first_coloured_line_, next.first_coloured_line_);
+    if (first_coloured_line_ != 0) {
+        colours.resize(positions.size(), kUncoloured);
+        colours.insert(colours.end(), next.colours.begin(), next.colours.end());
+    }
+    positions.insert(positions.end(), next.positions.begin(), next.positions.end());
+    polypaint_.insert(polypaint_.end(), next.polypaint_.begin(), next.polypaint_.end());
+    first_polypaint_line_ = first_of(first_polypaint_line_, next.first_polypaint_line_);
+    unread_polypaint_line_ = first_of(unread_polypaint_line_, next.unread_polypaint_line_);
 }
 
 void ObjVertices::add_polypaint(const ObjPlace& place, std::string_view rest) {
@@ -76,19 +122,10 @@ void ObjVertices::use_polypaint(const std::string& name, std::vector<std::string
     }
 }
 
-void ObjVertices::recentre(std::string_view text, const std::string& name, const ObjFaces& faces,
-                           std::vector<std::string>& warnings) {
+void ObjVertices::recentre(std::span<const TextPiece> pieces, const std::string& name, const ObjFaces& faces,
+                           std::vector<std::string>& warnings, const Run& run) {
     if (!may_need_origin(positions, faces)) return;
-    std::vector<glm::dvec3> exact;
-    std::vector<std::size_t> line_of;
-    exact.reserve(positions.size());
-    line_of.reserve(positions.size());
-    for (LogicalLines lines(text); lines.advance();) {
-        std::string_view rest = lines.text;
-        if (lower_case(take_word(rest)) != "v") continue;
-        exact.push_back(exact_position({name, lines.line}, rest));
-        line_of.push_back(lines.line);
-    }
+    const auto [exact, line_of] = exact_positions(pieces, name, run);
     origin = best_origin(exact, faces);
     if (origin != glm::dvec3(0)) {
         for (std::size_t i = 0; i < exact.size(); ++i) positions[i] = glm::vec3(exact[i] - origin);
@@ -101,6 +138,7 @@ void ObjVertices::recentre(std::string_view text, const std::string& name, const
 }
 
 void ObjVertices::finish_colours(const std::string& name, std::vector<std::string>& warnings) {
+    if (first_coloured_line_ != 0) colours.resize(positions.size(), kUncoloured);
     float highest = 0;
     bool in_range = true;
     for (const glm::vec3& c : colours) {

@@ -1,6 +1,7 @@
 // The `v` statements of an OBJ: positions, weights and colours.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include "rasterizer/obj/obj_place.h"
+#include "rasterizer/obj/text_pieces.h"
 
 namespace crevice {
 
@@ -28,11 +30,15 @@ struct ObjVertices {
     // mask, red, green and blue (sRGB). The first colour of the file belongs to its first vertex, and so on.
     void add_polypaint(const ObjPlace& place, std::string_view rest);
 
+    void reserve(std::size_t count) { positions.reserve(count); }
+    // The vertices of the next piece of the text. As it is for add(), colours are not finished yet.
+    void append(const ObjVertices& next);
+
     // Where float loses the shape of faces far from the origin: reads positions again, in double, and
-    // subtracts the best origin (obj_origin.h). `text` is that of the whole file. What was done, and what is
-    // lost all the same, is added to `warnings`.
-    void recentre(std::string_view text, const std::string& name, const ObjFaces& faces,
-                  std::vector<std::string>& warnings);
+    // subtracts the best origin (obj_origin.h). `pieces` are those of the whole text. What was done, and what
+    // is lost all the same, is added to `warnings`.
+    void recentre(std::span<const TextPiece> pieces, const std::string& name, const ObjFaces& faces,
+                  std::vector<std::string>& warnings, const Run& run);
     // Brings colours to [0, 1], at the end of the file. What was done is added to `warnings`.
     void finish_colours(const std::string& name, std::vector<std::string>& warnings);
 
