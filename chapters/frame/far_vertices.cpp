@@ -37,9 +37,13 @@ double median_triangle_size(const Mesh& mesh) {
 // Vertices that make triangles too small for the steps of their coordinates. A few triangles that are much
 // smaller than all others are nothing to be seen, so the median counts where a triangle is smaller.
 void mark_coarse_triangles(const Mesh& mesh, std::vector<bool>& marked) {
+    double largest_step = 0;
+    for (const glm::vec3& p : mesh.positions)
+        largest_step = std::max(largest_step, largest_of(glm::abs(p)) * kFloatStep);
     std::optional<double> median;
     for (const auto& t : mesh.triangles) {
         const double size = size_of(mesh, t);
+        if (!(largest_step > kHarmlessStep * size)) continue;
         for (const std::uint32_t vertex : t) {
             const double step = largest_of(glm::abs(mesh.positions[vertex])) * kFloatStep;
             if (!(step > kHarmlessStep * size)) continue;

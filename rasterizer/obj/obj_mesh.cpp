@@ -1,6 +1,7 @@
 #include "rasterizer/obj/obj_mesh.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <functional>
 
@@ -17,11 +18,13 @@ struct VertexKey {
     friend bool operator==(const VertexKey&, const VertexKey&) = default;
 };
 
-// Numbers distinct keys in order of first use. Open addressing; the hash decides only where a key is looked
-// for.
+// Numbers distinct keys in order of first use. Open addressing: a key is looked for at its position's slot, so
+// that neighbours in the file are neighbours in memory, then where the hash says.
 struct VertexNumbers {
+    explicit VertexNumbers(std::size_t positions) : slots(std::bit_ceil(2 * positions + 2), kEmpty) {}
+
     std::vector<VertexKey> keys;
-    std::vector<std::uint32_t> slots = std::vector<std::uint32_t>(1024, kEmpty);  // a power of two of them
+    std::vector<std::uint32_t> slots;  // a power of two of them
 
     static constexpr std::uint32_t kEmpty = ~0u;
 
@@ -36,13 +39,18 @@ struct VertexNumbers {
     }
 
  private:
+    bool is_at(std::size_t slot, const VertexKey& key) const {
+        return slots[slot] == kEmpty || keys[slots[slot]] == key;
+    }
     std::size_t slot_of(const VertexKey& key) const {
+        const std::size_t near = static_cast<std::uint32_t>(key.position) & (slots.size() - 1);
+        if (is_at(near, key)) return near;
         std::uint64_t hash = static_cast<std::uint32_t>(key.position) * 0x9e3779b97f4a7c15u;
         hash = (hash ^ (hash >> 32) ^ static_cast<std::uint32_t>(key.texcoord)) * 0xbf58476d1ce4e5b9u;
         hash = (hash ^ (hash >> 29) ^ key.normal) * 0x94d049bb133111ebu +
                static_cast<std::uint32_t>(key.texcoord_map);
         std::size_t slot = (hash >> 32) & (slots.size() - 1);
-        while (slots[slot] != kEmpty && keys[slots[slot]] != key) slot = (slot + 1) & (slots.size() - 1);
+        while (!is_at(slot, key)) slot = (slot + 1) & (slots.size() - 1);
         return slot;
     }
     void grow() {
@@ -158,7 +166,7 @@ ObjMesh build_obj_mesh(const ObjText& text, const ObjTriangles& triangles, const
     ObjMesh result{{}, normals.generated};
     Mesh& mesh = result.mesh;
     mesh.triangles.reserve(triangles.triangles.size());
-    VertexNumbers vertices;
+    VertexNumbers vertices(text.vertices.positions.size());
     bool has_texcoords = false;
     for (std::size_t t = 0; t < triangles.triangles.size(); ++t) {
         const ObjTriangle& triangle = triangles.triangles[t];

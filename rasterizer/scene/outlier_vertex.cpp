@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <glm/common.hpp>
@@ -17,39 +18,43 @@ namespace {
 
 bool is_finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
-// Calls `take` for every instance with its mesh and the mesh's vertices in world space.
-template <class Take>
-void for_each_instance(const Scene& scene, const Take& take) {
+// An instance, its vertices in world space.
+struct PlacedMesh {
+    const Mesh& mesh;
+    std::vector<glm::dvec3> positions;
+};
+
+std::vector<PlacedMesh> placed_meshes(const Scene& scene) {
+    std::vector<PlacedMesh> placed;
     for (const Instance& instance : scene.instances) {
         const glm::dmat4 world_from_object(instance.world_from_object);
-        const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
-        std::vector<glm::dvec3> positions;
-        positions.reserve(mesh.positions.size());
-        for (const glm::vec3& p : mesh.positions)
-            positions.emplace_back(world_from_object * glm::dvec4(p, 1));
-        take(mesh, positions);
+        PlacedMesh one{scene.meshes[static_cast<std::size_t>(instance.mesh)], {}};
+        one.positions.reserve(one.mesh.positions.size());
+        for (const glm::vec3& p : one.mesh.positions)
+            one.positions.emplace_back(world_from_object * glm::dvec4(p, 1));
+        placed.push_back(std::move(one));
     }
+    return placed;
 }
 
-std::vector<glm::dvec3> world_positions(const Scene& scene) {
+std::vector<glm::dvec3> finite_positions(const std::vector<PlacedMesh>& placed) {
     std::vector<glm::dvec3> all;
-    for_each_instance(scene, [&](const Mesh&, const std::vector<glm::dvec3>& positions) {
-        std::copy_if(positions.begin(), positions.end(), std::back_inserter(all), is_finite);
-    });
+    for (const PlacedMesh& one : placed)
+        std::copy_if(one.positions.begin(), one.positions.end(), std::back_inserter(all), is_finite);
     return all;
 }
 
 using Triangle = std::array<glm::dvec3, 3>;
 
-std::vector<Triangle> world_triangles(const Scene& scene) {
-    std::vector<Triangle> all;
-    for_each_instance(scene, [&](const Mesh& mesh, const std::vector<glm::dvec3>& positions) {
-        for (const auto& [a, b, c] : mesh.triangles) {
-            const Triangle t = {positions[a], positions[b], positions[c]};
-            if (std::all_of(t.begin(), t.end(), is_finite)) all.push_back(t);
+// Calls `take` for every triangle whose corners are finite.
+template <class Take>
+void for_each_triangle(const std::vector<PlacedMesh>& placed, const Take& take) {
+    for (const PlacedMesh& one : placed) {
+        for (const auto& [a, b, c] : one.mesh.triangles) {
+            const Triangle t = {one.positions[a], one.positions[b], one.positions[c]};
+            if (std::all_of(t.begin(), t.end(), is_finite)) take(t);
         }
-    });
-    return all;
+    }
 }
 
 double median_of(std::vector<double> values) {
@@ -82,10 +87,26 @@ double diagonal_of(std::span<const glm::dvec3> positions) {
     return box.diagonal();
 }
 
+// A quick no, as most scenes have it: of any kMostOutliers + 1 vertices one is no outlier, and all others that
+// are none are near to it.
+bool may_have_outliers(std::span<const glm::dvec3> positions, double all) {
+    for (int candidate = 0; candidate <= kMostOutliers; ++candidate) {
+        int far = 0;
+        for (std::size_t i = 0; i < positions.size() && far <= kMostOutliers; ++i) {
+            const double distance =
+                glm::distance(positions[i], positions[static_cast<std::size_t>(candidate)]);
+            far += kOutlierStretch * distance > all ? 1 : 0;
+        }
+        if (far <= kMostOutliers) return true;
+    }
+    return false;
+}
+
 // A few vertices; their triangles may reach to where all others are.
 std::optional<OutlierVertex> few_far_vertices(std::vector<glm::dvec3> positions) {
     if (positions.size() < 4) return std::nullopt;
     const double all = diagonal_of(positions);
+    if (!may_have_outliers(positions, all)) return std::nullopt;
     const glm::dvec3 middle = middle_of(positions);
     const auto nearer = [&](const glm::dvec3& a, const glm::dvec3& b) {
         return glm::distance(a, middle) < glm::distance(b, middle);
@@ -116,16 +137,18 @@ Part along(const Triangle& t, int axis) {
 
 // The part of the most triangles, when a wide gap is beside it. Triangles are first gathered by where they
 // begin, in steps that are small against such a gap.
-std::optional<Part> largest_part(const std::vector<Triangle>& triangles, int axis, const Box& all) {
+std::optional<Part> largest_part(const std::vector<PlacedMesh>& placed, int axis, const Box& all) {
     constexpr int kSteps = 256;
     const double low = all.low[axis], extent = all.high[axis] - low;
     if (!(extent > 0)) return std::nullopt;
     std::vector<Part> steps(kSteps);
-    for (const Triangle& t : triangles) {
+    std::size_t triangles = 0;
+    for_each_triangle(placed, [&](const Triangle& t) {
         const Part one = along(t, axis);
         const int step = std::min(static_cast<int>((one.low - low) / extent * kSteps), kSteps - 1);
         steps[static_cast<std::size_t>(step)].add(one);
-    }
+        ++triangles;
+    });
     std::vector<Part> parts;
     for (const Part& step : steps) {
         if (step.triangles == 0) continue;
@@ -134,35 +157,35 @@ std::optional<Part> largest_part(const std::vector<Triangle>& triangles, int axi
     }
     const auto largest = std::max_element(
         parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.triangles < b.triangles; });
-    const bool most = 2 * largest->triangles > triangles.size();
+    const bool most = 2 * largest->triangles > triangles;
     return parts.size() > 1 && most ? std::optional(*largest) : std::nullopt;
 }
 
 // A part of any number of vertices, apart from most triangles of the scene.
-std::optional<OutlierVertex> far_part(const std::vector<Triangle>& triangles) {
+std::optional<OutlierVertex> far_part(const std::vector<PlacedMesh>& placed) {
     Box all;
-    for (const Triangle& t : triangles) {
+    for_each_triangle(placed, [&](const Triangle& t) {
         for (const glm::dvec3& p : t) all.add(p);
-    }
+    });
     std::optional<OutlierVertex> found;
     for (int axis = 0; axis < 3; ++axis) {
-        const std::optional<Part> most = largest_part(triangles, axis, all);
+        const std::optional<Part> most = largest_part(placed, axis, all);
         if (!most) continue;
         Box box;
-        for (const Triangle& t : triangles) {
-            if (!most->holds(along(t, axis))) continue;
+        for_each_triangle(placed, [&](const Triangle& t) {
+            if (!most->holds(along(t, axis))) return;
             for (const glm::dvec3& p : t) box.add(p);
-        }
+        });
         const double stretch = all.diagonal() / box.diagonal();
         if (!(box.diagonal() > 0) || !(stretch > std::max(kPartStretch, found ? found->stretch : 0)))
             continue;
         const glm::dvec3 middle = 0.5 * box.low + 0.5 * box.high;
         found = OutlierVertex{middle, stretch};
-        for (const Triangle& t : triangles) {
+        for_each_triangle(placed, [&](const Triangle& t) {
             for (const glm::dvec3& p : t) {
                 if (glm::distance(p, middle) > glm::distance(found->p_world, middle)) found->p_world = p;
             }
-        }
+        });
     }
     return found;
 }
@@ -170,8 +193,9 @@ std::optional<OutlierVertex> far_part(const std::vector<Triangle>& triangles) {
 }  // namespace
 
 std::optional<OutlierVertex> outlier_vertex(const Scene& scene) {
-    const std::optional<OutlierVertex> few = few_far_vertices(world_positions(scene));
-    return few ? few : far_part(world_triangles(scene));
+    const std::vector<PlacedMesh> placed = placed_meshes(scene);
+    const std::optional<OutlierVertex> few = few_far_vertices(finite_positions(placed));
+    return few ? few : far_part(placed);
 }
 
 }  // namespace crevice
