@@ -78,7 +78,8 @@ void bake_lightmap(const BakeOptions& options, std::ostream& out) {
     validate(ChartSettings{.texels = options.texels});
     const SceneArgument argument = load_scene(options.scene, {.surfaces = false,
                                                               .unused_texcoords = options.mesh_texcoords,
-                                                              .outside_files = options.outside_files});
+                                                              .outside_files = options.outside_files,
+                                                              .run = options.run});
     try_output_directory(options.out);
     const Bake done = bake(argument.scene, options);
     warn(done, options);

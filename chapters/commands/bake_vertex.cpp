@@ -45,7 +45,9 @@ void bake_vertex(const BakeOptions& options, std::ostream& out) {
     validate(options.rays);
     validate(options.run);
     const Scene scene =
-        load_scene(options.scene, {.surfaces = false, .outside_files = options.outside_files}).scene;
+        load_scene(options.scene,
+                   {.surfaces = false, .outside_files = options.outside_files, .run = options.run})
+            .scene;
     try_output_directory(options.out);
     const double start_ms = clocks().wall_ms;
     const RayScene rays = centred_ray_scene(scene, options.scene, options.run);

@@ -29,17 +29,20 @@ Json described_buffers(const Frame& frame, const RenderOptions& options, const F
     Image<float> depth;
     const auto wanted = [&](const char* name) { return request.wanted.contains(name); };
     const GBuffer& g = frame.gbuffer;
-    if (wanted("normal")) writer.write("normal", g.normal, normal_picture(g.normal));
-    if (wanted("view_depth")) writer.write("view_depth", g.view_depth, view_depth_picture(g.view_depth));
+    if (wanted("normal")) writer.add("normal", g.normal, [&] { return normal_picture(g.normal); });
+    if (wanted("view_depth"))
+        writer.add("view_depth", g.view_depth, [&] { return view_depth_picture(g.view_depth); });
     if (wanted("ndc_depth")) {
         depth = ndc_depth(g.depth, request.run);
-        writer.write("ndc_depth", depth, ndc_depth_picture(depth, frame.camera.reversed_z));
+        writer.add("ndc_depth", depth, [&] { return ndc_depth_picture(depth, frame.camera.reversed_z); });
     }
-    if (wanted("ao_raw")) writer.write("ao_raw", frame.ao_raw, ao_picture(frame.ao_raw));
-    if (wanted("ao_blurred")) writer.write("ao_blurred", frame.ao_blurred, ao_picture(frame.ao_blurred));
-    if (wanted(kBentNormal)) writer.write(kBentNormal, frame.bent_normal, normal_picture(frame.bent_normal));
-    if (wanted("lit")) writer.write("lit", frame.lit, demo_view(frame, options.inset));
-    writer.finish();
+    if (wanted("ao_raw")) writer.add("ao_raw", frame.ao_raw, [&] { return ao_picture(frame.ao_raw); });
+    if (wanted("ao_blurred"))
+        writer.add("ao_blurred", frame.ao_blurred, [&] { return ao_picture(frame.ao_blurred); });
+    if (wanted(kBentNormal))
+        writer.add(kBentNormal, frame.bent_normal, [&] { return normal_picture(frame.bent_normal); });
+    if (wanted("lit")) writer.add("lit", frame.lit, [&] { return demo_view(frame, options.inset); });
+    writer.finish(request.run);
     Json described = writer.described();
     for (const auto& [name, buffer] : described.items())
         described[name].update(convention_json(name, frame.camera));

@@ -136,8 +136,8 @@ void write_truth(const TruthOptions& options) {
     request.settings = settings_of(*request.method, options.params).method;
     request.rays.radius = options.radius.value_or(1);
     validate(request.rays);
-    const SceneArgument argument =
-        load_scene(options.scene, {.surfaces = false, .outside_files = options.outside_files});
+    const SceneArgument argument = load_scene(
+        options.scene, {.surfaces = false, .outside_files = options.outside_files, .run = request.run});
     if (triangle_count(argument.scene) == 0)
         std::cerr << options.scene << ": 0 triangles; everything is open\n";
     const Camera camera = chosen_camera(argument, options.camera);
@@ -154,9 +154,11 @@ void write_truth(const TruthOptions& options) {
     for (const NamedReference& r : named(references)) {
         const ReferenceImage& image = r.reference.image;
         if (image.mean.empty()) continue;
-        writer.write(r.name, image.mean, ao_picture(image.mean));
-        writer.write(std::string(r.name) + "_error", image.error, error_picture(image.error));
+        writer.add(r.name, image.mean, [&image] { return ao_picture(image.mean); });
+        writer.add(std::string(r.name) + "_error", image.error,
+                   [&image] { return error_picture(image.error); });
     }
+    writer.finish(request.run);
     std::cout.flush();
     for (const NamedReference& r : named(references)) {
         if (!r.reference.image.mean.empty()) print_reference(r, references.points.points.size());

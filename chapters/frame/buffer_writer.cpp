@@ -1,9 +1,11 @@
 #include "chapters/frame/buffer_writer.h"
 
+#include <exception>
 #include <iostream>
 
 #include "chapters/frame/frame_json.h"
 #include "rasterizer/base/image_io.h"
+#include "rasterizer/base/parallel.h"
 #include "rasterizer/base/write_file.h"
 
 namespace crevice {
@@ -18,45 +20,63 @@ std::string channel_of(const std::string& buffer) {
 
 }  // namespace
 
-void BufferWriter::write(const std::string& name, const Image<float>& buffer, const Picture& picture) {
-    if (files_ == BufferFiles::exr) {
-        kept_.push_back({channel_of(name), &buffer});
-    } else {
-        write_npy(out_ / (name + ".npy"), buffer);
-    }
-    describe(name, picture, 1, content_hash(buffer));
+void BufferWriter::add(const std::string& name, const Image<float>& buffer,
+                       std::function<Picture()> picture) {
+    added_.push_back({name,
+                      {{channel_of(name), &buffer}},
+                      [&buffer](const std::filesystem::path& path) { write_npy(path, buffer); },
+                      [&buffer] { return content_hash(buffer); },
+                      std::move(picture)});
 }
 
-void BufferWriter::write(const std::string& name, const Image3& buffer, const Picture& picture) {
-    if (files_ == BufferFiles::exr) {
-        const std::string letters = name == "lit" ? "RGB" : "XYZ";
-        const Image<float>* const planes[] = {&buffer.x, &buffer.y, &buffer.z};
-        for (std::size_t i = 0; i < letters.size(); ++i)
-            kept_.push_back({name + "." + letters[i], planes[i]});
-    } else {
-        write_npy(out_ / (name + ".npy"), buffer);
-    }
-    describe(name, picture, 3, content_hash(buffer));
+void BufferWriter::add(const std::string& name, const Image3& buffer, std::function<Picture()> picture) {
+    const std::string letters = name == "lit" ? "RGB" : "XYZ";
+    const Image<float>* const planes[] = {&buffer.x, &buffer.y, &buffer.z};
+    std::vector<ExrChannel> channels;
+    for (std::size_t i = 0; i < letters.size(); ++i) channels.push_back({name + "." + letters[i], planes[i]});
+    added_.push_back({name, std::move(channels),
+                      [&buffer](const std::filesystem::path& path) { write_npy(path, buffer); },
+                      [&buffer] { return content_hash(buffer); }, std::move(picture)});
 }
 
-void BufferWriter::finish() {
-    if (files_ != BufferFiles::exr || kept_.empty()) return;
+BufferWriter::Said BufferWriter::written(const Added& buffer) const {
+    const Picture picture = buffer.picture();
+    if (files_ == BufferFiles::npy) {
+        buffer.write_npy(out_ / (buffer.name + ".npy"));
+        write_picture(out_ / (buffer.name + ".png"), picture);
+    }
+    Said said{picture.mapping,
+              statistics_json(picture.size, static_cast<int>(buffer.channels.size()), picture.statistics)};
+    said.description["hash"] = buffer.hash();
+    return said;
+}
+
+void BufferWriter::finish(const Run& run) {
+    std::vector<Said> said(added_.size());
+    std::vector<std::exception_ptr> failures(added_.size());
+    parallel_for(static_cast<int>(added_.size()), run, [&](int i) {
+        const auto at = static_cast<std::size_t>(i);
+        try {
+            said[at] = written(added_[at]);
+        } catch (...) {
+            failures[at] = std::current_exception();
+        }
+    });
+    std::vector<ExrChannel> channels;
+    for (std::size_t i = 0; i < added_.size(); ++i) {
+        if (failures[i]) std::rethrow_exception(failures[i]);
+        const std::string& name = added_[i].name;
+        described_[name] = std::move(said[i].description);
+        channels.insert(channels.end(), added_[i].channels.begin(), added_[i].channels.end());
+        if (files_ == BufferFiles::npy)
+            told_ << (out_ / (name + ".png")).string() << ": " << said[i].mapping << "\n";
+    }
+    if (files_ != BufferFiles::exr || channels.empty()) return;
     const std::filesystem::path path = out_ / "frame.exr";
-    write_file_atomically(path, exr_bytes(kept_));
+    write_file_atomically(path, exr_bytes(channels));
     told_ << path.string() << ":";
-    for (const ExrChannel& channel : kept_) told_ << " " << channel.name;
+    for (const ExrChannel& channel : channels) told_ << " " << channel.name;
     told_ << ", float32\n";
-    kept_.clear();
-}
-
-void BufferWriter::describe(const std::string& name, const Picture& picture, int components,
-                            const std::string& hash) {
-    described_[name] = statistics_json(picture.size, components, picture.statistics);
-    described_[name]["hash"] = hash;
-    if (files_ == BufferFiles::exr) return;
-    const std::filesystem::path path = out_ / (name + ".png");
-    write_picture(path, picture);
-    told_ << path.string() << ": " << picture.mapping << "\n";
 }
 
 }  // namespace crevice

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 
 #include "chapters/images/exr.h"
 #include "chapters/notebook/picture.h"
+#include "rasterizer/base/run.h"
 
 namespace crevice {
 
@@ -24,23 +26,35 @@ class BufferWriter {
     BufferWriter(std::filesystem::path out, BufferFiles files, std::ostream& told)
         : out_(std::move(out)), files_(files), told_(told) {}
 
-    // Writes both files and tells the picture's mapping, or keeps the buffer, which must outlive finish(). Throws
-    // OutputError.
-    void write(const std::string& name, const Image<float>& buffer, const Picture& picture);
-    void write(const std::string& name, const Image3& buffer, const Picture& picture);
-    // To be called last: writes frame.exr where that is asked for. Throws OutputError.
-    void finish();
+    // Takes note of a buffer, which must outlive finish(), and of what makes a picture of it.
+    void add(const std::string& name, const Image<float>& buffer, std::function<Picture()> picture);
+    void add(const std::string& name, const Image3& buffer, std::function<Picture()> picture);
+    // To be called last, and once: makes the pictures and writes the files, a buffer a thread, and tells the pictures'
+    // mappings in the order of adding. Throws OutputError.
+    void finish(const Run& run);
 
-    // "NAME": {"shape", "min", "max", "mean", "nan", "inf", "hash"}, in the order of writing.
+    // After finish(): "NAME": {"shape", "min", "max", "mean", "nan", "inf", "hash"}, in the order of adding.
     const nlohmann::ordered_json& described() const { return described_; }
 
  private:
-    void describe(const std::string& name, const Picture& picture, int components, const std::string& hash);
+    // What is said of a buffer.
+    struct Said {
+        std::string mapping;
+        nlohmann::ordered_json description;
+    };
+    struct Added {
+        std::string name;
+        std::vector<ExrChannel> channels;
+        std::function<void(const std::filesystem::path&)> write_npy;
+        std::function<std::string()> hash;
+        std::function<Picture()> picture;
+    };
+    Said written(const Added& buffer) const;
 
     std::filesystem::path out_;
     BufferFiles files_;
     std::ostream& told_;
-    std::vector<ExrChannel> kept_;
+    std::vector<Added> added_;
     nlohmann::ordered_json described_ = nlohmann::ordered_json::object();
 };
 
