@@ -132,9 +132,7 @@ glm::dvec3 onto_surface(glm::dvec3 p) {
 template <class Move>
 void move_each(std::vector<glm::dvec3>& points, const Run& run, const Move& move) {
     constexpr std::size_t kAtOnce = 512;
-    parallel_for(static_cast<int>((points.size() + kAtOnce - 1) / kAtOnce), run, [&](int batch) {
-        const std::size_t first = static_cast<std::size_t>(batch) * kAtOnce;
-        const std::size_t end = std::min(first + kAtOnce, points.size());
+    parallel_blocks(points.size(), kAtOnce, run, [&](std::size_t first, std::size_t end) {
         for (std::size_t i = first; i < end; ++i) points[i] = move(points[i]);
     });
 }
@@ -186,7 +184,7 @@ Mesh carved_head_mesh(const Run& run, int cells) {
     Mesh mesh;
     mesh.positions.assign(points.begin(), points.end());
     mesh.triangles = std::move(sphere.triangles);
-    mesh.normals = smooth_normals(mesh);
+    mesh.normals = smooth_normals(mesh, run);
     mesh.parts = {{0, static_cast<std::uint32_t>(mesh.triangles.size()), 0}};
     return mesh;
 }

@@ -58,7 +58,7 @@ std::vector<glm::vec3> normals_across_seam(const Mesh& mesh, int columns) {
     for (auto& triangle : closed.triangles) {
         for (std::uint32_t& vertex : triangle) vertex = joined[vertex];
     }
-    const std::vector<glm::vec3> normals = smooth_normals(closed);
+    const std::vector<glm::vec3> normals = smooth_normals(closed, {.threads = 1});
     std::vector<glm::vec3> all;
     for (const std::uint32_t vertex : joined) all.push_back(normals[vertex]);
     return all;

@@ -46,8 +46,9 @@ inline Mesh as_one_part(Mesh mesh, int material = 0) {
 }
 
 // One normal a position, the surface smooth everywhere (vertex_normals.h).
-inline std::vector<glm::vec3> smooth_normals(const Mesh& mesh) {
-    const CornerNormals at = angle_weighted_normals(mesh.positions, mesh.triangles, kSmoothEverywhere_rad);
+inline std::vector<glm::vec3> smooth_normals(const Mesh& mesh, const Run& run) {
+    const CornerNormals at =
+        angle_weighted_normals(mesh.positions, mesh.triangles, kSmoothEverywhere_rad, {}, run);
     std::vector<glm::vec3> normals(mesh.positions.size(), glm::vec3(0));
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         for (std::size_t k = 0; k < 3; ++k) normals[mesh.triangles[t][k]] = at.normals[at.of_triangle[t][k]];

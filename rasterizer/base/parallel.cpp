@@ -66,6 +66,14 @@ void parallel_for(int count, const Run& run, const std::function<void(int)>& bod
     for (int i = 0; i < count; ++i) body(i);
 }
 
+void parallel_blocks(std::size_t count, std::size_t block, const Run& run,
+                     const std::function<void(std::size_t, std::size_t)>& body) {
+    parallel_for(static_cast<int>((count + block - 1) / block), run, [&](int i) {
+        const std::size_t first = static_cast<std::size_t>(i) * block;
+        body(first, std::min(first + block, count));
+    });
+}
+
 void parallel_rows(int height, const Run& run, const std::function<void(int, int)>& body) {
     parallel_for((height + kBandRows - 1) / kBandRows, run,
                  [&](int band) { body(band * kBandRows, std::min(height, (band + 1) * kBandRows)); });

@@ -2,6 +2,7 @@
 // does not matter.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 
 #include "rasterizer/base/run.h"
@@ -11,6 +12,10 @@ namespace crevice {
 // Calls body(0) ... body(count - 1), each once. With one thread it is a plain loop: the debugger's stack
 // shows who asked.
 void parallel_for(int count, const Run& run, const std::function<void(int)>& body);
+
+// Calls body(first, end) for blocks of at most `block` items, at least 1, that cover [0, count).
+void parallel_blocks(std::size_t count, std::size_t block, const Run& run,
+                     const std::function<void(std::size_t, std::size_t)>& body);
 
 // Rows are handed out in bands of this many.
 inline constexpr int kBandRows = 16;

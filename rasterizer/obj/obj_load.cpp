@@ -135,7 +135,7 @@ LoadedObj loaded_from(const std::filesystem::path& path, const ObjOptions& optio
     ObjText text = read_text(bytes, name, options, run);
     bytes = {};
     timer.finish("numbers and faces");
-    ObjTriangles triangles = triangulate_obj(text, std::move(text.report));
+    ObjTriangles triangles = triangulate_obj(text, run);
     timer.finish("triangles");
     ObjMaterials materials =
         load_obj_materials(path, text.libraries, text.materials,
@@ -148,10 +148,11 @@ LoadedObj loaded_from(const std::filesystem::path& path, const ObjOptions& optio
     const bool normal_maps = any([](const Material& m) { return m.normal_map != nullptr; });
     const bool textured = normal_maps || any([](const Material& m) { return m.texture != nullptr; });
     ObjMesh built = build_obj_mesh(text, triangles, {materials.of_use, materials.texcoord_maps, normal_maps},
-                                   options.want_unused_texcoords || textured, options.crease_angle_rad);
+                                   options.want_unused_texcoords || textured, options.crease_angle_rad, run);
     timer.finish("vertices and normals");
 
-    ObjReport& report = loaded.report = std::move(triangles.report);
+    ObjReport& report = loaded.report = std::move(text.report);
+    report.add_tallies(triangles.report);
     report.generated_normals = built.generated_normals;
     const std::size_t skipped = report.too_few_corners.count + report.too_many_corners.count;
     report.dropped_faces =

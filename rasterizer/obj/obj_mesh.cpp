@@ -77,7 +77,8 @@ struct FinalNormals {
 };
 
 // The file's normals, followed by the generated ones.
-FinalNormals final_normals(const ObjText& text, const ObjTriangles& from, double crease_angle_rad) {
+FinalNormals final_normals(const ObjText& text, const ObjTriangles& from, double crease_angle_rad,
+                           const Run& run) {
     FinalNormals result{from.normals, std::vector<std::array<std::uint32_t, 3>>(from.triangles.size())};
     for (std::size_t t = 0; t < from.triangles.size(); ++t) {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -97,7 +98,7 @@ FinalNormals final_normals(const ObjText& text, const ObjTriangles& from, double
     }
     const std::vector<std::uint32_t> groups = smoothing_groups(text.faces, from.triangles);
     const CornerNormals generated =
-        angle_weighted_normals(text.vertices.positions, by_position, crease_angle_rad, groups);
+        angle_weighted_normals(text.vertices.positions, by_position, crease_angle_rad, groups, run);
     const auto first_generated = static_cast<std::uint32_t>(result.normals.size());
     result.normals.insert(result.normals.end(), generated.normals.begin(), generated.normals.end());
     for (std::size_t t = 0; t < from.triangles.size(); ++t) {
@@ -160,8 +161,8 @@ void add_vertices(Mesh& mesh, const std::vector<VertexKey>& keys, const ObjText&
 }  // namespace
 
 ObjMesh build_obj_mesh(const ObjText& text, const ObjTriangles& triangles, const ObjMeshMaterials& materials,
-                       bool want_texcoords, double crease_angle_rad) {
-    const FinalNormals normals = final_normals(text, triangles, crease_angle_rad);
+                       bool want_texcoords, double crease_angle_rad, const Run& run) {
+    const FinalNormals normals = final_normals(text, triangles, crease_angle_rad, run);
     const std::vector<int> texcoord_map_of = first_of_equal_maps(materials.texcoord_maps);
     ObjMesh result{{}, normals.generated};
     Mesh& mesh = result.mesh;

@@ -27,6 +27,6 @@ struct ObjMeshMaterials {
 // it), those without texture coordinates (0, 0) in file space; when no corner has any, or want_texcoords is
 // false, the mesh has none. A part is a run of faces of one material.
 ObjMesh build_obj_mesh(const ObjText& text, const ObjTriangles& triangles, const ObjMeshMaterials& materials,
-                       bool want_texcoords, double crease_angle_rad);
+                       bool want_texcoords, double crease_angle_rad, const Run& run);
 
 }  // namespace crevice

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "rasterizer/base/float_text.h"
+#include "rasterizer/base/parallel.h"
 
 namespace crevice {
 
@@ -33,6 +34,7 @@ struct Box {
     glm::dvec3 low = glm::dvec3(HUGE_VAL), high = glm::dvec3(-HUGE_VAL);
 
     void add(glm::dvec3 p) { low = glm::min(low, p), high = glm::max(high, p); }
+    void add(const Box& box) { low = glm::min(low, box.low), high = glm::max(high, box.high); }
     // Of all axes the most; how large it is, and how far from `origin` it reaches.
     double extent() const { return largest_of(high - low); }
     double farthest(glm::dvec3 origin) const {
@@ -129,14 +131,27 @@ std::string text_of(glm::dvec3 p) {
 
 }  // namespace
 
-bool may_need_origin(std::span<const glm::vec3> positions, const ObjFaces& faces) {
+bool may_need_origin(std::span<const glm::vec3> positions, const ObjFaces& faces, const Run& run) {
+    constexpr std::size_t kBlock = 16384;  // faces
+    struct Found {
+        bool coarse = false;
+        Box box;
+    };
+    std::vector<Found> of_block((faces.faces.size() + kBlock - 1) / kBlock);
+    parallel_blocks(faces.faces.size(), kBlock, run, [&](std::size_t first, std::size_t end) {
+        Found& found = of_block[first / kBlock];
+        for (std::size_t f = first; f < end && !found.coarse; ++f) {
+            const auto corners = corners_of(faces.faces[f], faces);
+            if (!is_whole(corners, positions)) continue;
+            const Box box = box_of(corners, positions);
+            found.coarse = is_coarse(box, glm::dvec3(0));
+            found.box.add(box);
+        }
+    });
     Box all;
-    for (const ObjFace& face : faces.faces) {
-        const auto corners = corners_of(face, faces);
-        if (!is_whole(corners, positions)) continue;
-        const Box box = box_of(corners, positions);
-        if (is_coarse(box, glm::dvec3(0))) return true;
-        all.add(box.low), all.add(box.high);
+    for (const Found& found : of_block) {
+        if (found.coarse) return true;
+        all.add(found.box);
     }
     return lies_far(all);
 }
@@ -144,7 +159,7 @@ bool may_need_origin(std::span<const glm::vec3> positions, const ObjFaces& faces
 glm::dvec3 best_origin(std::span<const glm::dvec3> exact, const ObjFaces& faces) {
     const std::vector<DrawnFace> drawn = drawn_faces(exact, faces);
     Box all;
-    for (const DrawnFace& face : drawn) all.add(face.box.low), all.add(face.box.high);
+    for (const DrawnFace& face : drawn) all.add(face.box);
     const bool far = lies_far(all);
     std::vector<DrawnFace> finest;
     std::copy_if(drawn.begin(), drawn.end(), std::back_inserter(finest),

@@ -9,6 +9,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "rasterizer/base/run.h"
 #include "rasterizer/obj/obj_faces.h"
 
 namespace crevice {
@@ -16,7 +17,7 @@ namespace crevice {
 // What follows asks only those faces that are drawn: with all their vertices, finite for float, and an area.
 
 // A first look at positions that float has rounded already: whether any face may need more of their digits.
-bool may_need_origin(std::span<const glm::vec3> positions, const ObjFaces& faces);
+bool may_need_origin(std::span<const glm::vec3> positions, const ObjFaces& faces, const Run& run);
 
 // The origin whose subtraction in double keeps the most. A face needs it when the steps of float at its
 // farthest corner are more than 1/256 of its size, and so do all when the whole scene lies further away than

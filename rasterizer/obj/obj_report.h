@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,16 @@ struct ObjReport {
     std::vector<IgnoredStatement> ignored_statements;
 
     bool any() const { return !warnings.empty(); }
+    // Adds the tallies of faces and corners of what stands further on.
+    void add_tallies(const ObjReport& later);
 };
+
+inline void ObjReport::add_tallies(const ObjReport& later) {
+    for (Tally ObjReport::*const tally :
+         {&ObjReport::too_few_corners, &ObjReport::too_many_corners, &ObjReport::missing_vertices,
+          &ObjReport::not_finite, &ObjReport::zero_area, &ObjReport::self_intersecting, &ObjReport::reversed,
+          &ObjReport::replaced_normals, &ObjReport::missing_normals, &ObjReport::missing_texcoords})
+        (this->*tally).add(later.*tally);
+}
 
 }  // namespace crevice

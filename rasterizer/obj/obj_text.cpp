@@ -59,8 +59,7 @@ struct Joiner {
         if (piece.material.last)
             next.material = start.material_of_use[static_cast<std::size_t>(*piece.material.last)];
         std::move(piece.libraries.begin(), piece.libraries.end(), std::back_inserter(whole.libraries));
-        whole.report.too_few_corners.add(piece.report.too_few_corners);
-        whole.report.too_many_corners.add(piece.report.too_many_corners);
+        whole.report.add_tallies(piece.report);
         for (const IgnoredStatement& ignored : piece.report.ignored_statements) ignore(ignored);
         return start;
     }

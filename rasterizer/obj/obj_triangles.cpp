@@ -1,10 +1,14 @@
 #include "rasterizer/obj/obj_triangles.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <span>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "rasterizer/base/parallel.h"
 #include "rasterizer/obj/ear_clip.h"
 
 namespace crevice {
@@ -23,10 +27,15 @@ glm::vec3 unit_or_zero(glm::dvec3 v) {
     return length > 0 && std::isfinite(length) ? glm::vec3(v / length) : glm::vec3(0);
 }
 
+// Reads a block of faces, one after the other.
 struct Builder {
     const ObjText& text;
-    ObjTriangles made;
-    std::vector<glm::vec3> outline;  // of the face in hand
+    std::span<const glm::vec3> normals;                      // the file's, unit or 0
+    std::span<std::int32_t> corner_normal, corner_texcoord;  // of all corners; those of the block are written
+    std::vector<ObjTriangle> triangles = {};
+    std::vector<glm::vec3> added_normals = {};  // they are numbered behind the file's
+    ObjReport report = {};
+    std::vector<glm::vec3> outline = {};  // of the face in hand
 
     const glm::vec3& position(std::size_t corner) const {
         return text.vertices.positions[static_cast<std::size_t>(text.faces.corners[corner].position)];
@@ -38,14 +47,14 @@ struct Builder {
         for (std::uint32_t i = 0; i < face.corner_count; ++i) {
             const std::size_t corner = face.first_corner + i;
             if (!is_listed(text.faces.corners[corner].position, text.vertices.positions)) {
-                made.report.missing_vertices.add(face.line);
+                report.missing_vertices.add(face.line);
                 return false;
             }
             outline.push_back(position(corner));
         }
         for (const glm::vec3& p : outline) {
             if (is_finite(p)) continue;
-            made.report.not_finite.add(face.line);
+            report.not_finite.add(face.line);
             return false;
         }
         return true;
@@ -53,7 +62,7 @@ struct Builder {
 
     void add_triangle(std::uint32_t face_index, std::size_t a, std::size_t b, std::size_t c) {
         const std::size_t first = text.faces.faces[face_index].first_corner;
-        made.triangles.push_back({{first + a, first + b, first + c}, face_index});
+        triangles.push_back({{first + a, first + b, first + c}, face_index});
     }
 
     void triangulate(std::uint32_t face_index) {
@@ -70,19 +79,19 @@ struct Builder {
             }
         }
         const Triangulation cut = ear_clip(outline);
-        if (cut.self_intersecting) made.report.self_intersecting.add(text.faces.faces[face_index].line);
+        if (cut.self_intersecting) report.self_intersecting.add(text.faces.faces[face_index].line);
         for (const auto& [a, b, c] : cut.triangles) add_triangle(face_index, a, b, c);
     }
 
     // Drops those triangles from `begin` on that have no area.
     void drop_flat(std::size_t begin) {
         std::size_t kept = begin;
-        for (std::size_t t = begin; t < made.triangles.size(); ++t) {
-            const auto& [a, b, c] = made.triangles[t].corners;
+        for (std::size_t t = begin; t < triangles.size(); ++t) {
+            const auto& [a, b, c] = triangles[t].corners;
             const std::array<glm::vec3, 3> p = {position(a), position(b), position(c)};
-            if (newell_normal(p) != glm::dvec3(0)) made.triangles[kept++] = made.triangles[t];
+            if (newell_normal(p) != glm::dvec3(0)) triangles[kept++] = triangles[t];
         }
-        made.triangles.resize(kept);
+        triangles.resize(kept);
     }
 
     // Gives the corners of a face their normals and texture coordinates as far as the file has them, and
@@ -93,22 +102,22 @@ struct Builder {
         for (std::size_t c = face.first_corner; c < face.first_corner + face.corner_count; ++c) {
             const std::int32_t n = text.faces.corners[c].normal, t = text.faces.corners[c].texcoord;
             if (is_listed(n, text.normals)) {
-                made.corner_normal[c] = n;
-                sum += glm::dvec3(made.normals[static_cast<std::size_t>(n)]);
+                corner_normal[c] = n;
+                sum += glm::dvec3(normals[static_cast<std::size_t>(n)]);
             } else if (n != kAbsentIndex) {
-                made.report.missing_normals.add(face.line);
+                report.missing_normals.add(face.line);
             }
             const bool usable = is_listed(t, text.texcoords) &&
                                 std::isfinite(text.texcoords[static_cast<std::size_t>(t)].x) &&
                                 std::isfinite(text.texcoords[static_cast<std::size_t>(t)].y);
-            if (usable) made.corner_texcoord[c] = t;
-            if (!usable && t != kAbsentIndex) made.report.missing_texcoords.add(face.line);
+            if (usable) corner_texcoord[c] = t;
+            if (!usable && t != kAbsentIndex) report.missing_texcoords.add(face.line);
         }
         const bool reversed = glm::dot(geometric, sum) < 0;
         if (reversed) {
-            made.report.reversed.add(face.line);
-            for (std::size_t t = first_triangle; t < made.triangles.size(); ++t) {
-                std::swap(made.triangles[t].corners[1], made.triangles[t].corners[2]);
+            report.reversed.add(face.line);
+            for (std::size_t t = first_triangle; t < triangles.size(); ++t) {
+                std::swap(triangles[t].corners[1], triangles[t].corners[2]);
             }
         }
         use_face_normal(face, reversed ? -geometric : geometric);
@@ -122,44 +131,77 @@ struct Builder {
         const glm::vec3 own = unit_or_zero(geometric);
         std::int32_t of_face = kAbsentIndex;
         for (std::size_t c = face.first_corner; c < face.first_corner + face.corner_count; ++c) {
-            const std::int32_t n = made.corner_normal[c];
+            const std::int32_t n = corner_normal[c];
             const bool absent = n == kAbsentIndex;
-            if (absent ? face.smoothing != kFlatShaded
-                       : made.normals[static_cast<std::size_t>(n)] != glm::vec3(0))
+            if (absent ? face.smoothing != kFlatShaded : normals[static_cast<std::size_t>(n)] != glm::vec3(0))
                 continue;
-            if (!absent) made.report.replaced_normals.add(face.line);
+            if (!absent) report.replaced_normals.add(face.line);
             if (of_face == kAbsentIndex && own != glm::vec3(0)) {
-                of_face = static_cast<std::int32_t>(made.normals.size());
-                made.normals.push_back(own);
+                of_face = static_cast<std::int32_t>(normals.size() + added_normals.size());
+                added_normals.push_back(own);
             }
-            made.corner_normal[c] = of_face;
+            corner_normal[c] = of_face;
         }
     }
 
     void add_face(std::uint32_t face_index) {
         const ObjFace& face = text.faces.faces[face_index];
         if (!take_outline(face)) return;
-        const std::size_t first = made.triangles.size();
+        const std::size_t first = triangles.size();
         triangulate(face_index);
         drop_flat(first);
-        if (made.triangles.size() == first) return made.report.zero_area.add(face.line);
+        if (triangles.size() == first) return report.zero_area.add(face.line);
         resolve_corners(face, first);
     }
 };
 
+// Puts together what the blocks of faces have made: triangles, and the normals that faces added.
+void join(std::vector<Builder>& builders, std::size_t block, const ObjFaces& faces, ObjTriangles& made,
+          const Run& run) {
+    const auto of_file = static_cast<std::int32_t>(made.normals.size());
+    std::vector<std::size_t> first_triangle;
+    std::vector<std::int32_t> added_before;
+    std::size_t triangles = 0;
+    for (const Builder& builder : builders) {
+        first_triangle.push_back(triangles);
+        added_before.push_back(static_cast<std::int32_t>(made.normals.size()) - of_file);
+        triangles += builder.triangles.size();
+        made.normals.insert(made.normals.end(), builder.added_normals.begin(), builder.added_normals.end());
+        made.report.add_tallies(builder.report);
+    }
+    made.triangles.resize(triangles);
+    parallel_blocks(faces.faces.size(), block, run, [&](std::size_t first, std::size_t end) {
+        const std::size_t i = first / block;
+        const std::vector<ObjTriangle> own = std::move(builders[i].triangles);
+        std::copy(own.begin(), own.end(),
+                  made.triangles.begin() + static_cast<std::ptrdiff_t>(first_triangle[i]));
+        if (builders[i].added_normals.empty()) return;
+        const ObjFace& last = faces.faces[end - 1];
+        for (std::size_t c = faces.faces[first].first_corner; c < last.first_corner + last.corner_count; ++c)
+            if (made.corner_normal[c] >= of_file) made.corner_normal[c] += added_before[i];
+    });
+}
+
 }  // namespace
 
-ObjTriangles triangulate_obj(const ObjText& text, ObjReport report) {
-    Builder builder{.text = text, .made = {}, .outline = {}};
-    ObjTriangles& made = builder.made;
-    made.report = std::move(report);
-    made.triangles.reserve(text.faces.faces.size());
-    made.normals.reserve(text.normals.size());
-    for (const glm::vec3& normal : text.normals) made.normals.push_back(unit_or_zero(normal));
+ObjTriangles triangulate_obj(const ObjText& text, const Run& run) {
+    constexpr std::size_t kBlock = 16384;  // faces
+    const std::vector<ObjFace>& faces = text.faces.faces;
+    ObjTriangles made;
+    made.normals.resize(text.normals.size());
+    std::transform(text.normals.begin(), text.normals.end(), made.normals.begin(), unit_or_zero);
     made.corner_normal.assign(text.faces.corners.size(), kAbsentIndex);
     made.corner_texcoord.assign(text.faces.corners.size(), kAbsentIndex);
-    for (std::uint32_t f = 0; f < text.faces.faces.size(); ++f) builder.add_face(f);
-    return std::move(builder.made);
+    const std::size_t blocks = (faces.size() + kBlock - 1) / kBlock;
+    std::vector<Builder> builders(blocks,
+                                  Builder{text, made.normals, made.corner_normal, made.corner_texcoord});
+    parallel_blocks(faces.size(), kBlock, run, [&](std::size_t first, std::size_t end) {
+        Builder& builder = builders[first / kBlock];
+        builder.triangles.reserve(end - first);
+        for (std::size_t f = first; f < end; ++f) builder.add_face(static_cast<std::uint32_t>(f));
+    });
+    join(builders, kBlock, text.faces, made, run);
+    return made;
 }
 
 }  // namespace crevice

@@ -23,13 +23,13 @@ struct ObjTriangles {
     std::vector<glm::vec3> normals;             // file space, unit: the file's (0: useless), then those added
     std::vector<std::int32_t> corner_normal;    // a corner's, into `normals`; kAbsentIndex: to be generated
     std::vector<std::int32_t> corner_texcoord;  // a corner's, into ObjText::texcoords; or kAbsentIndex
-    ObjReport report;                           // the one passed in, with what the faces added
+    ObjReport report;                           // what was wrong with faces and corners, as tallies
 };
 
 // Faces that cannot be drawn are dropped and tallied, polygons cut by clipping ears, a convex quad along its
 // first and third corner. A face wound against its own normals (it faces away from their sum) is turned
 // round; a normal that is zero or not finite is replaced by the normal of the face, and so is an absent one
 // of a face that is shaded flat (`s off`).
-ObjTriangles triangulate_obj(const ObjText& text, ObjReport report);
+ObjTriangles triangulate_obj(const ObjText& text, const Run& run);
 
 }  // namespace crevice

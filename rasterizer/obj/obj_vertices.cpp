@@ -124,7 +124,7 @@ void ObjVertices::use_polypaint(const std::string& name, std::vector<std::string
 
 void ObjVertices::recentre(std::span<const TextPiece> pieces, const std::string& name, const ObjFaces& faces,
                            std::vector<std::string>& warnings, const Run& run) {
-    if (!may_need_origin(positions, faces)) return;
+    if (!may_need_origin(positions, faces, run)) return;
     const auto [exact, line_of] = exact_positions(pieces, name, run);
     origin = best_origin(exact, faces);
     if (origin != glm::dvec3(0)) {

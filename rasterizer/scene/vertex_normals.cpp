@@ -4,11 +4,13 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/float_text.h"
+#include "rasterizer/base/parallel.h"
 #include "rasterizer/scene/angle.h"
 #include "rasterizer/scene/direction_tree.h"
 
@@ -23,10 +25,12 @@ constexpr double kPlanarSlack = 1e-7;
 // Of so many corners or normals at one position each is looked at; of more a tree or a map is made.
 constexpr std::size_t kFew = 64;
 
+// Work is handed out in blocks of so many triangles or positions.
+constexpr std::size_t kBlock = 4096;
+
 // One corner of a triangle, as seen from its position.
 struct Incidence {
     std::uint32_t triangle, corner;
-    double angle_rad;
 };
 
 // The corners at each position: those of position p are corners[first[p] .. first[p + 1]), in the order of
@@ -36,53 +40,62 @@ struct Incidences {
     std::vector<Incidence> corners;
 };
 
-Incidences gather_incidences(std::span<const glm::vec3> positions,
-                             std::span<const std::array<std::uint32_t, 3>> triangles) {
-    Incidences at{std::vector<std::size_t>(positions.size() + 1, 0), {}};
+Incidences gather_incidences(std::size_t positions, std::span<const std::array<std::uint32_t, 3>> triangles) {
+    Incidences at{std::vector<std::size_t>(positions + 1, 0), {}};
     for (const auto& triangle : triangles) {
         for (const std::uint32_t position : triangle) ++at.first[position + 1];
     }
-    for (std::size_t p = 0; p < positions.size(); ++p) at.first[p + 1] += at.first[p];
+    for (std::size_t p = 0; p < positions; ++p) at.first[p + 1] += at.first[p];
     at.corners.resize(triangles.size() * 3);
     std::vector<std::size_t> next(at.first.begin(), at.first.end() - 1);
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            const glm::dvec3 here = positions[triangles[t][k]];
-            const glm::dvec3 to_next = unit_or_zero(glm::dvec3(positions[triangles[t][(k + 1) % 3]]) - here);
-            const glm::dvec3 to_last = unit_or_zero(glm::dvec3(positions[triangles[t][(k + 2) % 3]]) - here);
-            at.corners[next[triangles[t][k]]++] = {t, k, angle_between(to_next, to_last)};
-        }
+        for (std::uint32_t k = 0; k < 3; ++k) at.corners[next[triangles[t][k]]++] = {t, k};
     }
     return at;
 }
 
-std::vector<glm::dvec3> unit_face_normals(std::span<const glm::vec3> positions,
-                                          std::span<const std::array<std::uint32_t, 3>> triangles) {
+// The triangles, and the unit normal of each.
+struct Facets {
+    std::span<const glm::vec3> positions;
+    std::span<const std::array<std::uint32_t, 3>> triangles;
     std::vector<glm::dvec3> normals;
-    normals.reserve(triangles.size());
-    for (const auto& [a, b, c] : triangles) {
-        const glm::dvec3 origin = positions[a];
-        normals.push_back(
-            unit_or_zero(glm::cross(glm::dvec3(positions[b]) - origin, glm::dvec3(positions[c]) - origin)));
+
+    // The normal, weighted by the angle at the corner.
+    WeightedDirection direction_at(const Incidence& at) const {
+        const auto& triangle = triangles[at.triangle];
+        const glm::dvec3 here = positions[triangle[at.corner]];
+        const glm::dvec3 to_next = unit_or_zero(glm::dvec3(positions[triangle[(at.corner + 1) % 3]]) - here);
+        const glm::dvec3 to_last = unit_or_zero(glm::dvec3(positions[triangle[(at.corner + 2) % 3]]) - here);
+        return {normals[at.triangle], angle_between(to_next, to_last)};
     }
-    return normals;
+};
+
+Facets facets_of(std::span<const glm::vec3> positions,
+                 std::span<const std::array<std::uint32_t, 3>> triangles, const Run& run) {
+    Facets facets{positions, triangles, std::vector<glm::dvec3>(triangles.size())};
+    parallel_blocks(triangles.size(), kBlock, run, [&](std::size_t first, std::size_t end) {
+        for (std::size_t t = first; t < end; ++t) {
+            const glm::dvec3 a = positions[triangles[t][0]], b = positions[triangles[t][1]],
+                             c = positions[triangles[t][2]];
+            facets.normals[t] = unit_or_zero(glm::cross(b - a, c - a));
+        }
+    });
+    return facets;
 }
 
 // The mean directions of the corners of one smoothing group at one position.
 class MeanNormals {
  public:
-    MeanNormals(std::span<const Incidence> corners, const std::vector<glm::dvec3>& faces, double least_cosine)
+    MeanNormals(std::span<const Incidence> corners, const Facets& facets, double least_cosine)
         : least_cosine_(least_cosine) {
         if (least_cosine <= kEveryCosine) {
             DirectionSum all;
-            for (const Incidence& corner : corners)
-                all.add(WeightedDirection{faces[corner.triangle], corner.angle_rad});
+            for (const Incidence& corner : corners) all.add(facets.direction_at(corner));
             everywhere_ = mean(all);
             return;
         }
         directions_.reserve(corners.size());
-        for (const Incidence& corner : corners)
-            directions_.push_back({faces[corner.triangle], corner.angle_rad});
+        for (const Incidence& corner : corners) directions_.push_back(facets.direction_at(corner));
         if (directions_.size() > kFew) tree_.emplace(std::move(directions_));
     }
     // Of those corners whose triangle faces within the crease angle of `own`; 0 when it cancels.
@@ -131,11 +144,48 @@ struct NumberedNormals {
     }
 };
 
+struct Smoothing {
+    const Facets& facets;
+    std::span<const std::uint32_t> groups;
+    double least_cosine;
+
+    std::uint32_t group_of(const Incidence& corner) const {
+        return groups.empty() ? 0 : groups[corner.triangle];
+    }
+
+    // Numbers the normals of all `corners` of one position.
+    void add_position(std::span<Incidence> corners, NumberedNormals& numbered,
+                      std::vector<std::array<std::uint32_t, 3>>& of_triangle) const {
+        if (!groups.empty()) {
+            std::stable_sort(corners.begin(), corners.end(), [&](const Incidence& a, const Incidence& b) {
+                return group_of(a) < group_of(b);
+            });
+        }
+        numbered.next_position();
+        for (std::span<Incidence> left = corners; !left.empty();) {
+            const std::uint32_t group = group_of(left.front());
+            const auto end = std::find_if(left.begin(), left.end(),
+                                          [&](const Incidence& corner) { return group_of(corner) != group; });
+            const auto alike = left.first(static_cast<std::size_t>(end - left.begin()));
+            left = left.subspan(alike.size());
+            const MeanNormals means(alike, facets, least_cosine);
+            for (const Incidence& corner : alike) {
+                const glm::dvec3 own = facets.normals[corner.triangle];
+                glm::dvec3 normal = means.about(own);
+                if (normal == glm::dvec3(0)) normal = own;
+                if (normal == glm::dvec3(0)) normal = {0, 0, 1};
+                of_triangle[corner.triangle][corner.corner] = numbered.number_of(glm::vec3(normal));
+            }
+        }
+    }
+};
+
 }  // namespace
 
 CornerNormals angle_weighted_normals(std::span<const glm::vec3> positions,
                                      std::span<const std::array<std::uint32_t, 3>> triangles,
-                                     double crease_angle_rad, std::span<const std::uint32_t> groups) {
+                                     double crease_angle_rad, std::span<const std::uint32_t> groups,
+                                     const Run& run) {
     if (!(crease_angle_rad >= 0 && crease_angle_rad <= kSmoothEverywhere_rad)) {
         throw UsageError("the crease angle is out of range (" + shortest_text(crease_angle_rad) +
                          " rad); give one from 0 to pi");
@@ -143,41 +193,32 @@ CornerNormals angle_weighted_normals(std::span<const glm::vec3> positions,
     const bool smooth = crease_angle_rad >= kSmoothEverywhere_rad;
     const double least_cosine =
         smooth ? MeanNormals::kEveryCosine : sine_cosine(crease_angle_rad).cosine - kPlanarSlack;
-    const std::vector<glm::dvec3> faces = unit_face_normals(positions, triangles);
-    Incidences at = gather_incidences(positions, triangles);
-    const auto group_of = [&](const Incidence& corner) {
-        return groups.empty() ? 0 : groups[corner.triangle];
+    const Facets facets = facets_of(positions, triangles, run);
+    Incidences at = gather_incidences(positions.size(), triangles);
+    const auto corners_of = [&](std::size_t first, std::size_t end) {
+        return std::span(at.corners).subspan(at.first[first], at.first[end] - at.first[first]);
     };
 
+    // Each block numbers its own normals from 0; then they are joined, and numbers count from those before.
     CornerNormals result;
-    NumberedNormals numbered;
-    numbered.normals.reserve(positions.size());
     result.of_triangle.resize(triangles.size());
-    for (std::size_t p = 0; p < positions.size(); ++p) {
-        std::span<Incidence> left(at.corners.data() + at.first[p], at.first[p + 1] - at.first[p]);
-        if (!groups.empty()) {
-            std::stable_sort(left.begin(), left.end(), [&](const Incidence& a, const Incidence& b) {
-                return group_of(a) < group_of(b);
-            });
-        }
-        numbered.next_position();
-        while (!left.empty()) {
-            const std::uint32_t group = group_of(left.front());
-            const auto end = std::find_if(left.begin(), left.end(),
-                                          [&](const Incidence& corner) { return group_of(corner) != group; });
-            const auto corners = left.first(static_cast<std::size_t>(end - left.begin()));
-            left = left.subspan(corners.size());
-            const MeanNormals means(corners, faces, least_cosine);
-            for (const Incidence& corner : corners) {
-                const glm::dvec3 own = faces[corner.triangle];
-                glm::dvec3 normal = means.about(own);
-                if (normal == glm::dvec3(0)) normal = own;
-                if (normal == glm::dvec3(0)) normal = {0, 0, 1};
-                result.of_triangle[corner.triangle][corner.corner] = numbered.number_of(glm::vec3(normal));
-            }
-        }
+    std::vector<std::vector<glm::vec3>> of_block((positions.size() + kBlock - 1) / kBlock);
+    const Smoothing smoothing{facets, groups, least_cosine};
+    parallel_blocks(positions.size(), kBlock, run, [&](std::size_t first, std::size_t end) {
+        NumberedNormals numbered;
+        for (std::size_t p = first; p < end; ++p)
+            smoothing.add_position(corners_of(p, p + 1), numbered, result.of_triangle);
+        of_block[first / kBlock] = std::move(numbered.normals);
+    });
+    std::vector<std::uint32_t> numbered_before;
+    for (const std::vector<glm::vec3>& normals : of_block) {
+        numbered_before.push_back(static_cast<std::uint32_t>(result.normals.size()));
+        result.normals.insert(result.normals.end(), normals.begin(), normals.end());
     }
-    result.normals = std::move(numbered.normals);
+    parallel_blocks(positions.size(), kBlock, run, [&](std::size_t first, std::size_t end) {
+        for (const Incidence& corner : corners_of(first, end))
+            result.of_triangle[corner.triangle][corner.corner] += numbered_before[first / kBlock];
+    });
     return result;
 }
 

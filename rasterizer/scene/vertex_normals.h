@@ -8,6 +8,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "rasterizer/base/run.h"
 #include "rasterizer/lanes/approx_math.h"
 
 namespace crevice {
@@ -32,6 +33,7 @@ struct CornerNormals {
 // way, n log n where they make a fan.
 CornerNormals angle_weighted_normals(std::span<const glm::vec3> positions,
                                      std::span<const std::array<std::uint32_t, 3>> triangles,
-                                     double crease_angle_rad, std::span<const std::uint32_t> groups = {});
+                                     double crease_angle_rad, std::span<const std::uint32_t> groups = {},
+                                     const Run& run = {});
 
 }  // namespace crevice
