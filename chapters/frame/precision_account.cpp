@@ -134,8 +134,8 @@ bool shows_something(const GBuffer& gbuffer) {
 
 std::size_t vertices_not_finite(const ScreenGeometry& geometry) {
     std::size_t count = 0;
-    for (const ProjectedVertex& v : geometry.vertices.projected)
-        count += (v.outside & kNotANumber) != 0 ? 1 : 0;
+    for (const std::int32_t outside : geometry.vertices.projected.outside)
+        count += (outside & kNotANumber) != 0 ? 1 : 0;
     return count;
 }
 
@@ -149,7 +149,7 @@ std::size_t through_the_eye_plane(const ScreenGeometry& geometry) {
             last = &t;
             if (t.clipped < 0 || piece_of_last) continue;
             const auto behind = [&](std::uint32_t vertex) {
-                return (geometry.vertices.projected[vertex].outside & kOutsideEye) != 0;
+                return (geometry.vertices.projected.outside[vertex] & kOutsideEye) != 0;
             };
             count += std::any_of(t.vertex.begin(), t.vertex.end(), behind) ? 1 : 0;
         }

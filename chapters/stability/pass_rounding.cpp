@@ -30,11 +30,12 @@ void add_vertices(const RoundingView& view, std::vector<PassRounding>& rows) {
     const TransformedVertices& drawn = view.geometry.vertices;
     std::vector<double> off_px, off_ulps;
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        if (!drawn.in_view[i]) continue;
         const Instance& instance = scene.instances[i];
         const std::size_t count = scene.meshes[static_cast<std::size_t>(instance.mesh)].positions.size();
         for (std::size_t number = 0; number < count; ++number) {
             const std::size_t at = drawn.first_vertex[i] + number;
-            const ProjectedVertex& p = drawn.projected[at];
+            const ProjectedVertex p = drawn.projected[at];
             if ((p.outside & (kNeedsClipping | kNotANumber)) != 0) continue;
             const JudgedVertex right = judge.vertex(instance, number);
             const auto position = [](std::int32_t snapped, float rest) {
@@ -117,8 +118,9 @@ RoundingView rounding_view(StiffView view, const Run& run) {
     const Scene& scene = result.view.scene;
     result.camera = result.view.camera;
     result.camera.reversed_z = settings.reversed_z;
-    result.geometry =
-        screen_geometry(scene, result.camera, result.view.size, geometry_settings(settings.buffers), run);
+    GeometrySettings with_clip_positions = geometry_settings(settings.buffers);
+    with_clip_positions.with_clip_positions = true;
+    result.geometry = screen_geometry(scene, result.camera, result.view.size, with_clip_positions, run);
     result.gbuffer = normal_depth(scene, result.geometry, settings.reversed_z, settings.buffers, run);
     result.judged = double_gbuffer(DoubleJudge(scene, result.camera, result.geometry), result.gbuffer);
     return result;

@@ -9,6 +9,7 @@ namespace crevice {
 
 enum class Skip {
     passes,                // passes and buffers that nothing asked for reads
+    off_screen_instances,  // whole meshes beyond one side of the view, before their vertices are transformed
     off_screen_triangles,  // whole triangles beyond one side of the view
     hidden_triangles,      // behind everything a part of a tile already shows
     empty_tiles,           // no triangle touches them: they keep their clear values
@@ -17,7 +18,7 @@ enum class Skip {
     faint_highlights,  // of the lit pass: too faint to change the last bit of the colour
     second_drawing,    // of the lit pass: the first pass kept what these pixels show
 };
-inline constexpr int kSkipCount = 8;
+inline constexpr int kSkipCount = 9;
 
 // The short name of a kind, as it stands in passes.json.
 const char* skip_name(Skip skip);

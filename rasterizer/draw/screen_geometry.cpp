@@ -58,6 +58,7 @@ void build_blocks(ScreenGeometry& geometry, const std::vector<BlockSource>& sour
         geometry.blocks[at] = build_block(geometry, groups[at], setup, run);
     });
     for (const BlockSource& source : sources) geometry.submitted_triangles += source.triangles.size();
+    geometry.submitted_triangles += geometry.triangles_of_off_screen_instances;
     std::size_t largest = 0;
     for (const TriangleBlock& block : geometry.blocks) largest = std::max(largest, block.triangles.size());
     geometry.index_bits = static_cast<int>(std::bit_width(largest));
@@ -89,15 +90,22 @@ ScreenGeometry screen_geometry(const Scene& scene, const Camera& camera, Size si
     geometry.depth_b = matrices.depth_b;
     geometry.depth_range = depth_range(camera);
     if (settings.with_normals) geometry.tangent_turns = tangent_turns(scene, matrices);
-    geometry.vertices = transform_vertices(
-        scene, camera, size, {settings.position_order, settings.with_normals, settings.normal_matrix}, run);
-
     // The other orders of the product are shown with their own roundings.
     const bool from_exact = settings.position_order == PositionOrder::relative;
+    geometry.vertices =
+        transform_vertices(scene, camera, size,
+                           {settings.position_order, settings.with_normals,
+                            settings.with_clip_positions || !from_exact, settings.normal_matrix},
+                           run);
     const ExactClip exact{&scene, camera.eye, clip_from_relative(camera, size)};
     std::vector<BlockSource> sources;
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(scene.instances[i].mesh)];
+        if (!geometry.vertices.in_view[i]) {
+            ++geometry.off_screen_instances;
+            geometry.triangles_of_off_screen_instances += mesh.triangles.size();
+            continue;
+        }
         const bool mirrored = glm::determinant(glm::mat3(scene.instances[i].world_from_object)) < 0;
         for (const MeshPart& part : mesh.parts) {
             append_sources(sources,
@@ -118,12 +126,15 @@ ScreenGeometry screen_geometry_from_clip(std::span<const glm::vec4> p_clip,
     ScreenGeometry geometry = empty_geometry(size, run);
     TransformedVertices& vertices = geometry.vertices;
     vertices.first_vertex = {0};
-    vertices.n_view.assign(p_clip.size(), glm::vec3(0));
+    vertices.in_view = {true};
     vertices.with_normals = true;
-    for (const glm::vec4& p : p_clip) {
-        vertices.p_clip.push_back(p);
-        vertices.projected.push_back(project_vertex(p, size));
-    }
+    vertices.n_view.resize(p_clip.size());
+    std::fill(vertices.n_view.begin(), vertices.n_view.end(), glm::vec3(0));
+    vertices.p_clip.resize(p_clip.size());
+    std::copy(p_clip.begin(), p_clip.end(), vertices.p_clip.begin());
+    vertices.projected.resize(p_clip.size());
+    for (std::size_t i = 0; i < p_clip.size(); ++i)
+        vertices.projected.set(i, project_vertex(p_clip[i], size));
     std::vector<BlockSource> sources;
     append_sources(sources, {triangles, 0, 0, 0, false, nullptr});
     build_blocks(geometry, sources, setup, run);

@@ -20,7 +20,7 @@ namespace crevice {
 
 // A run of consecutive triangles. Blocks are built side by side; tiles read them one after the other.
 struct TriangleBlock {
-    std::vector<ScreenTriangle> triangles;
+    VertexArray<ScreenTriangle> triangles;
     std::vector<ClippedCorners> clipped;
     std::size_t off_screen = 0;  // triangles beyond one side of the view, left out
     std::vector<std::uint32_t>
@@ -55,6 +55,8 @@ struct ScreenGeometry {
     std::vector<TriangleBlock> blocks;
     int index_bits = 0;  // of a triangle's number; the rest is that of its block
     std::size_t submitted_triangles = 0;
+    // Left out before their vertices were transformed.
+    std::size_t off_screen_instances = 0, triangles_of_off_screen_instances = 0;
 
     // A triangle's number: what a visibility buffer holds.
     std::int32_t number_of(std::size_t block, std::uint32_t index) const {
@@ -67,8 +69,9 @@ struct ScreenGeometry {
         return {&t, block.corners_of(t)};
     }
 
+    // Those of instances that are left out are among them.
     std::size_t off_screen_triangles() const {
-        std::size_t count = 0;
+        std::size_t count = triangles_of_off_screen_instances;
         for (const TriangleBlock& block : blocks) count += block.off_screen;
         return count;
     }
@@ -89,6 +92,7 @@ struct ScreenGeometry {
 struct GeometrySettings {
     PositionOrder position_order = PositionOrder::relative;
     bool with_normals = true;
+    bool with_clip_positions = false;              // fill TransformedVertices::p_clip
     DepthFormat depth_format = DepthFormat::d32f;  // matters to the unit of the bias only
     DepthBias depth_bias = {};
     bool keep_back_faces = false;  // draw them even where the scene culls them

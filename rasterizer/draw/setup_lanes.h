@@ -8,6 +8,40 @@
 
 namespace crevice {
 
+template <class F>
+struct SnappedCorner {
+    Int<F> x, y;  // 1/256 pixel
+};
+
+// What the snapped corners alone say: enough to drop back faces, and triangles between the pixels' centres.
+template <class F>
+struct SnappedTriangles {
+    using I = Int<F>;
+    using D = Double<F>;
+
+    D area;  // twice the signed one; positive clockwise. Whole numbers below 2^49: exact in double.
+    I left, top, right, bottom;
+    I x0, y0, x1, y1;  // ScreenTriangle::bounds
+    Mask<F> back_facing;
+    Mask<F> drawn;  // has area, may cover a pixel centre, is not culled
+
+    CREVICE_INLINE SnappedTriangles(const SnappedCorner<F>& a, const SnappedCorner<F>& b,
+                                    const SnappedCorner<F>& c, Mask<F> wanted, bool cull_back_faces)
+        : area(to_double(b.x - a.x) * to_double(c.y - a.y) - to_double(c.x - a.x) * to_double(b.y - a.y)),
+          left(min_of(min_of(a.x, b.x), c.x)),
+          top(min_of(min_of(a.y, b.y), c.y)),
+          right(max_of(max_of(a.x, b.x), c.x)),
+          bottom(max_of(max_of(a.y, b.y), c.y)),
+          x0(first_centre(left)),
+          y0(first_centre(top)),
+          x1(last_centre(right) + I(1)),
+          y1(last_centre(bottom) + I(1)),
+          back_facing(area < D(0)),
+          drawn(wanted & (area != D(0)) & (x0 < x1) & (y0 < y1)) {
+        if (cull_back_faces) drawn = drawn & !back_facing;
+    }
+};
+
 // A corner of each triangle: ProjectedVertex, lane by lane.
 template <class F>
 struct LaneCorner {
@@ -41,38 +75,29 @@ struct SetupLanes {
         F at_corner[3];
     };
 
-    Mask<F> drawn;            // has area, may cover a pixel centre, is not culled
+    const SnappedTriangles<F> snapped;
     LaneCorner<F> corner[3];  // clockwise from the topmost, then leftmost
-    Mask<F> back_facing, shows_back, small;
-    I x0, y0, x1, y1;  // ScreenTriangle::bounds
+    Mask<F> shows_back, small;
     D area, inverse_area;
     Plane z, inverse_w;
 
-    CREVICE_INLINE SetupLanes(const LaneCorner<F> (&given)[3], Mask<F> wanted, bool cull_back_faces) {
+    CREVICE_INLINE SetupLanes(const LaneCorner<F> (&given)[3], Mask<F> wanted, bool cull_back_faces)
+        : snapped({given[0].x, given[0].y}, {given[1].x, given[1].y}, {given[2].x, given[2].y}, wanted,
+                  cull_back_faces) {
         const LaneCorner<F>&a = given[0], &b = given[1], &c = given[2];
-        // Whole numbers below 2^49: exact in double.
-        area = to_double(b.x - a.x) * to_double(c.y - a.y) - to_double(c.x - a.x) * to_double(b.y - a.y);
-        back_facing = area < D(0);
-        const I left = min_of(min_of(a.x, b.x), c.x), right = max_of(max_of(a.x, b.x), c.x),
-                top = min_of(min_of(a.y, b.y), c.y), bottom = max_of(max_of(a.y, b.y), c.y);
-        x0 = first_centre(left);
-        y0 = first_centre(top);
-        x1 = last_centre(right) + I(1);
-        y1 = last_centre(bottom) + I(1);
-        drawn = wanted & (area != D(0)) & (x0 < x1) & (y0 < y1);
-        if (cull_back_faces) drawn = drawn & !back_facing;
-
+        const Mask<F> drawn = snapped.drawn, back_facing = snapped.back_facing;
         order_corners(a, select<F>(back_facing, c, b), select<F>(back_facing, b, c));
-        area = select(back_facing, D(0) - area, area);
+        area = select(back_facing, D(0) - snapped.area, snapped.area);
         inverse_area = D(1) / select(drawn, area, D(1));
         z = plane_through({corner[0].z_ndc, corner[1].z_ndc, corner[2].z_ndc});
         inverse_w = plane_through({corner[0].inverse_w, corner[1].inverse_w, corner[2].inverse_w});
         const I limit(kSmallTriangle_px * kSubpixelSteps);
-        small = (right - left <= limit) & (bottom - top <= limit);
+        const I width = snapped.right - snapped.left, height = snapped.bottom - snapped.top;
+        small = (width <= limit) & (height <= limit);
 
         shows_back = back_facing;
         // Snapping moves a side by up to one step across and one down.
-        const D moved = to_double(right - left + (bottom - top)) * D(2) + D(2);
+        const D moved = to_double(width + height) * D(2) + D(2);
         const Mask<F> may_turn = drawn & (area <= moved);
         if (!cull_back_faces && any(may_turn)) {
             const D before = doubled_area_before_snap(a, b, c);
@@ -138,10 +163,10 @@ class SetUpTriangles {
             put(z_[i], s.z.at_corner[i]);
             put(inverse_w_[i], s.inverse_w.at_corner[i]);
         }
-        put(bounds_[0], s.x0);
-        put(bounds_[1], s.y0);
-        put(bounds_[2], s.x1);
-        put(bounds_[3], s.y1);
+        put(bounds_[0], s.snapped.x0);
+        put(bounds_[1], s.snapped.y0);
+        put(bounds_[2], s.snapped.x1);
+        put(bounds_[3], s.snapped.y1);
         const auto z_per = [&](int i) __attribute__((always_inline)) {
             return to_float((to_double(s.z.at_corner[i]) - to_double(s.z.at_corner[0])) * s.inverse_area);
         };
@@ -157,7 +182,8 @@ class SetUpTriangles {
         put(z_high_, to_float(to_double(farthest) + rounding));
         put(area_, to_float(s.area));
         const Int<F> zero(0);
-        put(flags_, select(s.drawn, Int<F>(kDrawn), zero) | select(s.back_facing, Int<F>(kBackFacing), zero) |
+        put(flags_, select(s.snapped.drawn, Int<F>(kDrawn), zero) |
+                        select(s.snapped.back_facing, Int<F>(kBackFacing), zero) |
                         select(s.shows_back, Int<F>(kShowsBack), zero) |
                         select(s.small, Int<F>(kSmall), zero));
         put(z_per_x_, s.z.per_x);
@@ -166,17 +192,21 @@ class SetUpTriangles {
 
     bool drawn(int lane) const { return (flags_[static_cast<std::size_t>(lane)] & kDrawn) != 0; }
 
-    // Material, instance, vertex and clipped are left to the caller; `order` says which corner of the input became
-    // corner 0, 1, 2.
-    SetUpTriangle triangle(int lane, const SetupSettings& settings) const {
+    // Which corner of the input became corner 0, 1, 2.
+    std::array<std::uint8_t, 3> order(int lane) const {
         const auto l = static_cast<std::size_t>(lane);
-        SetUpTriangle result;
-        ScreenTriangle& t = result.triangle;
+        return {static_cast<std::uint8_t>(number_[0][l]), static_cast<std::uint8_t>(number_[1][l]),
+                static_cast<std::uint8_t>(number_[2][l])};
+    }
+
+    // Written in place, member by member: a processor waits when it copies what it has just written in smaller parts.
+    // Whole; material, instance and vertex are left to the caller.
+    CREVICE_INLINE void write(int lane, const SetupSettings& settings, ScreenTriangle& t) const {
+        const auto l = static_cast<std::size_t>(lane);
         for (std::size_t i = 0; i < 3; ++i) {
             t.x[i] = x_[i][l];
             t.y[i] = y_[i][l];
             t.inverse_w[i] = inverse_w_[i][l];
-            result.order[i] = static_cast<std::uint8_t>(number_[i][l]);
         }
         t.z0 = z_[0][l];
         t.z_per_e1 = z_per_e1_[l];
@@ -190,7 +220,6 @@ class SetUpTriangles {
         t.back_facing = (flags_[l] & kBackFacing) != 0;
         t.shows_back = (flags_[l] & kShowsBack) != 0;
         t.small = (flags_[l] & kSmall) != 0;
-        return result;
     }
 
  private:

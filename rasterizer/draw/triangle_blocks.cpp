@@ -1,6 +1,7 @@
 #include "rasterizer/draw/triangle_blocks.h"
 
 #include <algorithm>
+#include <bit>
 #include <optional>
 
 #include "rasterizer/base/run.h"
@@ -16,7 +17,11 @@ class BlockBuilder {
  public:
     BlockBuilder(const ScreenGeometry& geometry, const SetupSettings& setup, bool leaves_out_off_screen,
                  TriangleBlock& block)
-        : geometry_(geometry), setup_(setup), leaves_out_off_screen_(leaves_out_off_screen), block_(block) {}
+        : geometry_(geometry),
+          setup_(setup),
+          leaves_out_off_screen_(leaves_out_off_screen),
+          tile_bits_(std::countr_zero(static_cast<unsigned>(geometry.tile_size))),
+          block_(block) {}
 
     void reserve(std::size_t triangles) {
         block_.triangles.reserve(triangles);
@@ -26,7 +31,10 @@ class BlockBuilder {
     // All triangles of a source, as many at a time as there are lanes.
     template <class F>
     CREVICE_INLINE void add(const BlockSource& source) {
-        for (std::size_t i = 0; i < source.triangles.size(); i += kLanes<F>) add_group<F>(source, i);
+        Survivors<F> survivors;
+        for (std::size_t i = 0; i < source.triangles.size(); i += kLanes<F>)
+            add_group<F>(source, i, survivors);
+        set_up(source, survivors);
     }
 
     void finish() {
@@ -44,9 +52,16 @@ class BlockBuilder {
         std::uint32_t tile, triangle;
     };
 
-    // The triangles from `first` on, one a lane.
+    // Triangles that may be drawn and are whole, until there are as many as lanes.
     template <class F>
-    CREVICE_INLINE void add_group(const BlockSource& source, std::size_t first) {
+    struct Survivors {
+        std::int32_t vertex[3][kLanes<F>] = {};
+        int count = 0;
+    };
+
+    // Looks at the triangles from `first` on, one a lane, and sets up what is left of them when the lanes are full.
+    template <class F>
+    CREVICE_INLINE void add_group(const BlockSource& source, std::size_t first, Survivors<F>& survivors) {
         using I = Int<F>;
         const auto left = static_cast<int>(source.triangles.size() - first);
         const I triangle = min_of(lane_index<F>(), I(left - 1));
@@ -72,57 +87,85 @@ class BlockBuilder {
                 wanted = wanted & !beyond;
             }
         }
-        if (!any(wanted)) return;
         const Mask<F> clipped = wanted & has(somewhere, kNeedsClipping);
-        const LaneCorner<F> corners[3] = {corner_of<F>(vertex[0], 0), corner_of<F>(vertex[1], 1),
-                                          corner_of<F>(vertex[2], 2)};
-        const SetUpTriangles<F> set_up(SetupLanes<F>(corners, wanted & !clipped, setup_.cull_back_faces));
-
-        std::int32_t index[3][kLanes<F>], needs_clipping[kLanes<F>];
+        const SnappedTriangles<F> snapped(snapped_corner<F>(vertex[0]), snapped_corner<F>(vertex[1]),
+                                          snapped_corner<F>(vertex[2]), wanted & !clipped,
+                                          setup_.cull_back_faces);
+        std::uint32_t some = lane_bits(snapped.drawn | clipped);
+        if (some == 0) return;
+        const std::uint32_t needs_clipping = lane_bits(clipped);
+        std::int32_t index[3][kLanes<F>];
         for (std::size_t i = 0; i < 3; ++i) store(index[i], vertex[i]);
-        store(needs_clipping, select(clipped, I(1), I(0)));
-        for (int lane = 0; lane < kLanes<F> && lane < left; ++lane) {
-            const std::array<std::uint32_t, 3> of_lane = {static_cast<std::uint32_t>(index[0][lane]),
-                                                          static_cast<std::uint32_t>(index[1][lane]),
-                                                          static_cast<std::uint32_t>(index[2][lane])};
-            if (needs_clipping[lane] != 0) {
-                add_clipped(source, of_lane);
-            } else if (set_up.drawn(lane)) {
-                append(source, of_lane, set_up.triangle(lane, setup_), nullptr);
+        for (; some != 0; some &= some - 1) {
+            const int lane = std::countr_zero(some);
+            if ((needs_clipping >> lane & 1) != 0) {
+                set_up(source, survivors);
+                add_clipped(source, {static_cast<std::uint32_t>(index[0][lane]),
+                                     static_cast<std::uint32_t>(index[1][lane]),
+                                     static_cast<std::uint32_t>(index[2][lane])});
+                continue;
             }
+            for (int i = 0; i < 3; ++i) survivors.vertex[i][survivors.count] = index[i][lane];
+            if (++survivors.count == kLanes<F>) set_up(source, survivors);
         }
     }
 
-    // A member of each lane's vertex.
-    template <class F, class T>
-    CREVICE_INLINE auto member_of(const T ProjectedVertex::*member, Int<F> vertex) const {
-        static_assert(sizeof(ProjectedVertex) % sizeof(T) == 0);
-        constexpr auto stride = static_cast<std::int32_t>(sizeof(ProjectedVertex) / sizeof(T));
-        return gather(&(geometry_.vertices.projected.data()->*member), vertex * Int<F>(stride));
+    // Sets up the survivors and leaves none.
+    template <class F>
+    CREVICE_INLINE void set_up(const BlockSource& source, Survivors<F>& survivors) {
+        using I = Int<F>;
+        const int count = survivors.count;
+        if (count == 0) return;
+        survivors.count = 0;
+        // The lanes after the last repeat the first.
+        const Mask<F> filled = lane_index<F>() < I(count);
+        I vertex[3];
+        for (int i = 0; i < 3; ++i) {
+            const std::int32_t* const given = survivors.vertex[i];
+            vertex[i] = select(filled, load<F>(given), I(given[0]));
+        }
+        const LaneCorner<F> corners[3] = {corner_of<F>(vertex[0], 0), corner_of<F>(vertex[1], 1),
+                                          corner_of<F>(vertex[2], 2)};
+        const SetUpTriangles<F> set_up(SetupLanes<F>(corners, filled, setup_.cull_back_faces));
+        for (int lane = 0; lane < count; ++lane) {
+            ScreenTriangle& t = block_.triangles.emplace_back();
+            set_up.write(lane, setup_, t);
+            const std::array<std::uint8_t, 3> order = set_up.order(lane);
+            for (std::size_t i = 0; i < 3; ++i)
+                t.vertex[i] = static_cast<std::uint32_t>(survivors.vertex[order[i]][lane]);
+            enter(source, t);
+        }
     }
+
     template <class F>
     CREVICE_INLINE Int<F> outside_of(Int<F> vertex) const {
-        return member_of<F>(&ProjectedVertex::outside, vertex);
+        return gather(geometry_.vertices.projected.outside.data(), vertex);
+    }
+    template <class F>
+    CREVICE_INLINE SnappedCorner<F> snapped_corner(Int<F> vertex) const {
+        const ProjectedVertices& v = geometry_.vertices.projected;
+        return {gather(v.x.data(), vertex), gather(v.y.data(), vertex)};
     }
     template <class F>
     CREVICE_INLINE LaneCorner<F> corner_of(Int<F> vertex, int number) const {
-        return {member_of<F>(&ProjectedVertex::x, vertex),
-                member_of<F>(&ProjectedVertex::y, vertex),
-                member_of<F>(&ProjectedVertex::x_rest, vertex),
-                member_of<F>(&ProjectedVertex::y_rest, vertex),
-                member_of<F>(&ProjectedVertex::z_ndc, vertex),
-                member_of<F>(&ProjectedVertex::inverse_w, vertex),
+        const ProjectedVertices& v = geometry_.vertices.projected;
+        return {gather(v.x.data(), vertex),
+                gather(v.y.data(), vertex),
+                gather(v.x_rest.data(), vertex),
+                gather(v.y_rest.data(), vertex),
+                gather(v.z_ndc.data(), vertex),
+                gather(v.inverse_w.data(), vertex),
                 Int<F>(number)};
     }
 
     void add_clipped(const BlockSource& source, const std::array<std::uint32_t, 3>& index) {
         std::array<glm::dvec4, 3> p_clip;
-        std::array<const ProjectedVertex*, 3> corners;
+        std::array<ProjectedVertex, 3> corners;
         for (std::size_t i = 0; i < 3; ++i) {
             p_clip[i] = source.exact != nullptr
                             ? source.exact->at(source.instance, index[i] - source.first_vertex)
                             : glm::dvec4(geometry_.vertices.p_clip[index[i]]);
-            corners[i] = &geometry_.vertices.projected[index[i]];
+            corners[i] = geometry_.vertices.projected[index[i]];
         }
         const ClippedPolygon polygon = clip_triangle(p_clip, geometry_.size, geometry_.depth_range);
         std::array<ProjectedVertex, kMaxClippedVertices> projected;
@@ -131,7 +174,7 @@ class BlockBuilder {
             // band may be outside in float and not be moved in double: it has no position yet.)
             const ClippedVertex& v = polygon.vertices[i];
             const ProjectedVertex* corner =
-                v.original >= 0 ? corners[static_cast<std::size_t>(v.original)] : nullptr;
+                v.original >= 0 ? &corners[static_cast<std::size_t>(v.original)] : nullptr;
             const bool keeps = corner != nullptr && (corner->outside & kNeedsClipping) == 0;
             projected[i] = keeps ? *corner : project_clipped(v, geometry_.size);
         }
@@ -144,43 +187,38 @@ class BlockBuilder {
             }
             const std::optional<SetUpTriangle> set_up =
                 set_up_triangle({&projected[piece[0]], &projected[piece[1]], &projected[piece[2]]}, setup_);
-            if (set_up) append(source, index, *set_up, &lambdas);
+            if (set_up) add_piece(source, index, *set_up, lambdas);
         }
     }
 
-    void append(const BlockSource& source, const std::array<std::uint32_t, 3>& index,
-                const SetUpTriangle& set_up, const ClippedCorners* lambdas) {
-        ScreenTriangle t = set_up.triangle;
+    // The corners of the piece were reordered; the submitted triangle keeps its order.
+    void add_piece(const BlockSource& source, const std::array<std::uint32_t, 3>& index,
+                   const SetUpTriangle& set_up, const ClippedCorners& lambdas) {
+        ScreenTriangle& t = block_.triangles.emplace_back(set_up.triangle);
+        t.vertex = index;
+        t.clipped = static_cast<std::int32_t>(block_.clipped.size());
+        ClippedCorners& reordered = block_.clipped.emplace_back();
+        for (std::size_t i = 0; i < 3; ++i) {
+            reordered.lambda1[i] = lambdas.lambda1[set_up.order[i]];
+            reordered.lambda2[i] = lambdas.lambda2[set_up.order[i]];
+        }
+        enter(source, t);
+    }
+
+    // The last triangle, into the tiles that it may touch.
+    void enter(const BlockSource& source, ScreenTriangle& t) {
         t.instance = source.instance;
         t.material = source.material;
-        if (lambdas != nullptr) {
-            // The corners of the piece were reordered; the submitted triangle keeps its order.
-            ClippedCorners reordered;
-            for (std::size_t i = 0; i < 3; ++i) {
-                reordered.lambda1[i] = lambdas->lambda1[set_up.order[i]];
-                reordered.lambda2[i] = lambdas->lambda2[set_up.order[i]];
-            }
-            t.vertex = index;
-            t.clipped = static_cast<std::int32_t>(block_.clipped.size());
-            block_.clipped.push_back(reordered);
-        } else {
-            for (std::size_t i = 0; i < 3; ++i) t.vertex[i] = index[set_up.order[i]];
-        }
-        enter_into_tiles(t);
-        block_.triangles.push_back(t);
-    }
-
-    void enter_into_tiles(const ScreenTriangle& t) {
-        const int size = geometry_.tile_size;
-        const int left = std::max(t.bounds.x0, 0) / size, top = std::max(t.bounds.y0, 0) / size;
         const int right = std::min(t.bounds.x1, geometry_.size.width) - 1,
                   bottom = std::min(t.bounds.y1, geometry_.size.height) - 1;
         if (right < 0 || bottom < 0 || t.bounds.x0 > right || t.bounds.y0 > bottom) return;
-        const auto triangle = static_cast<std::uint32_t>(block_.triangles.size());
-        const bool one_tile = left == right / size && top == bottom / size;
-        for (int y = top; y <= bottom / size; ++y) {
-            for (int x = left; x <= right / size; ++x) {
-                if (!one_tile && misses_tile(t, x * size, y * size)) continue;
+        const int first_x = std::max(t.bounds.x0, 0) >> tile_bits_, last_x = right >> tile_bits_,
+                  first_y = std::max(t.bounds.y0, 0) >> tile_bits_, last_y = bottom >> tile_bits_;
+        const auto triangle = static_cast<std::uint32_t>(block_.triangles.size() - 1);
+        const bool one_tile = first_x == last_x && first_y == last_y;
+        for (int y = first_y; y <= last_y; ++y) {
+            for (int x = first_x; x <= last_x; ++x) {
+                if (!one_tile && misses_tile(t, x << tile_bits_, y << tile_bits_)) continue;
                 entries_.push_back({static_cast<std::uint32_t>(y * geometry_.tiles.width + x), triangle});
             }
         }
@@ -200,6 +238,7 @@ class BlockBuilder {
     const ScreenGeometry& geometry_;
     const SetupSettings& setup_;
     const bool leaves_out_off_screen_;
+    const int tile_bits_;  // a tile's size is this power of two
     TriangleBlock& block_;
     std::vector<Entry> entries_;
 };

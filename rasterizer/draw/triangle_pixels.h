@@ -70,7 +70,7 @@ struct TrianglePixels {
     // The interpolated vertex normal, view space, not normalised; of a back face the other way. The winding alone
     // says which side is seen: near the rim of a smooth mesh the interpolated normal leans over to the other.
     CREVICE_INLINE Vec3<F> interpolated_normal(const ScreenGeometry& geometry) const {
-        const std::vector<glm::vec3>& n_view = geometry.vertices.n_view;
+        const VertexArray<glm::vec3>& n_view = geometry.vertices.n_view;
         const Vec3<F> n = here.interpolate(n_view[triangle.vertex[0]], n_view[triangle.vertex[1]],
                                            n_view[triangle.vertex[2]]);
         const F zero(0);

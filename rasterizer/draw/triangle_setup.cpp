@@ -35,8 +35,12 @@ std::optional<SetUpTriangle> set_up_triangle(const std::array<const ProjectedVer
     };
     const LaneCorner<float> given[3] = {corner(0), corner(1), corner(2)};
     const SetupLanes<float> lanes(given, true, settings.cull_back_faces);
-    if (!lanes.drawn) return std::nullopt;
-    return SetUpTriangles<float>(lanes).triangle(0, settings);
+    if (!lanes.snapped.drawn) return std::nullopt;
+    const SetUpTriangles<float> set_up(lanes);
+    SetUpTriangle result;
+    set_up.write(0, settings, result.triangle);
+    result.order = set_up.order(0);
+    return result;
 }
 
 }  // namespace crevice

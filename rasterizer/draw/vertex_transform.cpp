@@ -10,6 +10,7 @@
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/parallel.h"
 #include "rasterizer/base/run.h"
+#include "rasterizer/draw/instances_in_view.h"
 #include "rasterizer/scene/relative_position.h"
 #include "rasterizer/spaces.h"
 
@@ -19,9 +20,8 @@ namespace {
 
 // Vertices are handed out in blocks of this many.
 constexpr int kBlockVertices = 4096;
-// Members of ProjectedVertex are reached by 32-bit offsets (triangle_blocks.cpp).
-constexpr std::size_t kMostVertices =
-    std::numeric_limits<std::int32_t>::max() / (sizeof(ProjectedVertex) / 4);
+// Vertices are reached by 32-bit offsets (triangle_blocks.cpp).
+constexpr std::size_t kMostVertices = std::numeric_limits<std::int32_t>::max();
 
 // The matrices of one instance under one PositionOrder.
 struct PositionTransform {
@@ -114,22 +114,60 @@ CREVICE_INLINE T element(const WideOf<T, N>& value, int lane) {
     return value.v[lane];
 }
 
+// Every third float from `at` on, one a lane.
+template <class F>
+CREVICE_INLINE F every_third(const float* at) {
+    if constexpr (kLanes<F> == 1) {
+        return *at;
+    } else {
+        F r;
+        CREVICE_UNROLLED
+        for (int lane = 0; lane < kLanes<F>; ++lane) r.v[lane] = at[3 * lane];
+        return r;
+    }
+}
+
 // `count` vec3 from `at` on, one a lane; lanes past the end repeat the last.
 template <class F>
 CREVICE_INLINE Vec3<F> load_vec3(const glm::vec3* at, int count) {
-    const Int<F> index = min_of(lane_index<F>(), Int<F>(count - 1));
-    const Int<F> offset = index + index + index;
-    const float* base = &at->x;
-    return {gather(base, offset), gather(base + 1, offset), gather(base + 2, offset)};
+    glm::vec3 padded[kLanes<F>];
+    if (count < kLanes<F>) {
+        for (int lane = 0; lane < kLanes<F>; ++lane) padded[lane] = at[lane < count ? lane : count - 1];
+        at = padded;
+    }
+    return {every_third<F>(&at->x), every_third<F>(&at->y), every_third<F>(&at->z)};
+}
+
+// The first `count` lanes of a value.
+template <class T, class V>
+CREVICE_INLINE void store_first(T* at, const V& value, int count) {
+    constexpr int lanes = static_cast<int>(sizeof(V) / sizeof(T));
+    if (count == lanes) {
+        store(at, value);
+    } else {
+        for (int lane = 0; lane < count; ++lane) at[lane] = element(value, lane);
+    }
 }
 
 struct VertexBlock {
     const Mesh* mesh;
-    PositionTransform positions;
-    glm::mat3 normals;
+    const PositionTransform* positions;
+    const glm::mat3* normals;
     int first, count;    // in the mesh
     std::size_t output;  // index of `first` in TransformedVertices
 };
+
+template <class F>
+CREVICE_INLINE void store_projected(const ProjectedLanes<F>& p, std::size_t at, int count,
+                                    ProjectedVertices& out) {
+    store_first(out.x.data() + at, p.x, count);
+    store_first(out.y.data() + at, p.y, count);
+    store_first(out.x_rest.data() + at, p.x_rest, count);
+    store_first(out.y_rest.data() + at, p.y_rest, count);
+    store_first(out.z_ndc.data() + at, p.z_ndc, count);
+    store_first(out.inverse_w.data() + at, p.inverse_w, count);
+    store_first(out.outside.data() + at, p.outside, count);
+}
 
 void transform_block(const VertexBlock& block, Size size, const DepthRange& range, TransformedVertices& out,
                      const Run& run) {
@@ -139,20 +177,18 @@ void transform_block(const VertexBlock& block, Size size, const DepthRange& rang
             const std::size_t mesh_index = static_cast<std::size_t>(block.first + i);
             const std::size_t index = block.output + static_cast<std::size_t>(i);
             const Vec3<F> p = load_vec3<F>(block.mesh->positions.data() + mesh_index, filled);
-            const Vec4<F> clip = product(block.positions.after, before_projection(block.positions, p));
-            const ProjectedLanes<F> projected = project(clip, size, range);
-            for (int lane = 0; lane < filled; ++lane) {
-                const std::size_t at = index + static_cast<std::size_t>(lane);
-                out.p_clip[at] = {element(clip.x, lane), element(clip.y, lane), element(clip.z, lane),
-                                  element(clip.w, lane)};
-                out.projected[at] = {element(projected.x, lane),      element(projected.y, lane),
-                                     element(projected.x_rest, lane), element(projected.y_rest, lane),
-                                     element(projected.z_ndc, lane),  element(projected.inverse_w, lane),
-                                     element(projected.outside, lane)};
+            const Vec4<F> clip = product(block.positions->after, before_projection(*block.positions, p));
+            store_projected(project(clip, size, range), index, filled, out.projected);
+            if (!out.p_clip.empty()) {
+                for (int lane = 0; lane < filled; ++lane) {
+                    out.p_clip[index + static_cast<std::size_t>(lane)] = {
+                        element(clip.x, lane), element(clip.y, lane), element(clip.z, lane),
+                        element(clip.w, lane)};
+                }
             }
             if (!out.with_normals) continue;
             const Vec3<F> n = load_vec3<F>(block.mesh->normals.data() + mesh_index, filled);
-            const glm::mat3& m = block.normals;
+            const glm::mat3& m = *block.normals;
             const Vec3<F> turned = {F(m[0][0]) * n.x + F(m[1][0]) * n.y + F(m[2][0]) * n.z,
                                     F(m[0][1]) * n.x + F(m[1][1]) * n.y + F(m[2][1]) * n.z,
                                     F(m[0][2]) * n.x + F(m[1][2]) * n.y + F(m[2][2]) * n.z};
@@ -201,25 +237,50 @@ ProjectedVertex project_vertex(glm::vec4 p_clip, Size size, const DepthRange& ra
     return {p.x, p.y, p.x_rest, p.y_rest, p.z_ndc, p.inverse_w, p.outside};
 }
 
+void ProjectedVertices::resize(std::size_t count) {
+    for (VertexArray<std::int32_t>* const member : {&x, &y, &outside}) member->resize(count);
+    for (VertexArray<float>* const member : {&x_rest, &y_rest, &z_ndc, &inverse_w}) member->resize(count);
+}
+
+void ProjectedVertices::set(std::size_t i, const ProjectedVertex& v) {
+    x[i] = v.x;
+    y[i] = v.y;
+    x_rest[i] = v.x_rest;
+    y_rest[i] = v.y_rest;
+    z_ndc[i] = v.z_ndc;
+    inverse_w[i] = v.inverse_w;
+    outside[i] = v.outside;
+}
+
 TransformedVertices transform_vertices(const Scene& scene, const Camera& camera, Size size,
                                        const VertexSettings& settings, const Run& run) {
     const CameraMatrices matrices = camera_matrices(camera, size);
     const DepthRange range = depth_range(camera);
     TransformedVertices result;
+    result.in_view = instances_in_view(scene, camera, size, settings.position_order, run);
+    // The matrices of the instances in view.
+    std::vector<PositionTransform> positions;
+    std::vector<glm::mat3> normals;
+    positions.reserve(scene.instances.size());
+    normals.reserve(scene.instances.size());
     std::vector<VertexBlock> blocks;
     std::size_t total = 0;
-    for (const Instance& instance : scene.instances) {
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        result.first_vertex.push_back(static_cast<std::uint32_t>(total));
+        if (!result.in_view[i]) continue;
+        const Instance& instance = scene.instances[i];
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
         const int count = static_cast<int>(mesh.positions.size());
-        const PositionTransform positions =
-            position_transform(instance.world_from_object, camera, matrices, settings.position_order);
-        const glm::mat3 normals =
-            scaled_to_one(normal_matrix_by(settings.normal_matrix, instance.world_from_object, matrices));
-        result.first_vertex.push_back(static_cast<std::uint32_t>(total));
+        positions.push_back(
+            position_transform(instance.world_from_object, camera, matrices, settings.position_order));
+        normals.push_back(settings.with_normals
+                              ? scaled_to_one(normal_matrix_by(settings.normal_matrix,
+                                                               instance.world_from_object, matrices))
+                              : glm::mat3(1));
         for (int first = 0; first < count; first += kBlockVertices) {
             const int block_count = count - first < kBlockVertices ? count - first : kBlockVertices;
-            blocks.push_back(
-                {&mesh, positions, normals, first, block_count, total + static_cast<std::size_t>(first)});
+            blocks.push_back({&mesh, &positions.back(), &normals.back(), first, block_count,
+                              total + static_cast<std::size_t>(first)});
         }
         total += static_cast<std::size_t>(count);
     }
@@ -227,8 +288,8 @@ TransformedVertices transform_vertices(const Scene& scene, const Camera& camera,
         throw InputError("scene: too many vertices, its instances counted (" + std::to_string(total) +
                          "); draw it in parts of at most " + std::to_string(kMostVertices));
     }
-    result.p_clip.resize(total);
     result.projected.resize(total);
+    if (settings.with_clip_positions) result.p_clip.resize(total);
     result.with_normals = settings.with_normals;
     if (settings.with_normals) result.n_view.resize(total);
     parallel_for(static_cast<int>(blocks.size()), run, [&](int block) {

@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "rasterizer/base/image.h"
 #include "rasterizer/base/run.h"
 #include "rasterizer/scene/camera.h"
 #include "rasterizer/scene/normal_matrix.h"
@@ -71,21 +72,43 @@ struct ProjectedVertex {
 struct VertexSettings {
     PositionOrder position_order = PositionOrder::relative;
     bool with_normals = true;
+    bool with_clip_positions = true;
     NormalMatrix normal_matrix = NormalMatrix::inverse_transpose;
+};
+
+// Their elements hold anything until they are written.
+template <class T>
+using VertexArray = std::vector<T, CacheLineAllocator<T>>;
+
+// ProjectedVertex, one array a member: written and read several vertices at a time.
+struct ProjectedVertices {
+    VertexArray<std::int32_t> x, y;
+    VertexArray<float> x_rest, y_rest, z_ndc, inverse_w;
+    VertexArray<std::int32_t> outside;
+
+    std::size_t size() const { return x.size(); }
+    void resize(std::size_t count);
+    ProjectedVertex operator[](std::size_t i) const {
+        return {x[i], y[i], x_rest[i], y_rest[i], z_ndc[i], inverse_w[i], outside[i]};
+    }
+    void set(std::size_t i, const ProjectedVertex& v);
 };
 
 // All vertices of a draw, instances one after the other.
 struct TransformedVertices {
-    std::vector<glm::vec4> p_clip;
-    std::vector<ProjectedVertex> projected;
-    std::vector<glm::vec3> n_view;            // unit, or zero where there is none; empty when not asked for
-    bool with_normals = false;                // whether they were
-    std::vector<std::uint32_t> first_vertex;  // of each instance
+    VertexArray<glm::vec4> p_clip;  // empty when not asked for
+    ProjectedVertices projected;
+    VertexArray<glm::vec3> n_view;  // unit, or zero where there is none; empty when not asked for
+    bool with_normals = false;      // whether they were
+
+    // Of each instance; the next one's where it has none here, because it is out of view.
+    std::vector<std::uint32_t> first_vertex;
+    std::vector<bool> in_view;  // of each instance
 };
 
 ProjectedVertex project_vertex(glm::vec4 p_clip, Size size, const DepthRange& range = {});
 
-// Throws InputError when there are more vertices than 32-bit offsets reach, 306,783,378.
+// Throws InputError when there are more vertices in view than 32-bit offsets reach.
 TransformedVertices transform_vertices(const Scene& scene, const Camera& camera, Size size,
                                        const VertexSettings& settings, const Run& run);
 

@@ -7,6 +7,7 @@
 #include "rasterizer/base/parallel.h"
 #include "rasterizer/draw/hidden_triangles.h"
 #include "rasterizer/draw/lane_edge.h"
+#include "rasterizer/draw/tiny_triangles.h"
 
 namespace crevice {
 
@@ -38,25 +39,24 @@ struct TileRaster {
 
     CREVICE_INLINE void draw_all(int number_of_tile, const Run& run) {
         HiddenTriangles hidden(tile);
+        TinyTriangles<F> tiny;
         const ScreenGeometry& geometry = drawing.geometry;
         for (std::size_t b = 0; b < geometry.blocks.size(); ++b) {
             const TriangleBlock& block = geometry.blocks[b];
-            for (const std::uint32_t index : block.triangles_of_tile(number_of_tile)) {
-                const ScreenTriangle& t = block.triangles[index];
+            const std::span<const std::uint32_t> indices = block.triangles_of_tile(number_of_tile);
+            for (std::size_t i = 0; i < indices.size(); ++i) {
+                if (i + kExpected < indices.size()) expect(block.triangles[indices[i + kExpected]]);
+                const ScreenTriangle& t = block.triangles[indices[i]];
                 const PixelRect reached = common_part(t.bounds, tile);
                 if (reached.empty()) continue;
-                const std::int32_t number = geometry.number_of(b, index);
-                if (run.leaves_out(Skip::hidden_triangles)) {
-                    hidden.count_triangle<F>(drawing.tested);
-                    const HiddenTriangles::Verdict verdict =
-                        hidden.verdict(drawing.test, drawing.format, t, reached);
-                    if (verdict.tied) note_tie(reached);
-                    if (verdict.hidden) {
-                        ++record.hidden;
-                        if (drawing.hidden != nullptr) drawing.hidden->push_back(number);
-                        continue;
-                    }
+                const std::int32_t number = geometry.number_of(b, indices[i]);
+                if (run.leaves_out(Skip::hidden_triangles) && is_hidden(hidden, t, number, reached)) continue;
+                if (!kAsksHoles && TinyTriangles<F>::has(t, tile)) {
+                    tiny.add(t, number);
+                    if (tiny.full()) draw(tiny);
+                    continue;
                 }
+                draw(tiny);
                 if (t.small) {
                     draw<Int<F>>(block, t, number, reached);
                 } else {
@@ -64,6 +64,41 @@ struct TileRaster {
                 }
             }
         }
+        draw(tiny);
+    }
+
+    // A triangle that comes so many places later in a tile's list is asked for already: they lie far apart in memory.
+    static constexpr std::size_t kExpected = 4;
+    static void expect(const ScreenTriangle& t) {
+        const char* const first = reinterpret_cast<const char*>(&t);
+        __builtin_prefetch(first);
+        __builtin_prefetch(first + sizeof t - 1);
+    }
+
+    CREVICE_INLINE bool is_hidden(HiddenTriangles& hidden, const ScreenTriangle& t, std::int32_t number,
+                                  PixelRect reached) {
+        hidden.count_triangle<F>(drawing.tested);
+        const HiddenTriangles::Verdict verdict = hidden.verdict(drawing.test, drawing.format, t, reached);
+        if (verdict.tied) note_tie(reached);
+        if (!verdict.hidden) return false;
+        ++record.hidden;
+        if (drawing.hidden != nullptr) drawing.hidden->push_back(number);
+        return true;
+    }
+
+    CREVICE_INLINE void draw(TinyTriangles<F>& tiny) {
+        tiny.take(
+            drawing.format, [this](std::int32_t number, int x, int y, std::int32_t code)
+                                __attribute__((always_inline)) {
+                                    const std::int32_t stored = drawing.tested.at(x, y);
+                                    const bool passes = depth_passes<float>(drawing.test, code, stored);
+                                    if (drawing.depth != nullptr) {
+                                        if (code == stored) note_tie({x, y, x + 1, y + 1});
+                                        if (passes) drawing.depth->at(x, y) = code;
+                                    }
+                                    if (drawing.triangle != nullptr && passes)
+                                        drawing.triangle->at(x, y) = number;
+                                });
     }
 
     // E is the type of the edge values: Int<F> for small triangles, Double<F> for the others.

@@ -23,7 +23,9 @@ glm::dvec3 turned(const glm::dmat4& world_from_object, glm::dvec3 n, NormalMatri
     mesh.positions = {glm::vec3(0)};
     mesh.normals = {glm::vec3(glm::normalize(n))};
     const Scene scene = scene_of(mesh, glm::mat4(world_from_object));
-    return transform_vertices(scene, camera, {64, 64}, {.normal_matrix = kind}, kPlainRun).n_view[0];
+    // In view or not.
+    const Run run{.threads = 1, .kept = KeptWork::all()};
+    return transform_vertices(scene, camera, {64, 64}, {.normal_matrix = kind}, run).n_view[0];
 }
 
 double apart(const glm::dvec3& a, const glm::dvec3& b) { return glm::length(a - glm::normalize(b)); }
