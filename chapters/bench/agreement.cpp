@@ -7,8 +7,10 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "chapters/bench/peer_scene.h"
+#include "ssao/light/scene_shadow.h"
 #include "ssao/light/shade.h"
-#include "ssao/methods/luna_settings.h"
+#include "ssao/light/sky.h"
 
 namespace crevice {
 
@@ -21,11 +23,15 @@ constexpr double kNormalTolerance_rad = 0.1 * 3.14159265358979 / 180;
 
 // Above the largest values seen of equal work (tests/peers/README.md). On `columns` other work lies above the
 // limit of the blurred AO: a radius 10 % larger gives 0.0012, another seed 0.0034, a blur iteration less
-// 0.0010. The AO as timed is fetched in another way than the peer's, so its limit only notices what is badly
-// wrong. Ndc depth is told and not judged: the two programs round the planes of a triangle that reaches far
-// beyond the picture differently, by more than 2.4e-7 at once for all its pixels.
+// 0.0010. What is timed is made in other ways on both sides (texels at edges, anisotropic filters, 8 bits), so its
+// limits only notice what is badly wrong. Ndc depth is told and not judged: the two programs round the planes of a
+// triangle that reaches far beyond the picture differently, by more than 2.4e-7 at once for all its pixels.
 constexpr double kCoverageLimit_percent = 0.05, kViewDepthLimit_percent = 0.05, kNormalLimit_percent = 3;
-constexpr double kAoLimit = 0.003, kBlurredLimit = 0.0008, kAsTimedLimit = 0.02, kLitLimit = 0.0015;
+constexpr double kRawLimit = 0.003, kRawRmsLimit = 0.02, kBlurredLimit = 0.0008, kBlurredRmsLimit = 0.01;
+constexpr double kLitLimit = 0.0008, kLitRmsLimit = 0.003;
+constexpr double kAoAsTimedLimit = 0.02, kLitAsTimedLimit = 0.02;  // mean, RMSE
+// Of the shadow map: a share of near to far, and of its texels.
+constexpr double kShadowTolerance = 1e-4, kShadowLimit_percent = 0.02;
 
 struct PixelCounts {
     double all = 0, one_sided = 0, covered = 0, ndc_off = 0, view_off = 0, normal_off = 0;
@@ -55,25 +61,61 @@ PixelCounts count_pixels(const Frame& ours, const Image<float>& our_depth, const
     return counts;
 }
 
-double mean_difference(const Image<float>& a, const Image<float>& b) {
-    double sum = 0;
-    for (int y = 0; y < a.size.height; ++y) {
-        for (int x = 0; x < a.size.width; ++x) sum += std::fabs(double{a.at(x, y)} - double{b.at(x, y)});
-    }
-    return sum / (double{1} * a.size.width * a.size.height);
-}
+// How far two maps lie apart.
+struct Apart {
+    double mean = 0, rms = 0;  // of absolute differences; root of the mean square
+};
 
-// Of colours as a screen shows them: the peer's picture has 8 bits a channel and ends at 1.
-double mean_shown_difference(const Image3& a, const Image3& b) {
-    double sum = 0;
-    for (int y = 0; y < a.size().height; ++y) {
-        for (int x = 0; x < a.size().width; ++x) {
-            const glm::dvec3 off =
-                glm::abs(glm::clamp(glm::dvec3(a.at(x, y)), 0.0, 1.0) - glm::dvec3(b.at(x, y)));
-            sum += (off.x + off.y + off.z) / 3;
+Apart apart(const Image<float>& a, const Image<float>& b) {
+    double sum = 0, squares = 0;
+    for (int y = 0; y < a.size.height; ++y) {
+        for (int x = 0; x < a.size.width; ++x) {
+            const double off = double{a.at(x, y)} - double{b.at(x, y)};
+            sum += std::fabs(off);
+            squares += off * off;
         }
     }
-    return sum / (double{1} * a.size().width * a.size().height);
+    const double count = double{1} * a.size.width * a.size.height;
+    return {sum / count, std::sqrt(squares / count)};
+}
+
+// Of colours as a screen shows them, which ends at 1; channels count alike.
+Apart shown_apart(const Image3& a, const Image3& b) {
+    double sum = 0, squares = 0;
+    for (int y = 0; y < a.size().height; ++y) {
+        for (int x = 0; x < a.size().width; ++x) {
+            const auto shown = [&](const Image3& image) {
+                return glm::clamp(glm::dvec3(image.at(x, y)), 0.0, 1.0);
+            };
+            const glm::dvec3 off = glm::abs(shown(a) - shown(b));
+            sum += (off.x + off.y + off.z) / 3;
+            squares += glm::dot(off, off) / 3;
+        }
+    }
+    const double count = double{1} * a.size().width * a.size().height;
+    return {sum / count, std::sqrt(squares / count)};
+}
+
+// Texels of the shadow map whose depths are further apart than the share of near to far.
+double shadow_off_percent(const Image<float>& ours, const Image<float>& theirs) {
+    double off = 0;
+    for (int y = 0; y < ours.size.height; ++y) {
+        for (int x = 0; x < ours.size.width; ++x) {
+            const double apart = std::fabs(double{ours.at(x, y)} - double{theirs.at(x, y)});
+            off += apart <= kShadowTolerance ? 0 : 1;
+        }
+    }
+    return 100 * off / (double{1} * ours.size.width * ours.size.height);
+}
+
+// With trilinear filters, where the two sides' are alike.
+Image3 lit_trilinear(Scene scene, const FrameRequest& request, const Frame& ours, const Image<float>& ao,
+                     const std::optional<ShadowMap>& shadow) {
+    for (Material& material : scene.materials) material.sampler.filter = TextureFilter::trilinear;
+    Image3 lit = shade(scene, ours.camera, ours.gbuffer.depth, ao, ShadeSettings{}, request.run,
+                       shadow ? &*shadow : nullptr);
+    if (scene.sky_cube == nullptr) return lit;
+    return with_sky(std::move(lit), ours.gbuffer.depth, ours.camera, *scene.sky_cube, request.run);
 }
 
 }  // namespace
@@ -82,14 +124,12 @@ std::vector<Agreement> agreement(const Scene& scene, const FrameRequest& request
                                  const PeerBuffers& theirs) {
     const PixelCounts counts = count_pixels(ours, ndc_depth(ours.gbuffer.depth), theirs);
     const double to_percent = 100 / std::max(1.0, counts.covered);
-    MethodSettings as_peer = request.settings.method;
-    as_peer.ao.as<LunaSettings>().edge_texels = EdgeTexels::mixed;
-    const RawAo raw = request.method->ao({scene, ours.camera, ours.gbuffer}, as_peer.ao, request.run);
-    const Image<float>& ao_raw = raw.ao;
-    const Image<float> ao_blurred = denoised(*request.method, raw, as_peer, request.run).ao;
-    const Image3 lit = shade(scene, ours.camera, ours.gbuffer.depth, ao_blurred, request.run);
-    const char* const mean = "mean absolute difference";
-    return {
+    const RawAo raw =
+        ao_as_peer({scene, ours.camera, ours.gbuffer}, *request.method, request.settings.method, request.run);
+    const Image<float> blurred = denoised(*request.method, raw, request.settings.method, request.run).ao;
+    const Apart of_raw = apart(raw.ao, theirs.ao_raw), of_blurred = apart(blurred, theirs.ao_blurred);
+    const char *const mean = "mean absolute difference", *const rms = "RMSE";
+    std::vector<Agreement> all = {
         {"coverage", "pixels covered on one side only, %", 100 * counts.one_sided / counts.all,
          kCoverageLimit_percent},
         {"ndc_depth", "pixels off by more than 2.4e-7, %", to_percent * counts.ndc_off, std::nullopt},
@@ -97,11 +137,26 @@ std::vector<Agreement> agreement(const Scene& scene, const FrameRequest& request
          kViewDepthLimit_percent},
         {"normal", "pixels off by more than 0.1 degree, %", to_percent * counts.normal_off,
          kNormalLimit_percent},
-        {"ao_raw", mean, mean_difference(ao_raw, theirs.ao_raw), kAoLimit},
-        {"ao_blurred", mean, mean_difference(ao_blurred, theirs.ao_blurred), kBlurredLimit},
-        {"lit", mean, mean_shown_difference(lit, theirs.lit), kLitLimit},
-        {"ao_blurred as timed", mean, mean_difference(ours.ao_blurred, theirs.ao_blurred), kAsTimedLimit},
+        {"ao_raw", mean, of_raw.mean, kRawLimit},
+        {"ao_raw", rms, of_raw.rms, kRawRmsLimit},
+        {"ao_blurred", mean, of_blurred.mean, kBlurredLimit},
+        {"ao_blurred", rms, of_blurred.rms, kBlurredRmsLimit},
+        {"ao_blurred as timed", mean, apart(ours.ao_blurred, theirs.ao_blurred).mean, kAoAsTimedLimit},
     };
+    if (theirs.lit.empty()) return all;
+    std::optional<ShadowMap> shadow;
+    if (throws_shadow(scene)) {
+        shadow = scene_shadow(scene, request.run);
+        all.push_back({"shadow", "texels off by more than 0.0001 of near to far, %",
+                       shadow_off_percent(ndc_depth(shadow->depth), theirs.shadow), kShadowLimit_percent});
+    }
+    const Apart of_lit =
+        shown_apart(lit_trilinear(scene, request, ours, blurred, shadow), theirs.lit_trilinear);
+    all.push_back({"lit", mean, of_lit.mean, kLitLimit});
+    all.push_back({"lit", rms, of_lit.rms, kLitRmsLimit});
+    all.push_back({"lit as timed", mean, shown_apart(ours.lit, theirs.lit).mean, std::nullopt});
+    all.push_back({"lit as timed", rms, shown_apart(ours.lit, theirs.lit).rms, kLitAsTimedLimit});
+    return all;
 }
 
 }  // namespace crevice

@@ -1,6 +1,6 @@
 // Whether ours and the peer's pictures are the same picture: only then do their times compare.
 //
-// The peer takes the plain mean of an AO texel's four pixels, as X_Jun does. What is compared with it
+// The peer takes the plain mean of an AO texel's four pixels, as the tutorials do. What is compared with it
 // tightly is therefore our AO with that fetch, blurred and lit; ours as it was timed resolves texels that
 // show several surfaces, and is compared loosely.
 #pragma once
@@ -22,8 +22,8 @@ struct Agreement {
     bool holds() const { return !limit || value <= *limit; }  // NaN does not
 };
 
-// All measures, in the order of the passes. `ours` is the frame drawn of `scene` as `request` says, with
-// every buffer, by method xjun.
+// All measures, in the order of the passes. `ours` is the frame drawn of `scene` as `request` says. Throws UsageError for
+// methods that peer_scene() refuses.
 std::vector<Agreement> agreement(const Scene& scene, const FrameRequest& request, const Frame& ours,
                                  const PeerBuffers& theirs);
 

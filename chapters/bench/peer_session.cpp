@@ -77,8 +77,7 @@ PeerSession::PeerSession(const std::filesystem::path& program, int threads, doub
     : program_(program.string()), child_(peer_command(program, threads, patience_s)) {}
 
 std::string PeerSession::load(const PeerScene& scene) {
-    picture_ = {scene.frame.width, scene.frame.height};
-    ao_size_ = {scene.frame.ao_width, scene.frame.ao_height};
+    frame_ = scene.frame;
     const std::string bytes = stream_bytes(scene);
     child_.send("scene " + std::to_string(bytes.size()) + "\n");
     child_.send(bytes);
@@ -87,32 +86,41 @@ std::string PeerSession::load(const PeerScene& scene) {
     return line.substr(ready.size());
 }
 
-std::array<PassClock, kPeerPasses.size()> PeerSession::frame() {
+std::vector<PassClock> PeerSession::frame() {
     child_.send("frame\n");
     const std::string line = child_.read_line();
     std::istringstream numbers(line);
-    std::array<PassClock, kPeerPasses.size()> times;
+    std::vector<PassClock> times(passes().size());
     PassClock& whole = times.back();
     for (std::size_t i = 0; i + 1 < times.size(); ++i) {
         if (!(numbers >> times[i].wall_ms >> times[i].cpu_ms)) fail_nonsense(program_, line);
         whole.wall_ms += times[i].wall_ms;
         whole.cpu_ms += times[i].cpu_ms;
     }
-    if (!std::isfinite(whole.wall_ms) || !(whole.wall_ms > 0)) fail_nonsense(program_, line);
+    std::string more;
+    if (numbers >> more || !std::isfinite(whole.wall_ms) || !(whole.wall_ms > 0))
+        fail_nonsense(program_, line);
     return times;
 }
 
 PeerBuffers PeerSession::buffers() {
     child_.send("buffers\n");
-    const std::size_t values = (4 + 1 + 4) * pixels(picture_) + 2 * pixels(ao_size_);
+    const Size picture{frame_.width, frame_.height}, ao_size{frame_.ao_width, frame_.ao_height},
+        shadow{frame_.shadow.side, frame_.shadow.side};
+    const bool lit = frame_.lit != 0;
+    const std::size_t values =
+        (4 + 1 + (lit ? 8 : 0)) * pixels(picture) + 2 * pixels(ao_size) + pixels(shadow);
     const std::string bytes = child_.read_bytes(values * sizeof(float));
     FloatReader reader(bytes);
     PeerBuffers result;
-    std::tie(result.normal, result.view_depth) = reader.image4(picture_);
-    result.ndc_depth = reader.image(picture_);
-    result.ao_raw = reader.image(ao_size_);
-    result.ao_blurred = reader.image(ao_size_);
-    result.lit = reader.image4(picture_).first;
+    std::tie(result.normal, result.view_depth) = reader.image4(picture);
+    result.ndc_depth = reader.image(picture);
+    result.ao_raw = reader.image(ao_size);
+    result.ao_blurred = reader.image(ao_size);
+    if (shadow.width > 0) result.shadow = reader.image(shadow);
+    if (!lit) return result;
+    result.lit = reader.image4(picture).first;
+    result.lit_trilinear = reader.image4(picture).first;
     return result;
 }
 

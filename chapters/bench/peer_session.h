@@ -1,16 +1,15 @@
 // Talking with the peer program, tests/peers/gl_ssao_peer.cpp.
 #pragma once
 
-#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
 
 #include "chapters/bench/peer_stream.h"
 #include "chapters/terminal/child.h"
 #include "rasterizer/base/image.h"
 
 namespace crevice {
-
-// The passes both sides have, and last the whole frame.
-inline constexpr std::array<const char*, 5> kPeerPasses = {"normal_depth", "ao", "blur", "lit", "frame"};
 
 struct PassClock {
     double wall_ms = 0, cpu_ms = 0;
@@ -19,7 +18,9 @@ struct PassClock {
 struct PeerBuffers {
     Image3 normal;  // view space, unit; background (0, 0, -1)
     Image<float> view_depth, ndc_depth, ao_raw, ao_blurred;
-    Image3 lit;
+    Image<float> shadow;   // ndc depth of the light; empty: the scene has none
+    Image3 lit;            // linear light, as it is timed: 8 bits a channel; empty: not drawn
+    Image3 lit_trilinear;  // the same in floats, with trilinear filters in the place of anisotropic ones
 };
 
 // The peer program, beside our own.
@@ -34,15 +35,17 @@ class PeerSession {
 
     // Gives it a scene; the answer is who draws it.
     std::string load(const PeerScene& scene);
-    // Draws one frame; the times of kPeerPasses.
-    std::array<PassClock, kPeerPasses.size()> frame();
+    // Draws one frame; the times of passes().
+    std::vector<PassClock> frame();
+    // peer_passes() of the scene.
+    std::vector<std::string> passes() const { return peer_passes(frame_); }
     // The buffers of one more frame.
     PeerBuffers buffers();
 
  private:
     std::string program_;
     Child child_;
-    Size picture_, ao_size_;
+    PeerFrame frame_;
 };
 
 }  // namespace crevice

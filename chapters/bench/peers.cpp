@@ -6,10 +6,13 @@
 #include <utility>
 
 #include "chapters/bench/agreement.h"
-#include "chapters/bench/frames.h"
 #include "chapters/bench/machine.h"
+#include "chapters/bench/peer_scene.h"
+#include "chapters/frame/presets.h"
+#include "chapters/notebook/picture.h"
 #include "chapters/notebook/table.h"
 #include "chapters/study/statistics.h"
+#include "chapters/study/turns.h"
 #include "chapters/terminal/number_text.h"
 #include "chapters/terminal/output_directory.h"
 #include "chapters/terminal/progress.h"
@@ -21,18 +24,28 @@ namespace crevice {
 
 namespace {
 
-constexpr std::size_t kPassCount = kPeerPasses.size();
-// How many times as fast as the peer each pass is meant to be; DESIGN, section 10.
-constexpr std::array<double, kPassCount> kAims = {8, 15, 150, 10, 25};
-
-using FrameClock = std::array<PassClock, kPassCount>;
+// How many times as fast as the peer a pass is meant to be; DESIGN, section 10. None: told, not judged.
+std::optional<double> aim_of(const PeerSubject& subject, const std::string& pass) {
+    constexpr std::pair<const char*, double> kPlain[] = {
+        {"normal_depth", 8}, {"ao", 15}, {"blur", 150}, {"lit", 10}, {"frame", 25}};
+    constexpr double kWholeFrame = 10;
+    if (subject.draws == PeerSubject::Draws::whole && pass == "frame") return kWholeFrame;
+    if (subject.draws != PeerSubject::Draws::plain) return std::nullopt;
+    for (const auto& [name, aim] : kPlain) {
+        if (pass == name) return aim;
+    }
+    return std::nullopt;
+}
 
 // The times of all frames of one side, pass by pass.
 struct Side {
-    std::array<PassSamples, kPassCount> passes;
+    std::vector<PassSamples> passes;
 
-    void add(const FrameClock& frame) {
-        for (std::size_t i = 0; i < kPassCount; ++i) {
+    explicit Side(const std::vector<std::string>& names) {
+        for (const std::string& name : names) passes.push_back({name, {}, {}});
+    }
+    void add(const std::vector<PassClock>& frame) {
+        for (std::size_t i = 0; i < passes.size(); ++i) {
             passes[i].wall_ms.push_back(frame[i].wall_ms);
             passes[i].cpu_ms.push_back(frame[i].cpu_ms);
         }
@@ -40,105 +53,111 @@ struct Side {
 };
 
 struct Duel {
-    Side ours, theirs;
-    std::string renderer, first_hash, last_hash;  // hashes of our lit image
+    Side ours, again, theirs;                     // `again`: ours as if it were another
+    std::string renderer, first_hash, last_hash;  // hashes of our last image
     std::vector<Agreement> agreement;
     PeerBuffers their_buffers;
 };
 
-FrameClock times_of(const Frame& frame, const std::string& scene) {
-    FrameClock times;
-    for (std::size_t i = 0; i < kPassCount; ++i) {
+std::vector<PassClock> times_of(const Frame& frame, const std::vector<std::string>& passes,
+                                const std::string& subject) {
+    std::vector<PassClock> times;
+    for (const std::string& name : passes) {
         const auto pass = std::find_if(frame.passes.begin(), frame.passes.end(),
-                                       [&](const PassTime& time) { return time.name == kPeerPasses[i]; });
+                                       [&](const PassTime& time) { return time.name == name; });
         if (pass == frame.passes.end()) {
-            throw UsageError(scene + ": we have nothing to do in one pass (" + kPeerPasses[i] +
+            throw UsageError(subject + ": we have nothing to do in one pass (" + name +
                              "); compare with a scene that needs all of them");
         }
-        times[i] = {pass->wall_ms, pass->cpu_ms};
+        times.push_back({pass->wall_ms, pass->cpu_ms});
     }
     return times;
 }
 
-Duel fight(const SceneArgument& argument, const std::string& name, PeerSession& peer,
-           const PeersOptions& options) {
-    const FrameRequest request = bench_request(argument.scene, options.size, options.run);
-    const Camera camera = chosen_camera(argument, options.camera);
+FrameRequest request_of(const PeerSubject& subject, const SceneArgument& argument,
+                        const PeersOptions& options) {
+    FrameRequest request;
+    request.size = options.size;
+    request.method = &find_method(subject.method);
+    request.settings = settings_for(argument, subject.scene, *request.method, subject.params);
+    if (subject.draws == PeerSubject::Draws::ao) request.wanted.erase("lit");
+    request.run = options.run;
+    return request;
+}
 
-    Duel duel;
-    Progress progress(name, options.pairs + 1);
-    duel.renderer = peer.load(peer_scene(argument.scene, camera, options.size, request.settings));
-    for (int pair = 0; pair <= options.pairs; ++pair) {
-        // Each goes first in every second pair.
-        FrameClock theirs;
-        if (pair % 2 == 1) theirs = peer.frame();
-        const Frame frame = render_frame(argument.scene, camera, request);
-        const FrameClock ours = times_of(frame, name);
-        if (pair % 2 == 0) theirs = peer.frame();
-        if (pair == 0) {
-            duel.first_hash = content_hash(frame.lit);
-        } else {
-            duel.ours.add(ours);
-            duel.theirs.add(theirs);
-        }
-        if (pair == options.pairs) {
-            duel.last_hash = content_hash(frame.lit);
-            duel.their_buffers = peer.buffers();
-            duel.agreement = agreement(argument.scene, request, frame, duel.their_buffers);
+std::string hash_of_last(const Frame& frame) {
+    return frame.lit.empty() ? content_hash(frame.ao_blurred) : content_hash(frame.lit);
+}
+
+Duel fight(const PeerSubject& subject, const SceneArgument& argument, const PeersOptions& options) {
+    const FrameRequest request = request_of(subject, argument, options);
+    const Camera camera = chosen_camera(argument, options.camera);
+    const PeerScene scene = peer_scene(argument.scene, camera, request);
+    PeerSession peer(options.program, thread_count(options.run), options.patience_s);
+    Progress progress(subject.name, options.pairs + 1);
+    const std::string renderer = peer.load(scene);
+    const std::vector<std::string> passes = peer.passes();
+    Duel duel{Side(passes), Side(passes), Side(passes), renderer, {}, {}, {}, {}};
+    Frame frame;
+    const auto draw_ours = [&](Side& side, bool counts) {
+        frame = render_frame(argument.scene, camera, request);
+        const std::vector<PassClock> times = times_of(frame, passes, subject.name);
+        if (duel.first_hash.empty()) duel.first_hash = hash_of_last(frame);
+        if (counts) side.add(times);
+    };
+    for (int round = -1; round < options.pairs; ++round) {
+        const bool counts = round >= 0;
+        constexpr std::uint32_t kSeed = 1;
+        for (const std::size_t turn : turn_order(3, round, kSeed)) {
+            if (turn == 0) draw_ours(duel.ours, counts);
+            if (turn == 1) draw_ours(duel.again, counts);
+            if (turn != 2) continue;
+            const std::vector<PassClock> times = peer.frame();
+            if (counts) duel.theirs.add(times);
         }
         progress.advance();
     }
+    duel.last_hash = hash_of_last(frame);
+    duel.their_buffers = peer.buffers();
+    duel.agreement = agreement(argument.scene, request, frame, duel.their_buffers);
     return duel;
 }
 
-// Frames 0, 2, 4 ... over frames 1, 3, 5 ...
-MedianInterval noise_floor(const std::vector<double>& wall_ms) {
-    std::vector<double> even, odd;
-    for (std::size_t i = 0; i + 1 < wall_ms.size(); i += 2) {
-        even.push_back(wall_ms[i]);
-        odd.push_back(wall_ms[i + 1]);
-    }
-    return ratio_interval(even, odd);
-}
-
-void add_times(Table& table, const std::string& scene, const Duel& duel) {
-    for (std::size_t i = 0; i < kPassCount; ++i) {
+void add_times(Table& table, const PeerSubject& subject, const Duel& duel) {
+    for (std::size_t i = 0; i < duel.ours.passes.size(); ++i) {
         const PassSamples &ours = duel.ours.passes[i], &theirs = duel.theirs.passes[i];
         const PassTime our_time = ours.summary(), their_time = theirs.summary();
-        const MedianInterval ratio = ratio_interval(theirs.wall_ms, ours.wall_ms);
-        table.rows.push_back({scene, kPeerPasses[i], TableValue(our_time.wall_ms, 3),
+        const MedianInterval ratio = ratio_interval(theirs.wall_ms, ours.wall_ms),
+                             noise = ratio_interval(duel.again.passes[i].wall_ms, ours.wall_ms);
+        const std::optional<double> aim = aim_of(subject, ours.name);
+        table.rows.push_back({subject.name, ours.name, TableValue(our_time.wall_ms, 3),
                               TableValue(our_time.wall_ms_mad, 3), TableValue(our_time.cpu_ms, 3),
                               their_time.wall_ms, their_time.wall_ms_mad, their_time.cpu_ms, ratio.median,
-                              ratio.low, ratio.high, TableValue(100 * ratio.confidence, 1),
-                              TableValue(kAims[i], 0), verdict_name(verdict(ratio, kAims[i]))});
+                              ratio.low, ratio.high, TableValue(100 * ratio.confidence, 1), noise.low,
+                              noise.high, aim ? TableValue(*aim, 0) : TableValue(),
+                              aim ? TableValue(verdict_name(verdict(ratio, *aim))) : TableValue()});
     }
-    const PassSamples& frames = duel.ours.passes.back();
-    const MedianInterval floor = noise_floor(frames.wall_ms);
-    table.rows.push_back({scene, "frame, ours/ours", TableValue(frames.summary().wall_ms, 3), TableValue(),
-                          TableValue(), TableValue(), TableValue(), TableValue(), TableValue(floor.median, 3),
-                          TableValue(floor.low, 3), TableValue(floor.high, 3),
-                          TableValue(100 * floor.confidence, 1), TableValue(), TableValue()});
 }
 
 // False when the two sides did not draw the same picture.
-bool add_agreement(Table& table, const std::string& scene, const Duel& duel, std::ostream& out) {
+bool add_agreement(Table& table, const PeerSubject& subject, const Duel& duel, std::ostream& out) {
     bool same = duel.first_hash == duel.last_hash;
     if (!same) {
-        out << scene << ": our first and last picture differ (" << duel.first_hash << ", " << duel.last_hash
-            << "); run the tests\n";
+        out << subject.name << ": our first and last picture differ (" << duel.first_hash << ", "
+            << duel.last_hash << "); run the tests\n";
     }
     for (const Agreement& a : duel.agreement) {
         same = same && a.holds();
-        table.rows.push_back({scene, a.buffer, a.measure, TableValue(a.value, 5),
+        table.rows.push_back({subject.name, a.buffer, a.measure, TableValue(a.value, 5),
                               a.limit ? TableValue(*a.limit, 5) : TableValue(),
                               !a.limit ? "told" : (a.holds() ? "same" : "DIFFERENT")});
     }
     return same;
 }
 
-// As `crevice render` writes ours, with its background, so that `crevice compare` can tell them apart. The lit picture
-// is none that `render` draws: the peer knows no textures.
-void write_buffers(PeerBuffers buffers, const std::filesystem::path& directory, std::ostream& out) {
+// As `crevice render` writes ours, with its background, so that `crevice compare` can tell them apart. The lit picture in
+// plain colours is none that `render` draws.
+void write_buffers(PeerBuffers buffers, bool lit, const std::filesystem::path& directory, std::ostream& out) {
     const Size size = buffers.ndc_depth.size;
     for (int y = 0; y < size.height; ++y) {
         for (int x = 0; x < size.width; ++x) {
@@ -153,10 +172,42 @@ void write_buffers(PeerBuffers buffers, const std::filesystem::path& directory, 
     write_npy(directory / "ndc_depth.npy", buffers.ndc_depth);
     write_npy(directory / "ao_raw.npy", buffers.ao_raw);
     write_npy(directory / "ao_blurred.npy", buffers.ao_blurred);
+    if (lit) {
+        write_npy(directory / "lit.npy", buffers.lit);
+        write_picture(directory / "lit.png", lit_picture(buffers.lit));
+    }
     out << directory.string() << ": the peer's buffers\n";
 }
 
+// What buffers of this subject are written into: "preset luna" becomes preset_luna_peer.
+std::string directory_name(const std::string& subject) {
+    std::string name = std::filesystem::path(subject).stem().string();
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return name + "_peer";
+}
+
 }  // namespace
+
+PeerSubject plain_subject(const std::string& scene) { return {.scene = scene, .name = scene}; }
+
+PeerSubject preset_subject(const std::string& preset) {
+    const Preset& found = find_preset(preset);
+    return {.scene = found.scene,
+            .method = found.method,
+            .draws = PeerSubject::Draws::whole,
+            .params = found.words,
+            .name = "preset " + preset};
+}
+
+PeerSubject ao_subject(const std::string& scene, const std::string& method) {
+    return {.scene = scene, .method = method, .draws = PeerSubject::Draws::ao, .name = scene + " " + method};
+}
+
+std::vector<PeerSubject> all_peer_subjects() {
+    std::vector<PeerSubject> all = {plain_subject("columns"), plain_subject("columns_luna"),
+                                    preset_subject("luna"), preset_subject("xjun2022")};
+    return all;
+}
 
 void validate(const PeersOptions& options) {
     validate(options.run);
@@ -172,30 +223,31 @@ void validate(const PeersOptions& options) {
 
 int bench_peers(const PeersOptions& options, std::ostream& out) {
     validate(options);
-    PeerSession peer(options.program, thread_count(options.run), options.patience_s);
     BenchReport report{"peers", machine_facts(options.run), {}};
     Table times{"peers",
                 {"scene", "pass", "ours_ms", "ours_mad", "ours_cpu", "peer_ms", "peer_mad", "peer_cpu",
-                 "ratio", "low", "high", "confidence_%", "aim", "verdict"},
+                 "ratio", "low", "high", "confidence_%", "noise_low", "noise_high", "aim", "verdict"},
                 {}};
     Table pictures{"agreement", {"scene", "buffer", "measure", "value", "limit", "verdict"}, {}};
     report.facts.push_back({"size", size_text(options.size)});
     report.facts.push_back({"pairs", std::to_string(options.pairs)});
     bool same = true;
-    for (const std::string& name : options.scenes) {
-        const SceneArgument argument = load_scene(name, {.surfaces = false});
+    for (const PeerSubject& subject : options.subjects) {
+        const std::string& name = subject.name;
+        const bool whole = subject.draws == PeerSubject::Draws::whole;
+        const SceneArgument argument = load_scene(subject.scene, {.surfaces = whole, .run = options.run});
         const std::size_t triangles = triangle_count(argument.scene);
         if (triangles == 0) throw UsageError(name + ": no triangles to compare; choose another --scene");
-        Duel duel = fight(argument, name, peer, options);
-        if (&name == &options.scenes.front()) report.facts.push_back({"peer", duel.renderer});
-        report.facts.push_back({name, std::to_string(triangles) + " triangles, lit image " + duel.last_hash});
-        add_times(times, name, duel);
-        same = add_agreement(pictures, name, duel, out) && same;
+        Duel duel = fight(subject, argument, options);
+        if (&subject == &options.subjects.front()) report.facts.push_back({"peer", duel.renderer});
+        report.facts.push_back(
+            {name, std::to_string(triangles) + " triangles, last image " + duel.last_hash});
+        add_times(times, subject, duel);
+        same = add_agreement(pictures, subject, duel, out) && same;
         const std::string note = busy_note(duel.ours.passes.back().summary(), thread_count(options.run));
         if (!note.empty()) out << name << ": " << note << "\n";
         if (options.out)
-            write_buffers(std::move(duel.their_buffers),
-                          *options.out / (std::filesystem::path(name).stem().string() + "_peer"), out);
+            write_buffers(std::move(duel.their_buffers), whole, *options.out / directory_name(name), out);
     }
     out << facts_text(report.facts) << "\n" << table_text(times) << "\n" << table_text(pictures);
     if (!same) out << "The two sides did not draw the same picture: their times do not compare.\n";

@@ -1,13 +1,11 @@
 // `crevice bench --peers`: our passes against the same passes on Mesa's llvmpipe, in one run.
-// How:  the same triangles, matrices, parameters and random numbers on both sides, X_Jun's method (xjun)
-//       with its 4 blur iterations at half resolution. Frames take turns (ours, peer, ours, peer ...), so
-//       that what else the machine does meets both; the first pair is thrown away.
-// Says: medians, and the median of the paired ratios with its order-statistic interval. Ours against ours
-//       (consecutive frames of the same run) is the noise floor: a ratio inside its interval means nothing.
-// Formats: 32-bit floats on both sides. The tutorial's 16-bit ones were measured too: they slow llvmpipe down
-//       (frame 101 ms against 96) and hide a wrong radius behind their rounding.
-// Differs on the peer's side, both less work than ours: the picture has 8 bits a channel, and a texel of the
-//       AO map takes the plain mean of its four pixels where ours tells surfaces apart.
+// What: the tutorials' scenes in plain colours, X_Jun's method with its 4 blur iterations at half resolution; the
+//       tutorials' whole demos (--preset), with textures, shadow, reflections and sky; and other methods' AO (--ao).
+// How:  the same triangles, textures, matrices, parameters and random numbers on both sides. Frames take turns in random
+//       order, ours twice, so that what else the machine does meets all; the first round is thrown away.
+// Says: medians, and the median of the paired ratios with its order-statistic interval. Ours against ours again is the
+//       noise: a ratio inside its interval means nothing.
+// What differs between the sides, and for whom it is less work: tests/peers/README.md.
 #pragma once
 
 #include <filesystem>
@@ -27,18 +25,35 @@ inline constexpr int kFewestPairs = 15, kMostPairs = 999;
 // may differ.
 inline constexpr Size kSmallestCompared{320, 180};
 
+// What both sides draw.
+struct PeerSubject {
+    enum class Draws { plain, whole, ao };
+
+    std::string scene;            // as on the command line
+    std::string method = "xjun";  // AO by its defaults
+    Draws draws = Draws::plain;   // plain: in plain colours; whole: with all surfaces; ao: up to the blur
+    std::vector<std::string> params = {};  // name=value, of the method
+    std::string name = {};                 // in tables
+};
+PeerSubject plain_subject(const std::string& scene);
+// Throws UsageError as find_preset() does.
+PeerSubject preset_subject(const std::string& preset);
+PeerSubject ao_subject(const std::string& scene, const std::string& method);
+// Both scenes plain, both whole demos, and every other method that the peer knows.
+std::vector<PeerSubject> all_peer_subjects();
+
 struct PeersOptions {
-    std::vector<std::string> scenes = {"columns", "columns_luna"};
+    std::vector<PeerSubject> subjects = all_peer_subjects();
     CameraFlags camera;
     Size size{1280, 720};
-    int pairs = 21;
+    int pairs = 21;  // rounds
     Run run;
     std::optional<std::filesystem::path> out;  // the directory for tables and buffers, if any
     std::filesystem::path program = peer_program();
     double patience_s = 120;  // for one answer of the peer
 };
 
-// Prints and writes the tables, and the peer's buffers as OUT/SCENE_peer/NAME.npy. Returns 0, or 1 when the two
+// Prints and writes the tables, and the peer's buffers as OUT/NAME_peer/BUFFER.npy, its lit picture as .png, too. Returns 0, or 1 when the two
 // sides did not draw the same picture. Throws UsageError, InputError (no peer, or what it did wrong), OutputError.
 int bench_peers(const PeersOptions& options, std::ostream& out);
 

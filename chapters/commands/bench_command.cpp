@@ -24,7 +24,7 @@ namespace {
 // As they were typed.
 struct BenchWords {
     std::vector<std::string> scenes;
-    std::optional<std::string> scene, size, pairs, out, figures, point;
+    std::optional<std::string> scene, preset, ao, size, pairs, out, figures, point;
     std::string threads = "0";
     CameraFlags camera;
     bool quick = false, bless = false;
@@ -54,8 +54,13 @@ int frames(const BenchWords& words) { return bench_frames(frames_options(words),
 int left_out(const BenchWords& words) { return bench_left_out(frames_options(words), std::cout); }
 
 int peers(const BenchWords& words) {
+    if (words.preset && (words.scene || words.ao))
+        throw UsageError("--preset: names its own scene and AO; leave --scene and --ao away");
     PeersOptions options;
-    if (words.scene) options.scenes = {*words.scene};
+    const std::string scene = words.scene.value_or("columns_luna");
+    if (words.scene) options.subjects = {plain_subject(scene)};
+    if (words.preset) options.subjects = {preset_subject(*words.preset)};
+    if (words.ao) options.subjects = {ao_subject(scene, *words.ao)};
     options.camera = words.camera;
     if (words.size) options.size = parse_size("--size", *words.size);
     if (words.pairs)
@@ -63,8 +68,9 @@ int peers(const BenchWords& words) {
     options.run = run_of(words);
     options.out = directory_of(words);
     validate(options);
+    if (words.preset || words.ao) return bench_peers(options, std::cout);
     RayPeersOptions rays;
-    if (words.scene) rays.scenes = options.scenes;
+    if (words.scene) rays.scenes = {*words.scene};
     rays.camera = options.camera;
     rays.run = options.run;
     rays.out = options.out;
@@ -128,7 +134,7 @@ constexpr Benchmark kBenchmarks[] = {
     {"--methods", "every method on scenes: raw, denoised, signed error to truth and time, as a page",
      "SCENE --size --threads", methods},
     {"--peers", "our passes against the same on Mesa's llvmpipe, our rays against Embree's, in turns",
-     "--scene --size --threads --pairs CAMERA", peers},
+     "--scene --preset --ao --size --threads --pairs CAMERA", peers},
     {"--left-out", "what leaving out saves, kind by kind", "SCENE --size --threads CAMERA", left_out},
     {"--scale", "time and memory over pixels, triangles, samples and threads", "--threads --quick", scale},
     {"--instructions", "instructions per pass against the stored figures", "--bless --figures", instructions},
@@ -188,10 +194,16 @@ Command add_bench_command(CommandLine& program) {
     for (const Benchmark& benchmark : kBenchmarks) {
         if (*benchmark.about != 0) bench.flag(benchmark.flag, benchmark.about);
     }
-    bench.option("--scene", words->scene, "with --peers: one scene; default: columns and columns_luna");
+    bench.option(
+        "--scene", words->scene,
+        "with --peers: one scene in plain colours; default: columns and columns_luna, both whole demos, and "
+        "other methods' AO");
+    bench.option("--preset", words->preset, "with --peers: one whole demo, luna, xjun2020 or xjun2022");
+    bench.option("--ao", words->ao, "with --peers: one method's AO alone, of --scene or columns_luna");
     bench.option("--size", words->size,
                  "size of the picture in pixels, WxH; default: 1280x720, with --methods 640x360");
-    bench.option("--pairs", words->pairs, "with --peers: how many pairs of frames, 15..999; default: 21");
+    bench.option("--pairs", words->pairs,
+                 "with --peers: in how many rounds all take turns, 15..999; default: 21");
     add_camera_flags(bench, words->camera);
     bench.option("--threads", words->threads, "0: all; 1: a plain loop");
     bench.flag("--quick", words->quick, "with --scale or --error: less of it, in under a minute");

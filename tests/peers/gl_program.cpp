@@ -55,6 +55,9 @@ void GlProgram::set(const char* name, glm::vec2 value) const {
 void GlProgram::set(const char* name, const glm::vec3& value) const {
     glProgramUniform3f(program_, place(name), value.x, value.y, value.z);
 }
+void GlProgram::set(const char* name, const glm::vec4& value) const {
+    glProgramUniform4fv(program_, place(name), 1, glm::value_ptr(value));
+}
 void GlProgram::set(const char* name, const glm::mat4& value) const {
     glProgramUniformMatrix4fv(program_, place(name), 1, GL_FALSE, glm::value_ptr(value));
 }

@@ -8,6 +8,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 namespace crevice {
 
@@ -24,6 +25,7 @@ class GlProgram {
     void set(const char* name, float value) const;
     void set(const char* name, glm::vec2 value) const;
     void set(const char* name, const glm::vec3& value) const;
+    void set(const char* name, const glm::vec4& value) const;
     void set(const char* name, const glm::mat4& value) const;
     void set(const char* name, std::span<const float> values) const;
     void set(const char* name, std::span<const glm::vec3> values) const;

@@ -1,7 +1,7 @@
 // The peer of `crevice bench --peers`: the same scene by OpenGL. It is told what to do line by line:
 //   scene N      N bytes of a scene stream follow; answer: "ready RENDERER"
-//   frame        draws one frame; answer: wall and cpu ms of normal_depth, ao, blur, lit, as eight numbers
-//   buffers      answer: the bytes of all buffers, see gl_ssao.h
+//   frame        draws one frame; answer: wall and cpu ms of each of peer_passes() but the last
+//   buffers      answer: the bytes of all buffers, see gl_frame.h
 // and ends with its input.
 #include <iomanip>
 #include <iostream>
@@ -10,7 +10,7 @@
 
 #include "rasterizer/base/error.h"
 #include "tests/peers/gl_context.h"
-#include "tests/peers/gl_ssao.h"
+#include "tests/peers/gl_frame.h"
 
 namespace {
 
@@ -26,16 +26,16 @@ std::string bytes_of_scene(std::istream& in) {
     return bytes;
 }
 
-void answer_times(std::ostream& out, const GlSsao& ssao) {
-    const std::array<Clocks, 5> at = ssao.draw_frame();
+void answer_times(std::ostream& out, const GlFrame& frame) {
+    const std::vector<Clocks> at = frame.draw();
     for (std::size_t i = 0; i + 1 < at.size(); ++i) {
         out << at[i + 1].wall_ms - at[i].wall_ms << " " << at[i + 1].cpu_ms - at[i].cpu_ms << " ";
     }
     out << std::endl;
 }
 
-void answer_buffers(std::ostream& out, const GlSsao& ssao) {
-    const std::vector<float> values = ssao.buffers();
+void answer_buffers(std::ostream& out, const GlFrame& frame) {
+    const std::vector<float> values = frame.buffers();
     out.write(reinterpret_cast<const char*>(values.data()),
               static_cast<std::streamsize>(values.size() * sizeof(float)));
     out.flush();
@@ -43,17 +43,17 @@ void answer_buffers(std::ostream& out, const GlSsao& ssao) {
 
 void serve(std::istream& in, std::ostream& out) {
     const GlContext context;
-    std::unique_ptr<GlSsao> ssao;
+    std::unique_ptr<GlFrame> frame;
     out << std::setprecision(9);
     std::string word;
     while (in >> word) {
         if (word == "scene") {
-            ssao = std::make_unique<GlSsao>(scene_from_stream(bytes_of_scene(in)));
+            frame = std::make_unique<GlFrame>(scene_from_stream(bytes_of_scene(in)));
             out << "ready " << context.renderer() << std::endl;
-        } else if (word == "frame" && ssao != nullptr) {
-            answer_times(out, *ssao);
-        } else if (word == "buffers" && ssao != nullptr) {
-            answer_buffers(out, *ssao);
+        } else if (word == "frame" && frame != nullptr) {
+            answer_times(out, *frame);
+        } else if (word == "buffers" && frame != nullptr) {
+            answer_buffers(out, *frame);
         } else {
             throw UsageError("gl_ssao_peer: not a command now (" + word + "); begin with a scene");
         }

@@ -1,0 +1,42 @@
+// The AO pass and its blur.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "tests/peers/gl_program.h"
+#include "tests/peers/gl_texture.h"
+
+namespace crevice {
+
+// What an AO pass reads of the first pass.
+struct GlGBuffer {
+    GLuint normal_depth = 0, ndc_depth = 0;
+};
+
+// Between `estimate` and `blur` map() holds the raw AO, after that the blurred one.
+class GlAo {
+ public:
+    virtual ~GlAo() = default;
+    virtual void estimate() const = 0;
+    virtual void blur() const = 0;
+    const GlTarget& map() const { return map_; }
+
+ protected:
+    explicit GlAo(const PeerFrame& frame);
+
+    GlTarget map_, between_;
+};
+
+// The one that the scene asks for.
+std::unique_ptr<GlAo> gl_ao(const PeerScene& scene, const GlGBuffer& gbuffer);
+
+// Each has its own.
+std::unique_ptr<GlAo> gl_tutorial_ao(const PeerScene& scene, const GlGBuffer& gbuffer);
+
+// What stands before the text of every program of a scene, and before those of its AO; and the numbers that these know.
+std::string gl_prefix(const PeerFrame& frame);
+std::string gl_ao_prefix(const PeerScene& scene);
+void set_ao_numbers(const GlProgram& program, const PeerScene& scene);
+
+}  // namespace crevice
