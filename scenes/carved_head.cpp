@@ -132,7 +132,9 @@ glm::dvec3 onto_surface(glm::dvec3 p) {
 template <class Move>
 void move_each(std::vector<glm::dvec3>& points, const Run& run, const Move& move) {
     constexpr std::size_t kAtOnce = 512;
-    parallel_blocks(points.size(), kAtOnce, run, [&](std::size_t first, std::size_t end) {
+    parallel_for(static_cast<int>((points.size() + kAtOnce - 1) / kAtOnce), run, [&](int batch) {
+        const std::size_t first = static_cast<std::size_t>(batch) * kAtOnce;
+        const std::size_t end = std::min(first + kAtOnce, points.size());
         for (std::size_t i = first; i < end; ++i) points[i] = move(points[i]);
     });
 }
