@@ -8,28 +8,28 @@
 #include <glm/vec2.hpp>
 
 #include "rasterizer/lanes/wide.h"
+#include "scenes/lattice_hash.h"
 
 namespace crevice {
 namespace {
 
-// Mixes all 32 bits into all 32 (the finaliser of MurmurHash3).
-std::uint32_t mixed(std::uint32_t h) {
-    h ^= h >> 16;
-    h *= 0x85ebca6bu;
-    h ^= h >> 13;
-    h *= 0xc2b2ae35u;
-    return h ^ (h >> 16);
-}
-
 // The golden ratio sets seeds far apart, so that (x, seed) and (x + 1, seed - 1) are strangers.
-std::uint32_t hash_of(int x, int y, std::uint32_t seed) {
-    return mixed(mixed(seed * 0x9e3779b9u + static_cast<std::uint32_t>(x)) + static_cast<std::uint32_t>(y));
+template <class I>
+CREVICE_INLINE HashBits<I> hash_bits(I x, I y, std::uint32_t seed) {
+    HashBits<I> column(x), row(y);
+    column.v += seed * 0x9e3779b9u;
+    row.v += mixed(column).v;
+    return mixed(row);
 }
+std::uint32_t hash_of(int x, int y, std::uint32_t seed) { return hash_bits(x, y, seed).v; }
 
 // Two numbers in [0,1] from the halves of a hash.
 glm::dvec2 two_numbers(std::uint32_t hash) { return glm::dvec2(hash >> 16, hash & 0xffff) / 65535.0; }
 
-int wrapped(int i, int period) { return (i % period + period) % period; }
+int wrapped(int i, int period) {
+    const int rest = i % period;
+    return rest < 0 ? rest + period : rest;
+}
 int next_in(int i, int period) { return i + 1 < period ? i + 1 : 0; }
 
 // 0 at 0, 1 at 1, with no slope and no curvature at either.
@@ -52,14 +52,18 @@ double periodic_noise(double x, double y, int period, std::uint32_t seed) {
     const double fx = x - whole_x, fy = y - whole_y;
     const int left = wrapped(whole_x, period), right = next_in(left, period);
     const int top = wrapped(whole_y, period), bottom = next_in(top, period);
-    const auto slope = [&](int i, int j, double dx, double dy) {
-        const glm::dvec2 gradient = 2.0 * two_numbers(hash_of(i, j, seed)) - 1.0;
-        return gradient.x * dx + gradient.y * dy;
+    // The four corners are four lanes: upper left, upper right, lower left, lower right.
+    using Ints = WideInt<4>;
+    using Doubles = WideDouble<4>;
+    const auto corners =
+        hash_bits(Ints(Ints::V{left, right, left, right}), Ints(Ints::V{top, top, bottom, bottom}), seed);
+    const auto component = [](Ints sixteen_bits) __attribute__((always_inline)) {
+        return Doubles(2) * (to_double(sixteen_bits) / Doubles(65535)) - Doubles(1);
     };
+    const Doubles dx(Doubles::V{fx, fx - 1, fx, fx - 1}), dy(Doubles::V{fy, fy, fy - 1, fy - 1});
+    const Doubles slope = component(corners.upper(16)) * dx + component(corners.lower_16()) * dy;
     const double across = eased(fx);
-    const double above = mix(slope(left, top, fx, fy), slope(right, top, fx - 1, fy), across);
-    const double below = mix(slope(left, bottom, fx, fy - 1), slope(right, bottom, fx - 1, fy - 1), across);
-    return mix(above, below, eased(fy));
+    return mix(mix(slope[0], slope[1], across), mix(slope[2], slope[3], across), eased(fy));
 }
 
 double fractal_noise(double x, double y, int period, int octaves, std::uint32_t seed) {

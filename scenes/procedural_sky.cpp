@@ -1,8 +1,9 @@
 #include "scenes/procedural_sky.h"
 
-#include <glm/geometric.hpp>
-
+#include "rasterizer/lanes/vec3.h"
+#include "rasterizer/textures/paint_cube_map.h"
 #include "scenes/composing.h"
+#include "scenes/lattice_hash.h"
 
 namespace crevice {
 
@@ -10,74 +11,112 @@ namespace {
 
 constexpr int kOctaves = 6;
 
-// Of two lattice coordinates: the finalizer of MurmurHash3 after each.
-std::uint32_t mixed(std::uint32_t h) {
-    h = (h ^ (h >> 16)) * 0x85ebca6bu;
-    h = (h ^ (h >> 13)) * 0xc2b2ae35u;
-    return h ^ (h >> 16);
-}
-float lattice_value(std::uint32_t seed, int x, int y) {
-    const std::uint32_t h =
-        mixed(mixed(seed + static_cast<std::uint32_t>(x)) + static_cast<std::uint32_t>(y) * 0x9e3779b9u);
-    return static_cast<float>(h >> 8) * (1.0f / 16777216);
+// [0,1], of a lattice point.
+template <class F>
+CREVICE_INLINE F lattice_value(std::uint32_t seed, Int<F> x, Int<F> y) {
+    HashBits<Int<F>> column(x), row(y);
+    column.v += seed;
+    column = mixed(column);
+    column.v += row.v * 0x9e3779b9u;
+    return from_int<F>(mixed(column).upper(24)) * F(1.0f / 16777216);
 }
 
-float smooth(float t) { return t * t * (3 - 2 * t); }
-float smooth_step(float low, float high, float a) { return smooth(saturate((a - low) / (high - low))); }
-glm::vec3 blend(glm::vec3 a, glm::vec3 b, float t) { return a + t * (b - a); }
+template <class F>
+CREVICE_INLINE F smooth(F t) {
+    return t * t * (F(3) - F(2) * t);
+}
+template <class F>
+CREVICE_INLINE F smooth_step(float low, float high, F a) {
+    return smooth(saturate((a - F(low)) / F(high - low)));
+}
+template <class F>
+CREVICE_INLINE Vec3<F> blend(Vec3<F> a, Vec3<F> b, F t) {
+    return a + t * (b - a);
+}
+template <class F>
+CREVICE_INLINE Vec3<F> blend(const glm::vec3& a, const glm::vec3& b, F t) {
+    return blend(spread<F>(a), spread<F>(b), t);
+}
 
 // In [0,1], continuous with its slope.
-float value_noise(std::uint32_t seed, float x, float y) {
-    const int x0 = floor_to_int(x), y0 = floor_to_int(y);
-    const float fx = smooth(x - static_cast<float>(x0)), fy = smooth(y - static_cast<float>(y0));
-    return mix(mix(lattice_value(seed, x0, y0), lattice_value(seed, x0 + 1, y0), fx),
-               mix(lattice_value(seed, x0, y0 + 1), lattice_value(seed, x0 + 1, y0 + 1), fx), fy);
+template <class F>
+CREVICE_INLINE F value_noise(std::uint32_t seed, F x, F y) {
+    const Int<F> x0 = floor_to_int(x), y0 = floor_to_int(y), x1 = x0 + Int<F>(1), y1 = y0 + Int<F>(1);
+    const F fx = smooth(x - from_int<F>(x0)), fy = smooth(y - from_int<F>(y0));
+    return mix(mix(lattice_value<F>(seed, x0, y0), lattice_value<F>(seed, x1, y0), fx),
+               mix(lattice_value<F>(seed, x0, y1), lattice_value<F>(seed, x1, y1), fx), fy);
 }
 
 // Octaves of it, each twice as fine and half as strong, turned by 3:4:5 so that their lattices do not line
 // up. [0,1]; where it is below `least`, it may be 0 instead.
-float cloud_noise(std::uint32_t seed, float x, float y, float least) {
+template <class F>
+CREVICE_INLINE F cloud_noise(std::uint32_t seed, F x, F y, float least, Mask<F> wanted) {
     constexpr float total = 1 - 1.0f / (1 << kOctaves);
-    float sum = 0, weight = 0.5f;
+    F sum(0);
+    float weight = 0.5f;
+    Mask<F> left = wanted;
     for (int octave = 0; octave < kOctaves; ++octave) {
-        sum += weight * value_noise(seed + static_cast<std::uint32_t>(octave), x, y);
+        sum = sum + F(weight) * value_noise(seed + static_cast<std::uint32_t>(octave), x, y);
         weight *= 0.5f;
         // All the octaves to come weigh less than 2 * weight: a clear sky is soon known.
-        if (sum + 2 * weight < least * total) return 0;
-        const float turned_x = 1.2f * x - 1.6f * y + 17.3f, turned_y = 1.6f * x + 1.2f * y - 5.7f;
+        left = left & (sum + F(2 * weight) >= F(least * total));
+        if (!any(left)) break;
+        const F turned_x = F(1.2f) * x - F(1.6f) * y + F(17.3f);
+        y = F(1.6f) * x + F(1.2f) * y - F(5.7f);
         x = turned_x;
-        y = turned_y;
     }
-    return sum / total;
+    return select(left, sum / F(total), F(0));
 }
 
-glm::vec3 clear_sky(const SkyLook& look, float up) {
-    const float low = 1 - saturate(up), low2 = low * low, low4 = low2 * low2;
-    return blend(blend(look.zenith, look.middle, low2), look.horizon, low4 * low4);
+template <class F>
+CREVICE_INLINE Vec3<F> clear_sky(const SkyLook& look, F up) {
+    const F low = F(1) - saturate(up), low2 = low * low, low4 = low2 * low2;
+    return blend(blend(look.zenith, look.middle, low2), spread<F>(look.horizon), low4 * low4);
 }
 
-glm::vec3 with_sun(const SkyLook& look, glm::vec3 colour, float to_sun_cosine) {
-    float near_sun = 0.5f * (1 + max_of(to_sun_cosine, -1.0f));
-    for (int i = 0; i < 3; ++i) near_sun *= near_sun;  // ^8: a wide glow
-    const float wide = near_sun;
-    for (int i = 0; i < 5; ++i) near_sun *= near_sun;  // ^256: a narrow one
+template <class F>
+CREVICE_INLINE Vec3<F> with_sun(const SkyLook& look, Vec3<F> colour, F to_sun_cosine) {
+    F near_sun = F(0.5f) * (F(1) + max_of(to_sun_cosine, F(-1)));
+    for (int i = 0; i < 3; ++i) near_sun = near_sun * near_sun;  // ^8: a wide glow
+    const F wide = near_sun;
+    for (int i = 0; i < 5; ++i) near_sun = near_sun * near_sun;  // ^256: a narrow one
     const float rim = 0.15f * (1 - look.sun_cosine);
-    const float disc = smooth_step(look.sun_cosine - rim, look.sun_cosine + rim, to_sun_cosine);
-    return blend(colour + (0.25f * wide + 0.75f * near_sun) * look.glow, look.sun, disc);
+    const F disc = smooth_step(look.sun_cosine - rim, look.sun_cosine + rim, to_sun_cosine);
+    const F glow = F(0.25f) * wide + F(0.75f) * near_sun;
+    return blend(colour + glow * spread<F>(look.glow), spread<F>(look.sun), disc);
 }
 
 // A layer one unit above the eye, bent down towards the horizon so that it ends somewhere.
-glm::vec3 with_clouds(const SkyLook& look, glm::vec3 colour, glm::vec3 d) {
-    const float reach = look.cloud_scale / (d.y + 0.12f);
-    const float x = d.x * reach, y = d.z * reach;
+template <class F>
+CREVICE_INLINE Vec3<F> with_clouds(const SkyLook& look, Vec3<F> colour, Vec3<F> d) {
+    const Mask<F> above = d.y > F(0);
+    if (!any(above)) return colour;
+    const F reach = F(look.cloud_scale) / (max_of(d.y, F(0)) + F(0.12f));
+    const F x = d.x * reach, y = d.z * reach;
     const float threshold = 0.75f - 0.55f * look.cloud_cover;
-    const float density = cloud_noise(look.seed, x, y, threshold);
-    const float opacity = smooth_step(threshold, threshold + 0.22f, density) * smooth_step(0.0f, 0.16f, d.y);
-    if (!(opacity > 0)) return colour;
+    const F density = cloud_noise(look.seed, x, y, threshold, above);
+    const F opacity = smooth_step(threshold, threshold + 0.22f, density) * smooth_step(0.0f, 0.16f, d.y);
+    const Mask<F> cloudy = above & (opacity > F(0));
+    if (!any(cloudy)) return colour;
     // Lit where the layer is thinner towards the sun.
-    const float towards_sun = cloud_noise(look.seed, x + 0.3f * look.to_sun.x, y + 0.3f * look.to_sun.z, 0);
-    const float bright = saturate(0.6f + 3 * (density - towards_sun) - 0.9f * (density - threshold));
-    return blend(colour, blend(look.cloud_dark, look.cloud_bright, bright), 0.9f * opacity);
+    const F towards_sun =
+        cloud_noise(look.seed, x + F(0.3f * look.to_sun.x), y + F(0.3f * look.to_sun.z), 0, cloudy);
+    const F bright = saturate(F(0.6f) + F(3) * (density - towards_sun) - F(0.9f) * (density - F(threshold)));
+    const Vec3<F> cloud = blend(look.cloud_dark, look.cloud_bright, bright);
+    return select<F>(cloudy, blend(colour, cloud, F(0.9f) * opacity), colour);
+}
+
+template <class F>
+CREVICE_INLINE Vec3<F> colour_towards(const SkyLook& look, Vec3<F> direction) {
+    const F cosine = dot(direction, spread<F>(look.to_sun));
+    // Half a degree of blur hides where sky and ground meet.
+    const F above = smooth_step(-0.008f, 0.008f, direction.y);
+    const F far = F(1) - saturate(F(0) - direction.y), far2 = far * far, far4 = far2 * far2;
+    const Vec3<F> ground =
+        select<F>(above < F(1), blend(look.ground, look.ground_far, far4 * far4), spread<F>(look.ground));
+    const Vec3<F> clear = with_sun(look, clear_sky(look, direction.y), cosine);
+    const Vec3<F> sky = select<F>(above > F(0), with_clouds(look, clear, direction), spread<F>(look.horizon));
+    return blend(ground, sky, above);
 }
 
 }  // namespace
@@ -117,24 +156,26 @@ SkyLook sunset_look() {
 }
 
 glm::vec3 sky_colour(const SkyLook& look, glm::vec3 direction) {
-    const float cosine = glm::dot(direction, look.to_sun);
-    // Half a degree of blur hides where sky and ground meet.
-    const float above = smooth_step(-0.008f, 0.008f, direction.y);
-    glm::vec3 ground = look.ground, sky = look.horizon;
-    if (above < 1) {
-        const float far = 1 - saturate(-direction.y), far2 = far * far, far4 = far2 * far2;
-        ground = blend(look.ground, look.ground_far, far4 * far4);
-    }
-    if (above > 0) {
-        sky = with_sun(look, clear_sky(look, direction.y), cosine);
-        if (direction.y > 0) sky = with_clouds(look, sky, direction);
-    }
-    return blend(ground, sky, above);
+    const Vec3<float> colour = colour_towards<float>(look, spread<float>(direction));
+    return {colour.x, colour.y, colour.z};
 }
 
 CubeMap procedural_sky(const SkyLook& look, int side, const Run& run) {
-    return build_cube_map(
-        side, [&](glm::vec3 direction) { return sky_colour(look, direction); }, run);
+    return paint_cube_map(
+        side,
+        [&](const CubeRow& row) {
+            run_kernel(run, [&]<class F>(Lanes<F>) {
+                for (int x = 0; x < row.count; x += kLanes<F>) {
+                    const Vec3<F> direction{load<F>(row.direction[0] + x), load<F>(row.direction[1] + x),
+                                            load<F>(row.direction[2] + x)};
+                    const Vec3<F> colour = colour_towards<F>(look, direction);
+                    store(row.rgb[0] + x, colour.x);
+                    store(row.rgb[1] + x, colour.y);
+                    store(row.rgb[2] + x, colour.z);
+                }
+            });
+        },
+        run);
 }
 
 }  // namespace crevice

@@ -1,11 +1,14 @@
 #include "rasterizer/textures/cube_map.h"
 
+#include <algorithm>
 #include <string>
 
 #include <glm/geometric.hpp>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/image.h"
 #include "rasterizer/base/parallel.h"
+#include "rasterizer/textures/paint_cube_map.h"
 
 namespace crevice {
 
@@ -102,18 +105,28 @@ glm::dvec3 cube_direction(int face, double u, double v) {
     }
 }
 
-CubeMap build_cube_map(int side, const std::function<glm::vec3(glm::vec3 direction)>& colour_of,
-                       const Run& run) {
+CubeMap paint_cube_map(int side, const std::function<void(const CubeRow& row)>& paint, const Run& run) {
     CubeMap cube = empty_cube_map(side);
     const int bands = (side + kRowsAtOnce - 1) / kRowsAtOnce;
     parallel_for(kCubeFaces * bands, run, [&](int item) {
         const int face = item / bands, first = item % bands * kRowsAtOnce;
+        const auto room = static_cast<std::size_t>(round_up(side, kRowAlignment));
+        std::array<std::vector<float>, 3> towards, rgb;
+        for (std::vector<float>& row : towards) row.assign(room, 1.0f);
+        for (std::vector<float>& row : rgb) row.resize(room);
+        const CubeRow row{side,
+                          {towards[0].data(), towards[1].data(), towards[2].data()},
+                          {rgb[0].data(), rgb[1].data(), rgb[2].data()}};
         for (int y = first; y < first + kRowsAtOnce && y < side; ++y) {
             for (int x = 0; x < side; ++x) {
-                const glm::dvec3 towards = cube_direction(face, texel_centre(x, side), texel_centre(y, side));
-                set_texel(cube, cube.texel_index(0, face, x, y),
-                          colour_of(glm::vec3(glm::normalize(towards))));
+                const glm::vec3 direction(
+                    glm::normalize(cube_direction(face, texel_centre(x, side), texel_centre(y, side))));
+                for (std::size_t c = 0; c < 3; ++c)
+                    towards[c][static_cast<std::size_t>(x)] = direction[static_cast<int>(c)];
             }
+            paint(row);
+            const auto at = static_cast<std::ptrdiff_t>(cube.texel_index(0, face, 0, y));
+            for (std::size_t c = 0; c < 3; ++c) std::copy_n(row.rgb[c], side, cube.rgb[c].begin() + at);
         }
     });
     for (int level = 0; level < cube.levels(); ++level) {
@@ -121,6 +134,18 @@ CubeMap build_cube_map(int side, const std::function<glm::vec3(glm::vec3 directi
         for (int face = 0; face < kCubeFaces; ++face) fill_rim(cube, level, face);
     }
     return cube;
+}
+
+CubeMap build_cube_map(int side, const std::function<glm::vec3(glm::vec3 direction)>& colour_of,
+                       const Run& run) {
+    const auto paint_row = [&](const CubeRow& row) {
+        for (int x = 0; x < row.count; ++x) {
+            const glm::vec3 colour =
+                colour_of({row.direction[0][x], row.direction[1][x], row.direction[2][x]});
+            for (int c = 0; c < 3; ++c) row.rgb[c][x] = colour[c];
+        }
+    };
+    return paint_cube_map(side, paint_row, run);
 }
 
 }  // namespace crevice
