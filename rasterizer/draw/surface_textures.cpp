@@ -9,22 +9,38 @@ namespace crevice {
 
 namespace {
 
-// The normal that pixels show: interpolated from the vertices, bent by the normal map; view space, unit. On a back
-// face, whose normal is turned, the bitangent stays where it was: the picture painted on a surface does not turn
-// with its normal.
+// What a normal map's values are measured along, as the vertices of the triangles say. View space.
 template <class F>
-CREVICE_INLINE Vec3<F> bent_normal(const ScreenGeometry& geometry, const TrianglePixels<F>& pixels,
-                                   const InstanceAttributes& instance, Vec3<F> n_tangent) {
+struct TangentFrame {
+    Vec3<F> n, tangent;  // of any length
+    F handedness;        // of which the sign counts
+};
+// On a back face, whose normal is turned, the bitangent stays where it was: the picture painted on a surface does not
+// turn with its normal.
+template <class F>
+CREVICE_INLINE TangentFrame<F> tangent_frame(const ScreenGeometry& geometry, const TrianglePixels<F>& pixels,
+                                             const InstanceAttributes& instance) {
     const ScreenTriangle& t = pixels.triangle;
     const TangentTurn& turn = geometry.tangent_turns[t.instance];
     const glm::vec4 &t0 = instance.tangent(t, 0), &t1 = instance.tangent(t, 1), &t2 = instance.tangent(t, 2);
     const glm::mat3& m = turn.view_from_object;
-    const Vec3<F> tangent = pixels.here.interpolate(m * glm::vec3(t0), m * glm::vec3(t1), m * glm::vec3(t2));
     const float side = t.shows_back ? -turn.handedness : turn.handedness;
-    const F handedness = F(side) * pixels.here.interpolate(t0.w, t1.w, t2.w);
+    return {pixels.interpolated_normal(geometry),
+            pixels.here.interpolate(m * glm::vec3(t0), m * glm::vec3(t1), m * glm::vec3(t2)),
+            F(side) * pixels.here.interpolate(t0.w, t1.w, t2.w)};
+}
+template <class F>
+CREVICE_INLINE TangentFrame<F> either(Mask<F> m, const TangentFrame<F>& a, const TangentFrame<F>& b) {
+    return {select<F>(m, a.n, b.n), select<F>(m, a.tangent, b.tangent),
+            select(m, a.handedness, b.handedness)};
+}
+
+// The normal that pixels show: of the frame, bent by the normal map; view space, unit.
+template <class F>
+CREVICE_INLINE Vec3<F> bent_normal(const TangentFrame<F>& frame, Vec3<F> n_tangent) {
     const Vec3<F> zero{F(0), F(0), F(0)};
-    const Vec3<F> n = normalize_or<F>(pixels.interpolated_normal(geometry), zero);
-    const Vec3<F> bent = bumped_normal(n, tangent, handedness, n_tangent);
+    const Vec3<F> bent =
+        bumped_normal(normalize_or<F>(frame.n, zero), frame.tangent, frame.handedness, n_tangent);
     // Once more, like every interpolated normal: the goldens hold these bits.
     return normalize_or<F>(bent, zero);
 }
@@ -51,59 +67,68 @@ struct GroupLookup {
     const int x, y, at;  // `at`: in the row
     const Run& run;
 
+    // What the triangles of the group say: each is looked at once.
+    struct Found {
+        SampledPixels pixels = {};
+        Mask<F> has_texcoords, has_frame;
+        TangentFrame<F> frame;
+    };
+
     // One material after the other, until every pixel that has texture coordinates has had its own.
     CREVICE_INLINE void look_up() const {
-        SampledPixels pixels = {};
         const Int<F> material = load<F>(row.material + at);
-        Mask<F> left = find_coordinates(pixels);
-        while (any(left)) {
+        Found found;
+        find(found);
+        for (Mask<F> left = found.has_texcoords; any(left);) {
             const std::int32_t index = largest_of(select(left, material, Int<F>(kNoTriangle)));
             const Mask<F> lanes = left & (material == Int<F>(index));
-            store(pixels.wanted, select(lanes, Int<F>(-1), Int<F>(0)));
-            look_up_material(scene.materials[static_cast<std::size_t>(index)], lanes, pixels);
+            store(found.pixels.wanted, select(lanes, Int<F>(-1), Int<F>(0)));
+            look_up_material(scene.materials[static_cast<std::size_t>(index)], lanes, found);
             left = left & !lanes;
         }
     }
 
-    CREVICE_INLINE Mask<F> find_coordinates(SampledPixels& pixels) const {
-        Mask<F> found = F(0) > F(0);
+    CREVICE_INLINE bool is_mapped(const Material& material) const {
+        return material.normal_map != nullptr && row.normal[0] != nullptr;
+    }
+
+    CREVICE_INLINE void find(Found& found) const {
+        const F zero(0);
+        found.has_texcoords = found.has_frame = zero > zero;
+        found.frame = {{zero, zero, zero}, {zero, zero, zero}, zero};
         for (TriangleWalk<F> walk(numbers); walk.next();) {
             const TrianglePixels<F> in(geometry.triangle(walk.number), walk.shown, x, y);
             const InstanceAttributes& instance = attributes[in.triangle.instance];
             if (!instance.has_texcoords()) continue;
-            put_where(in.shown, texture_pixels(in, instance), pixels);
-            found = found | in.shown;
+            put_where(in.shown, texture_pixels(in, instance), found.pixels);
+            found.has_texcoords = found.has_texcoords | in.shown;
+            const Material& material = scene.materials[static_cast<std::size_t>(in.triangle.material)];
+            if (!instance.has_tangents() || !is_mapped(material)) continue;
+            found.frame = either<F>(in.shown, tangent_frame(geometry, in, instance), found.frame);
+            found.has_frame = found.has_frame | in.shown;
         }
-        return found;
     }
 
-    CREVICE_INLINE void look_up_material(const Material& material, Mask<F> lanes,
-                                         const SampledPixels& pixels) const {
+    CREVICE_INLINE void look_up_material(const Material& material, Mask<F> lanes, const Found& found) const {
         const Texture* wanted[2];
         std::size_t count = 0;
         const bool coloured = material.texture != nullptr && row.colour[0] != nullptr;
-        const bool mapped = material.normal_map != nullptr && row.normal[0] != nullptr;
+        const bool mapped = is_mapped(material);
         if (coloured) wanted[count++] = material.texture.get();
         if (mapped) wanted[count++] = material.normal_map.get();
         if (count == 0) return;
         SampledColours sampled[2];
-        sample_textures(std::span(wanted, count), material.sampler, pixels, sampled, run);
+        sample_textures(std::span(wanted, count), material.sampler, found.pixels, sampled, run);
         if (coloured) {
             put_where<F>(row.colour, at, lanes,
                          {load<F>(sampled[0].r), load<F>(sampled[0].g), load<F>(sampled[0].b)});
         }
-        if (mapped) bend_normals(lanes, sampled[count - 1]);
-    }
-
-    CREVICE_INLINE void bend_normals(Mask<F> lanes, const SampledColours& map) const {
+        if (!mapped) return;
+        const SampledColours& map = sampled[count - 1];
         const Vec3<F> n_tangent = mapped_normal<F>({load<F>(map.r), load<F>(map.g), load<F>(map.b)});
-        for (TriangleWalk<F> walk(select(lanes, numbers, Int<F>(kNoTriangle))); walk.next();) {
-            const TrianglePixels<F> in(geometry.triangle(walk.number), walk.shown, x, y);
-            const InstanceAttributes& instance = attributes[in.triangle.instance];
-            if (!instance.has_tangents()) continue;
-            put_where<F>(row.normal, at, in.shown, bent_normal(geometry, in, instance, n_tangent));
-            if (row.gloss != nullptr) put_where<F>(row.gloss + at, in.shown, load<F>(map.a));
-        }
+        const Mask<F> bent = lanes & found.has_frame;
+        put_where<F>(row.normal, at, bent, bent_normal(found.frame, n_tangent));
+        if (row.gloss != nullptr) put_where<F>(row.gloss + at, bent, load<F>(map.a));
     }
 };
 
