@@ -36,27 +36,28 @@ Dress dress(SceneDetail detail, const Run& run) {
     if (detail == SceneDetail::shapes) return made;
     constexpr int kSide = kTextureSide / 2;
     at_once(run, {[&] { made.sky = shared_sky(sky_look(), run); },
-                  [&] { made.ashlar = shared_surface(ashlar_textures()); },
-                  [&] { made.limestone = shared_surface(limestone_textures(kSide)); },
-                  [&] { made.tiles = shared_surface(floor_tile_textures(kSide)); },
-                  [&] { made.paving = shared_surface(rough_stone_textures(kSide)); },
-                  [&] { made.brick = shared_surface(brick_textures(kSide)); },
-                  [&] { made.crimson = shared_surface(cloth_textures(kCrimsonDye, kSide)); },
-                  [&] { made.blue = shared_surface(cloth_textures(kBlueDye, kSide)); }});
+                  [&] { made.ashlar = shared_surface(ashlar_textures(kTextureSide, run)); },
+                  [&] { made.limestone = shared_surface(limestone_textures(kSide, run)); },
+                  [&] { made.tiles = shared_surface(floor_tile_textures(kSide, run)); },
+                  [&] { made.paving = shared_surface(rough_stone_textures(kSide, run)); },
+                  [&] { made.brick = shared_surface(brick_textures(kSide, run)); },
+                  [&] { made.crimson = shared_surface(cloth_textures(kCrimsonDye, kSide, run)); },
+                  [&] { made.blue = shared_surface(cloth_textures(kBlueDye, kSide, run)); }});
     return made;
 }
 
-Material chain() {
+Material chain(const Run& run) {
     Material material = book_material("chain", glm::vec3(0.8f), glm::vec3(0.06f), 0.8);
     // Not a power of two, or all wires would fall alike on the texels of a mip level.
     constexpr int kSide = 100;
-    material.texture = std::make_shared<const Texture>(keep_coverage(chain_texture(kSide), kTutorialCutoff));
+    material.texture =
+        std::make_shared<const Texture>(keep_coverage(chain_texture(kSide, run), kTutorialCutoff));
     material.sampler = kLunaSampler;
     material.alpha_cutoff = kTutorialCutoff;
     return material;
 }
 
-std::vector<Material> materials(const Dress& worn) {
+std::vector<Material> materials(const Dress& worn, const Run& run) {
     const glm::vec3 matt(0.04f);
     const auto of = [](const char* name, glm::vec3 specular, double roughness, const Surface& surface,
                        glm::vec3 mean) {
@@ -75,9 +76,9 @@ std::vector<Material> materials(const Dress& worn) {
         book_material("porphyry", {0.30f, 0.17f, 0.15f}, matt, 0.8),
         book_material("terracotta", {0.46f, 0.20f, 0.11f}, matt, 0.9),
         book_material("bronze", {0.24f, 0.17f, 0.09f}, glm::vec3(0.2f), 0.5),
-        chain(),
+        chain(run),
     };
-    for (Material& leaf : leaf_materials(kLeafTints)) all.push_back(std::move(leaf));
+    for (Material& leaf : leaf_materials(kLeafTints, run)) all.push_back(std::move(leaf));
     return all;
 }
 
@@ -97,7 +98,7 @@ Scene atrium_scene(SceneDetail detail, const Run& run) {
     const Dress worn = dress(detail, run);
     Scene scene;
     scene.name = "atrium";
-    scene.materials = materials(worn);
+    scene.materials = materials(worn, run);
     scene.two_sided = true;  // leaves, chains and cloth have no back
     scene.lighting = LightingModel::blinn_schlick;
     scene.ambient_light = {0.36f, 0.38f, 0.42f};

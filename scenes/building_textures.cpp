@@ -85,10 +85,10 @@ PaintedPoint cloth(glm::dvec2 uv, glm::dvec3 colour) {
 
 }  // namespace
 
-SurfaceMaps ashlar_textures(int side) { return surface_textures(side, ashlar); }
-SurfaceMaps limestone_textures(int side) { return surface_textures(side, limestone); }
-SurfaceMaps cloth_textures(glm::dvec3 colour, int side) {
-    return surface_textures(side, [colour](glm::dvec2 uv) { return cloth(uv, colour); });
+SurfaceMaps ashlar_textures(int side, const Run& run) { return surface_textures(side, run, ashlar); }
+SurfaceMaps limestone_textures(int side, const Run& run) { return surface_textures(side, run, limestone); }
+SurfaceMaps cloth_textures(glm::dvec3 colour, int side, const Run& run) {
+    return surface_textures(side, run, [colour](glm::dvec2 uv) { return cloth(uv, colour); });
 }
 
 }  // namespace crevice

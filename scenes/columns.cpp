@@ -12,8 +12,8 @@
 #include "scenes/builtin_scenes.h"
 #include "scenes/composing.h"
 #include "scenes/house.h"
-#include "scenes/shapes.h"
 #include "scenes/scene_surfaces.h"
+#include "scenes/shapes.h"
 #include "ssao/light/scene_shadow.h"
 
 namespace crevice {
@@ -43,9 +43,9 @@ Dress dress(SceneDetail detail, const Run& run) {
     if (detail == SceneDetail::shapes) return made;
     // The stone takes longest to make and is seen smallest.
     at_once(run, {[&] { made.sky = shared_sky(desert_look(), run); },
-                  [&] { made.stone = shared_surface(rough_stone_textures(kTextureSide / 2)); },
-                  [&] { made.floor = shared_surface(floor_tile_textures()); },
-                  [&] { made.bricks = shared_surface(brick_textures()); }});
+                  [&] { made.stone = shared_surface(rough_stone_textures(kTextureSide / 2, run)); },
+                  [&] { made.floor = shared_surface(floor_tile_textures(kTextureSide, run)); },
+                  [&] { made.bricks = shared_surface(brick_textures(kTextureSide, run)); }});
     made.stone.normal = nullptr;  // the tutorial's stone has none
     return made;
 }

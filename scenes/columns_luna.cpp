@@ -12,8 +12,8 @@
 #include "scenes/builtin_scenes.h"
 #include "scenes/carved_head.h"
 #include "scenes/composing.h"
-#include "scenes/shapes.h"
 #include "scenes/scene_surfaces.h"
+#include "scenes/shapes.h"
 #include "ssao/light/scene_shadow.h"
 
 namespace crevice {
@@ -31,8 +31,8 @@ Dress dress(SceneDetail detail, const Run& run) {
     Dress made;
     if (detail == SceneDetail::shapes) return made;
     at_once(run, {[&] { made.sky = shared_sky(sunset_look(), run); },
-                  [&] { made.bricks = shared_surface(brick_textures()); },
-                  [&] { made.tiles = shared_surface(floor_tile_textures()); }});
+                  [&] { made.bricks = shared_surface(brick_textures(kTextureSide, run)); },
+                  [&] { made.tiles = shared_surface(floor_tile_textures(kTextureSide, run)); }});
     return made;
 }
 

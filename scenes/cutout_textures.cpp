@@ -150,8 +150,8 @@ glm::dvec3 chain_colour(glm::dvec2 uv) {
 
 }  // namespace
 
-Texture leaf_texture(int side) { return cutout_texture(side, leaf_colour, in_leaf); }
-Texture fence_texture(int side) { return cutout_texture(side, fence_colour, in_wire); }
-Texture chain_texture(int side) { return cutout_texture(side, chain_colour, in_chain); }
+Texture leaf_texture(int side, const Run& run) { return cutout_texture(side, run, leaf_colour, in_leaf); }
+Texture fence_texture(int side, const Run& run) { return cutout_texture(side, run, fence_colour, in_wire); }
+Texture chain_texture(int side, const Run& run) { return cutout_texture(side, run, chain_colour, in_chain); }
 
 }  // namespace crevice

@@ -7,8 +7,8 @@
 #include "scenes/builtin_scenes.h"
 #include "scenes/composing.h"
 #include "scenes/flat_mesh.h"
-#include "scenes/shapes.h"
 #include "scenes/scene_surfaces.h"
+#include "scenes/shapes.h"
 #include "ssao/light/scene_shadow.h"
 
 namespace crevice {
@@ -31,26 +31,26 @@ Dress dress(SceneDetail detail, const Run& run) {
     Dress made;
     if (detail == SceneDetail::shapes) return made;
     at_once(run, {[&] { made.sky = shared_sky(desert_look(), run); },
-                  [&] { made.floor = shared_surface(floor_tile_textures(kTextureSide / 2)); },
-                  [&] { made.bricks = shared_surface(brick_textures(kTextureSide / 2)); }});
+                  [&] { made.floor = shared_surface(floor_tile_textures(kTextureSide / 2, run)); },
+                  [&] { made.bricks = shared_surface(brick_textures(kTextureSide / 2, run)); }});
     return made;
 }
 
-Material wire() {
+Material wire(const Run& run) {
     Material material = book_material("wire", glm::vec3(0.8f), glm::vec3(0.12f), 0.5);
     material.texture =
-        std::make_shared<const Texture>(keep_coverage(fence_texture(kWireSide), kTutorialCutoff));
+        std::make_shared<const Texture>(keep_coverage(fence_texture(kWireSide, run), kTutorialCutoff));
     material.sampler = kLunaSampler;
     material.alpha_cutoff = kTutorialCutoff;
     return material;
 }
 
-std::vector<Material> materials(const Dress& worn) {
+std::vector<Material> materials(const Dress& worn, const Run& run) {
     const glm::vec3 matt(0.04f);
     return {
         covered(book_material("ground", glm::vec3(0.9f), matt, 0.6), worn.floor, {0.44f, 0.37f, 0.29f},
                 kLunaSampler),
-        wire(),
+        wire(run),
         book_material("steel", {0.30f, 0.31f, 0.33f}, glm::vec3(0.12f), 0.5),
         covered(book_material("wall", glm::vec3(1), matt, 0.8), worn.bricks, {0.50f, 0.30f, 0.22f},
                 kLunaSampler),
@@ -117,7 +117,7 @@ Scene fence_scene(SceneDetail detail, const Run& run) {
     const Dress worn = dress(detail, run);
     Scene scene;
     scene.name = "fence";
-    scene.materials = materials(worn);
+    scene.materials = materials(worn, run);
     scene.two_sided = true;  // a fence has no back
     scene.lighting = LightingModel::blinn_schlick;
     scene.ambient_light = {0.50f, 0.52f, 0.56f};

@@ -8,8 +8,8 @@
 #include "scenes/composing.h"
 #include "scenes/flat_mesh.h"
 #include "scenes/periodic_noise.h"
-#include "scenes/shapes.h"
 #include "scenes/scene_surfaces.h"
+#include "scenes/shapes.h"
 
 namespace crevice {
 namespace {
@@ -79,7 +79,7 @@ Scene field_scene(SceneDetail detail, const Run& run) {
     // No shadow: a map of all of it would need a bias larger than the stones.
     if (dressed) {
         at_once(run, {[&] { scene.sky_cube = shared_sky(desert_look(), run); },
-                      [&] { stone = shared_surface(rough_stone_textures(kTextureSide / 2)); }});
+                      [&] { stone = shared_surface(rough_stone_textures(kTextureSide / 2, run)); }});
     }
     scene.name = "field";
     scene.materials = {

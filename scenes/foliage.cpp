@@ -30,9 +30,9 @@ Mesh leaf_mesh(int material) {
     return mesh;
 }
 
-std::vector<Material> leaf_materials(std::span<const glm::vec3> tints) {
+std::vector<Material> leaf_materials(std::span<const glm::vec3> tints, const Run& run) {
     const auto texture =
-        std::make_shared<const Texture>(keep_coverage(leaf_texture(kTextureSide / 4), kTutorialCutoff));
+        std::make_shared<const Texture>(keep_coverage(leaf_texture(kTextureSide / 4, run), kTutorialCutoff));
     std::vector<Material> leaves;
     for (const glm::vec3& tint : tints) {
         Material leaf = book_material("leaf", tint, glm::vec3(0.04f), 0.95);

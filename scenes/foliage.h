@@ -24,6 +24,6 @@ glm::dvec3 branching_off(glm::dvec3 direction, double tilt_rad, double turn_rad)
 Mesh leaf_mesh(int material);
 
 // Materials of one leaf's texture, one a tint, which multiplies it.
-std::vector<Material> leaf_materials(std::span<const glm::vec3> tints);
+std::vector<Material> leaf_materials(std::span<const glm::vec3> tints, const Run& run);
 
 }  // namespace crevice

@@ -109,18 +109,18 @@ Dress dress(SceneDetail detail, const Run& run) {
     Dress made;
     if (detail == SceneDetail::shapes) return made;
     at_once(run, {[&] { made.sky = shared_sky(desert_look(), run); },
-                  [&] { made.stone = shared_surface(rough_stone_textures(kTextureSide / 2)); }});
+                  [&] { made.stone = shared_surface(rough_stone_textures(kTextureSide / 2, run)); }});
     return made;
 }
 
-std::vector<Material> materials(const Dress& worn) {
+std::vector<Material> materials(const Dress& worn, const Run& run) {
     const glm::vec3 matt(0.04f);
     std::vector<Material> all = {
         covered(book_material("ground", glm::vec3(1), matt, 0.8), worn.stone, {0.46f, 0.42f, 0.36f},
                 kLunaSampler),
         book_material("bark", {0.26f, 0.18f, 0.12f}, matt, 0.9),
     };
-    for (Material& leaf : leaf_materials(kTints)) all.push_back(std::move(leaf));
+    for (Material& leaf : leaf_materials(kTints, run)) all.push_back(std::move(leaf));
     return all;
 }
 
@@ -143,7 +143,7 @@ Scene leaves_scene(SceneDetail detail, const Run& run) {
     const Dress worn = dress(detail, run);
     Scene scene;
     scene.name = "leaves";
-    scene.materials = materials(worn);
+    scene.materials = materials(worn, run);
     scene.two_sided = true;  // leaves are seen from below, too
     scene.lighting = LightingModel::blinn_schlick;
     scene.ambient_light = {0.55f, 0.58f, 0.62f};

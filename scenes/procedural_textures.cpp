@@ -77,10 +77,10 @@ PaintedPoint rough_stone(glm::dvec2 uv) {
 
 }  // namespace
 
-Texture normal_map(const Image<float>& height, Image<float> shininess) {
+Texture normal_map(const Image<float>& height, Image<float> shininess, const Run& run) {
     const Size size = height.size;
     Image3 normals(size, glm::vec3(0));
-    for (int y = 0; y < size.height; ++y) {
+    const auto find_row = [&](int y) {
         const float *above = height.row(y > 0 ? y - 1 : size.height - 1),
                     *below = height.row(y + 1 < size.height ? y + 1 : 0);
         for (int x = 0; x < size.width; ++x) {
@@ -92,12 +92,17 @@ Texture normal_map(const Image<float>& height, Image<float> shininess) {
             const Vec3<float> n = normalize_or<float>(steep, {0, 0, 1});
             normals.set(x, y, 0.5f * glm::vec3(n.x, n.y, n.z) + 0.5f);
         }
-    }
-    return build_texture(std::move(normals), std::move(shininess));
+    };
+    parallel_rows(size.height, run, [&](int first, int end) {
+        for (int y = first; y < end; ++y) find_row(y);
+    });
+    return build_texture(std::move(normals), std::move(shininess), run);
 }
 
-SurfaceMaps floor_tile_textures(int side) { return surface_textures(side, floor_tile); }
-SurfaceMaps brick_textures(int side) { return surface_textures(side, brick); }
-SurfaceMaps rough_stone_textures(int side) { return surface_textures(side, rough_stone); }
+SurfaceMaps floor_tile_textures(int side, const Run& run) { return surface_textures(side, run, floor_tile); }
+SurfaceMaps brick_textures(int side, const Run& run) { return surface_textures(side, run, brick); }
+SurfaceMaps rough_stone_textures(int side, const Run& run) {
+    return surface_textures(side, run, rough_stone);
+}
 
 }  // namespace crevice

@@ -11,6 +11,7 @@
 #include <glm/vec2.hpp>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/parallel.h"
 #include "rasterizer/lanes/wide.h"
 #include "scenes/procedural_textures.h"
 
@@ -64,42 +65,45 @@ inline void check_texture_side(int side) {
                      std::to_string(kSmallestTextureSide) + " to " + std::to_string(kLargestTextureSide));
 }
 
-// Calls paint(x, y, uv) for each texel with the uv of its centre.
+// Calls paint(x, y, uv) for each texel with the uv of its centre, on all threads.
 template <class Paint>
-void for_each_texel(int side, const Paint& paint) {
-    for (int y = 0; y < side; ++y) {
-        for (int x = 0; x < side; ++x) paint(x, y, (glm::dvec2(x, y) + 0.5) / static_cast<double>(side));
-    }
+void for_each_texel(int side, const Run& run, const Paint& paint) {
+    parallel_rows(side, run, [&](int first_row, int end_row) {
+        for (int y = first_row; y < end_row; ++y) {
+            for (int x = 0; x < side; ++x) paint(x, y, (glm::dvec2(x, y) + 0.5) / static_cast<double>(side));
+        }
+    });
 }
 
 inline glm::vec3 as_colour(glm::dvec3 c) { return {glm::dvec3(saturate(c.x), saturate(c.y), saturate(c.z))}; }
 
 // The normal map of a height field that repeats, by central differences; `shininess` becomes its alpha.
-Texture normal_map(const Image<float>& height, Image<float> shininess);
+Texture normal_map(const Image<float>& height, Image<float> shininess, const Run& run);
 
 // `surface_at`(uv) gives the PaintedPoint there and repeats with period 1.
 template <class Surface>
-SurfaceMaps surface_textures(int side, const Surface& surface_at) {
+SurfaceMaps surface_textures(int side, const Run& run, const Surface& surface_at) {
     check_texture_side(side);
     Image3 colour({side, side}, glm::vec3(0));
     Image<float> height({side, side}, 0), shininess = height;
-    for_each_texel(side, [&](int x, int y, glm::dvec2 uv) {
+    for_each_texel(side, run, [&](int x, int y, glm::dvec2 uv) {
         const PaintedPoint point = surface_at(uv);
         colour.set(x, y, as_colour(point.colour));
         height.at(x, y) = static_cast<float>(point.height);
         shininess.at(x, y) = static_cast<float>(saturate(point.shininess_factor));
     });
-    return {build_texture(std::move(colour)), normal_map(height, std::move(shininess)), std::move(height)};
+    return {build_texture(std::move(colour), {}, run), normal_map(height, std::move(shininess), run),
+            std::move(height)};
 }
 
 // `colour_at`(uv) gives a colour everywhere, `inside`(uv) whether the point is part of the thing.
 template <class Colour, class Inside>
-Texture cutout_texture(int side, const Colour& colour_at, const Inside& inside) {
+Texture cutout_texture(int side, const Run& run, const Colour& colour_at, const Inside& inside) {
     check_texture_side(side);
     Image3 colour({side, side}, glm::vec3(0));
     Image<float> alpha({side, side}, 0);
     constexpr int parts = 4;  // of a texel, each way
-    for_each_texel(side, [&](int x, int y, glm::dvec2 uv) {
+    for_each_texel(side, run, [&](int x, int y, glm::dvec2 uv) {
         colour.set(x, y, as_colour(colour_at(uv)));
         int covered = 0;
         for (int part = 0; part < parts * parts; ++part) {
@@ -108,7 +112,7 @@ Texture cutout_texture(int side, const Colour& colour_at, const Inside& inside) 
         }
         alpha.at(x, y) = static_cast<float>(covered) / static_cast<float>(parts * parts);
     });
-    return build_texture(std::move(colour), std::move(alpha));
+    return build_texture(std::move(colour), std::move(alpha), run);
 }
 
 }  // namespace crevice

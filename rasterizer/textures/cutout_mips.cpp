@@ -1,6 +1,7 @@
 #include "rasterizer/textures/cutout_mips.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "rasterizer/base/error.h"
@@ -17,8 +18,8 @@ std::vector<float> values_of(const Image<float>& image) {
     return values;
 }
 
-// By how much alpha must be multiplied so that about `wanted` of its texels reach the threshold.
-float scale_for(std::vector<float> values, double wanted, float threshold) {
+// Between the alpha of the texels that shall pass, about `wanted` of them, and that of the others.
+float limit_for(std::vector<float> values, double wanted) {
     std::sort(values.begin(), values.end());
     const auto count = static_cast<std::ptrdiff_t>(wanted * static_cast<double>(values.size()) + 0.5);
     auto first_in = values.end() - count;
@@ -30,8 +31,25 @@ float scale_for(std::vector<float> values, double wanted, float threshold) {
     // Half-way between the last that fails and the first that passes: neither is left to rounding.
     const float above = first_in == values.end() ? 2 * values.back() : *first_in;
     const float below = first_in == values.begin() ? 0 : *(first_in - 1);
-    const float limit = 0.5f * (above + below);
-    return limit > 0 ? threshold / limit : 1;
+    return 0.5f * (above + below);
+}
+
+// The least alpha that a texture can store and that passes the test.
+float least_that_passes(float threshold) {
+    float units = std::floor(threshold * kTexelOne);
+    while (units / kTexelOne < threshold) ++units;
+    return units / kTexelOne;
+}
+
+// Brings the limit to the threshold. What is stored is rounded, and the rounding must not carry a texel over it.
+void scale_to_threshold(Image<float>& alpha, float limit, float threshold) {
+    if (!(limit > 0)) return;
+    const float scale = threshold / limit, passes = least_that_passes(threshold),
+                fails = passes - 1 / kTexelOne;
+    for (float& value : alpha.pixels) {
+        const float scaled = std::min(1.0f, scale * value);
+        value = value >= limit ? std::max(scaled, passes) : std::min(scaled, fails);
+    }
 }
 
 }  // namespace
@@ -53,8 +71,7 @@ Texture keep_coverage(const Texture& texture, float threshold) {
     Texture kept;
     for (std::size_t level = 0; level < texture.levels().size(); ++level) {
         Image<float> alpha = texture.alpha(level);
-        const float scale = level == 0 ? 1 : scale_for(values_of(alpha), wanted, threshold);
-        for (float& value : alpha.pixels) value = std::min(1.0f, scale * value);
+        if (level > 0) scale_to_threshold(alpha, limit_for(values_of(alpha), wanted), threshold);
         kept.add_level(texture.colour(level), alpha);
     }
     return kept;

@@ -2,11 +2,17 @@
 // channel first, since all four take the same arithmetic.
 #pragma once
 
+#include <array>
 #include <cstring>
 
 #include "rasterizer/lanes/vec3.h"
 
 namespace crevice {
+
+// RGBA as whole numbers from 0 to kTexelOne, which stands for 1. This one because every code of 8 bits and every
+// 256th is a whole number of it: level normals, opaque alpha and data of 8 bits are stored exactly.
+using Rgba16 = std::array<std::uint16_t, 4>;
+inline constexpr float kTexelOne = 255 * 256;
 
 // RGBA of one pixel (F = float or Wide<4>), or of two pixels (Wide<8>): of lane i in the lower half and of lane
 // i + 4 in the upper one. So four lanes and eight are four of these, and one lane is one.
@@ -17,7 +23,8 @@ struct Rgba {
 };
 template <>
 struct Rgba<Wide<8>> {
-    Wide<8>::V v;
+    using V = Wide<8>::V;
+    V v;
 };
 template <class F>
 inline constexpr int kRgbas = kLanes<F> == 1 ? 1 : 4;
@@ -27,23 +34,67 @@ template <class F>
 CREVICE_INLINE Rgba<F> mix(Rgba<F> a, Rgba<F> b, Rgba<F> t) {
     return {a.v + t.v * (b.v - a.v)};
 }
-
-CREVICE_INLINE Rgba<float>::V load_four(const float* at) {
-    Rgba<float>::V v;
-    std::memcpy(&v, at, sizeof v);
-    return v;
+// a where `where` is above 0, else b.
+template <class F>
+CREVICE_INLINE Rgba<F> chosen(Rgba<F> where, Rgba<F> a, Rgba<F> b) {
+    return {where.v > typename Rgba<F>::V{} ? a.v : b.v};
+}
+template <class F>
+CREVICE_INLINE Rgba<F> over_all_pixels(const float* rgba) {
+    Wide<4>::V v;
+    std::memcpy(&v, rgba, sizeof v);
+    if constexpr (kLanes<F> == 8) {
+        return {joined(v, v)};
+    } else {
+        return {v};
+    }
 }
 
-// The texels that begin at base[index[0]] and, of eight lanes, base[index[4]]; for an index below 0 it is *outside.
+// Two texels that lie side by side, in units of 1 / kTexelOne.
 template <class F>
-CREVICE_INLINE Rgba<F> gather_rgba(const float* base, const std::int32_t* index, const float* outside) {
-    const auto texel = [&](std::int32_t i) __attribute__((always_inline)) {
-        return load_four(outside != nullptr && i < 0 ? outside : base + i);
+struct TexelPair {
+    Rgba<F> left, right;
+};
+
+typedef std::uint16_t TwoTexels __attribute__((vector_size(16)));
+typedef std::uint16_t FourTexels __attribute__((vector_size(32)));
+
+// Each 16-bit number between a zero and the next: as many 32-bit numbers. An interleaving takes every second half
+// of a register apart.
+CREVICE_INLINE TexelPair<float> unpacked(TwoTexels codes) {
+    using Words = WideInt<4>::V;
+    const TwoTexels zero = {};
+    const auto left = __builtin_shufflevector(codes, zero, 0, 8, 1, 9, 2, 10, 3, 11),
+               right = __builtin_shufflevector(codes, zero, 4, 12, 5, 13, 6, 14, 7, 15);
+    return {{to_float(WideInt<4>(__builtin_bit_cast(Words, left))).v},
+            {to_float(WideInt<4>(__builtin_bit_cast(Words, right))).v}};
+}
+CREVICE_INLINE TexelPair<Wide<8>> unpacked(FourTexels codes) {
+    using Words = WideInt<8>::V;
+    const FourTexels zero = {};
+    const auto left = __builtin_shufflevector(codes, zero, 0, 16, 1, 17, 2, 18, 3, 19, 8, 24, 9, 25, 10, 26,
+                                              11, 27),
+               right = __builtin_shufflevector(codes, zero, 4, 20, 5, 21, 6, 22, 7, 23, 12, 28, 13, 29, 14,
+                                               30, 15, 31);
+    return {{to_float(WideInt<8>(__builtin_bit_cast(Words, left))).v},
+            {to_float(WideInt<8>(__builtin_bit_cast(Words, right))).v}};
+}
+
+// The pairs that begin at base[index[0]] and, of eight lanes, base[index[4]]. No index is below 0.
+template <class F>
+CREVICE_INLINE TexelPair<F> gather_pair(const Rgba16* base, const std::int32_t* index) {
+    using Bits = VectorOf<std::int64_t, 2>::type;
+    const auto pair = [&](std::int32_t i) __attribute__((always_inline)) {
+        Bits bits;
+        // Unsigned, because that needs no sign extension.
+        std::memcpy(&bits, base + static_cast<std::uint32_t>(i), sizeof bits);
+        return bits;
     };
     if constexpr (kLanes<F> == 8) {
-        return {joined(texel(index[0]), texel(index[4]))};
+        return unpacked(__builtin_bit_cast(FourTexels, joined(pair(index[0]), pair(index[4]))));
     } else {
-        return {texel(index[0])};
+        const TexelPair<float> two = unpacked(__builtin_bit_cast(TwoTexels, pair(index[0])));
+        return {{two.left.v}, {two.right.v}};
     }
 }
 

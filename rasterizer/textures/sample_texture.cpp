@@ -49,7 +49,7 @@ void sample_textures(std::span<const Texture* const> textures, const Sampler& sa
         SeenTexture<F> seen[2] = {SeenTexture<F>(first), SeenTexture<F>(last)};
         const int count = static_cast<int>(textures.size()), together = alike ? count : 1;
         for (int i = 0; i < count; i += together) look_at(seen + i, together, sampler, at);
-        for (int i = 0; i < count; ++i) put(channels_of(seen[i].mean), colours[i]);
+        for (int i = 0; i < count; ++i) put(seen[i].mean(), colours[i]);
     });
 }
 
@@ -58,7 +58,7 @@ glm::vec4 sample_texture(const Texture& texture, const Sampler& sampler, glm::ve
     const TextureCoordinates<float> at{{uv.x, uv.y}, {duv_dx.x, duv_dx.y}, {duv_dy.x, duv_dy.y}, true};
     SeenTexture<float> seen(texture);
     look_at(&seen, 1, sampler, at);
-    const TextureColour<float> c = channels_of(seen.mean);
+    const TextureColour<float> c = seen.mean();
     return {c.colour.x, c.colour.y, c.colour.z, c.alpha};
 }
 

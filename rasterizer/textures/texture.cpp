@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/parallel.h"
+#include "rasterizer/lanes/wide_pairs.h"
 
 namespace crevice {
 namespace {
-
-constexpr int kChannels = 4;
 
 // The pixels of one axis that a pixel of the next level covers, and the part of it that each fills.
 struct Footprint {
@@ -36,37 +36,93 @@ Footprint footprint(int i, int from, int to) {
 
 Size half_of(Size size) { return {std::max(1, size.width / 2), std::max(1, size.height / 2)}; }
 
-Image<float> half_size(const Image<float>& above) {
-    const Size size = half_of(above.size);
-    std::vector<Footprint> columns;
-    for (int x = 0; x < size.width; ++x) columns.push_back(footprint(x, above.size.width, size.width));
-    Image<float> below(size, 0.0f);
-    std::vector<float> row_mean(static_cast<std::size_t>(above.stride));
-    for (int y = 0; y < size.height; ++y) {
-        const Footprint rows = footprint(y, above.size.height, size.height);
-        std::fill(row_mean.begin(), row_mean.end(), 0.0f);
-        for (int k = 0; k < rows.count; ++k) {
-            const float weight = rows.weights[static_cast<std::size_t>(k)];
-            const float* row = above.row(rows.first + k);
-            for (std::size_t x = 0; x < row_mean.size(); ++x) row_mean[x] += weight * row[x];
-        }
-        for (int x = 0; x < size.width; ++x) {
-            const Footprint& column = columns[static_cast<std::size_t>(x)];
-            float sum = 0;
-            for (std::size_t k = 0; k < static_cast<std::size_t>(column.count); ++k) {
-                sum += column.weights[k] * row_mean[static_cast<std::size_t>(column.first) + k];
+// The level below a plane: first the rows that each of its own covers are mixed, then the columns.
+class HalfSize {
+ public:
+    explicit HalfSize(const Image<float>& above) : above_(above), below_(half_of(above.size)) {
+        for (int x = 0; x < below_.size.width; ++x)
+            columns_.push_back(footprint(x, above.size.width, below_.size.width));
+    }
+
+    Image<float> made(const Run& run) {
+        parallel_rows(below_.size.height, run, [&](int first_row, int end_row) {
+            // With room for a wide load of pairs behind the last.
+            std::vector<float> mean(static_cast<std::size_t>(above_.stride + kRowAlignment));
+            for (int y = first_row; y < end_row; ++y) {
+                run_kernel(run, [&]<class F>(Lanes<F>) { mix_rows<F>(y, mean.data()); });
+                if (above_.size.width == 2 * below_.size.width) {
+                    run_kernel(run, [&]<class F>(Lanes<F>) { mix_pairs<F>(mean.data(), below_.row(y)); });
+                } else {
+                    mix_columns(mean.data(), below_.row(y));
+                }
             }
-            below.at(x, y) = sum;
+        });
+        return std::move(below_);
+    }
+
+ private:
+    template <class F>
+    CREVICE_INLINE void mix_rows(int y, float* mean) const {
+        const Footprint rows = footprint(y, above_.size.height, below_.size.height);
+        for (int x = 0; x < above_.stride; x += kLanes<F>) {
+            F sum(0);
+            for (int k = 0; k < rows.count; ++k) {
+                sum = sum +
+                      F(rows.weights[static_cast<std::size_t>(k)]) * load<F>(above_.row(rows.first + k) + x);
+            }
+            store(mean + x, sum);
         }
     }
-    return below;
+    template <class F>
+    CREVICE_INLINE void mix_pairs(const float* mean, float* row) const {
+        for (int x = 0; x < below_.size.width; x += kLanes<F>) {
+            const Pair<F> two = load_pairs<F>(mean + 2 * x);
+            store(row + x, F(0.5f) * two.first + F(0.5f) * two.second);
+        }
+    }
+    void mix_columns(const float* mean, float* row) const {
+        for (const Footprint& column : columns_) {
+            float sum = 0;
+            for (std::size_t k = 0; k < static_cast<std::size_t>(column.count); ++k)
+                sum += column.weights[k] * mean[static_cast<std::size_t>(column.first) + k];
+            *row++ = sum;
+        }
+    }
+
+    const Image<float>& above_;
+    Image<float> below_;
+    std::vector<Footprint> columns_;
+};
+
+// From a row to the next, in texels: an odd number of cache lines, so that rows do not all fall into the same few
+// places of a cache, with room for one column more.
+std::size_t stride_of(int width) {
+    constexpr std::size_t kTexelsOfLine = 64 / sizeof(Rgba16);
+    const std::size_t lines = static_cast<std::size_t>(width) / kTexelsOfLine + 1;
+    return (lines | 1u) * kTexelsOfLine;
+}
+
+// The row's texels, from channels of whole groups of pixels.
+template <class F>
+CREVICE_INLINE void pack_row(const float* const (&channel)[4], int width, Rgba16* texel) {
+    std::int32_t code[4][kLanes<F>];
+    for (int x = 0; x < width; x += kLanes<F>) {
+        for (int c = 0; c < 4; ++c) {
+            const F value = channel[c] == nullptr ? F(1) : load<F>(channel[c] + x);
+            store(code[c], to_int(saturate(value) * F(kTexelOne) + F(0.5f)));
+        }
+        const int count = std::min(kLanes<F>, width - x);
+        for (int i = 0; i < count; ++i, ++texel) {
+            for (std::size_t c = 0; c < 4; ++c) (*texel)[c] = static_cast<std::uint16_t>(code[c][i]);
+        }
+    }
 }
 
 std::string size_text(Size size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
 
 }  // namespace
 
-void Texture::add_level(const Image3& colour, const Image<float>& alpha) {
+void Texture::add_level(const Image3& colour, const Image<float>& alpha, const Run& run) {
     const Size size = colour.size();
     if (colour.empty()) throw UsageError("texture: a level has no texels; give at least one");
     if (!alpha.empty() && alpha.size != size) {
@@ -80,31 +136,34 @@ void Texture::add_level(const Image3& colour, const Image<float>& alpha) {
     if (!levels_.empty() && has_alpha_ == alpha.empty()) {
         throw UsageError("texture: some levels have alpha and some have none; give it to all, or to none");
     }
-    const std::size_t first = texels_.size(),
-                      stride = std::size_t{kChannels} * static_cast<std::size_t>(size.width),
-                      end = first + stride * static_cast<std::size_t>(size.height);
+    const std::size_t first = texels_.size(), stride = stride_of(size.width),
+                      rows = static_cast<std::size_t>(size.height) + 1, end = first + stride * rows;
     if (end > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
         throw UsageError("texture: there are too many texels (" + size_text(size) + "); give at most " +
                          std::to_string(kMaxTextureSide) + " on a side");
     }
     texels_.resize(end);
-    float* texel = texels_.data() + first;
-    for (int y = 0; y < size.height; ++y) {
-        for (int x = 0; x < size.width; ++x, texel += kChannels) {
-            texel[0] = colour.x.at(x, y);
-            texel[1] = colour.y.at(x, y);
-            texel[2] = colour.z.at(x, y);
-            texel[3] = alpha.empty() ? 1.0f : alpha.at(x, y);
+    Rgba16* const texels = texels_.data() + first;
+    parallel_rows(size.height + 1, run, [&](int first_row, int end_row) {
+        for (int y = first_row; y < end_row; ++y) {
+            const int from = y < size.height ? y : 0;
+            const float* const channel[4] = {colour.x.row(from), colour.y.row(from), colour.z.row(from),
+                                             alpha.empty() ? nullptr : alpha.row(from)};
+            Rgba16* const row = texels + static_cast<std::size_t>(y) * stride;
+            run_kernel(run, [&]<class F>(Lanes<F>) { pack_row<F>(channel, size.width, row); });
+            // Nobody mixes the texels behind it; they are cleared so that all of the block is known.
+            std::fill(row + size.width, row + stride, Rgba16{});
+            row[size.width] = row[0];
         }
-    }
+    });
     levels_.push_back({size, static_cast<std::int32_t>(first), static_cast<std::int32_t>(stride)});
     has_alpha_ = !alpha.empty();
 }
 
 glm::vec4 Texture::texel(std::size_t level, int x, int y) const {
     const Level& l = levels_[level];
-    const float* texel = texels() + l.first + std::ptrdiff_t{y} * l.stride + std::ptrdiff_t{x} * kChannels;
-    return {texel[0], texel[1], texel[2], texel[3]};
+    const Rgba16& t = texels()[l.first + std::ptrdiff_t{y} * l.stride + x];
+    return glm::vec4(t[0], t[1], t[2], t[3]) / kTexelOne;
 }
 
 Image3 Texture::colour(std::size_t level) const {
@@ -124,13 +183,13 @@ Image<float> Texture::alpha(std::size_t level) const {
     return image;
 }
 
-Texture build_texture(Image3 base, Image<float> alpha) {
+Texture build_texture(Image3 base, Image<float> alpha, const Run& run) {
     Texture texture;
-    texture.add_level(base, alpha);
+    texture.add_level(base, alpha, run);
     while (base.size() != Size{1, 1}) {
-        for (Image<float>* plane : {&base.x, &base.y, &base.z}) *plane = half_size(*plane);
-        if (texture.has_alpha()) alpha = half_size(alpha);
-        texture.add_level(base, alpha);
+        for (Image<float>* plane : {&base.x, &base.y, &base.z}) *plane = HalfSize(*plane).made(run);
+        if (texture.has_alpha()) alpha = HalfSize(alpha).made(run);
+        texture.add_level(base, alpha, run);
     }
     return texture;
 }

@@ -48,36 +48,47 @@ CREVICE_INLINE Probes<F> probes_of(const Texture& texture, const Sampler& sample
             nearest ? F(0) : level - from_int<F>(finer)};
 }
 
-// A texture and what the lanes see of it: the mean of their probes, 0 where nothing is wanted.
+// A texture and what the lanes see of it.
 template <class F>
 struct SeenTexture {
     const Texture* texture;
-    Rgba<F> mean[kRgbas<F>];
+    // Of the probes, in units of 1 / kTexelOne; 0 where nothing is wanted. The sum of equal whole numbers is exact,
+    // so their mean is that number.
+    Rgba<F> sum[kRgbas<F>];
+    F probes = F(1);
 
-    CREVICE_INLINE explicit SeenTexture(const Texture& t) : texture(&t) { spread_to_channels(F(0), mean); }
+    CREVICE_INLINE explicit SeenTexture(const Texture& t) : texture(&t) { spread_to_channels(F(0), sum); }
 
-    // One probe more, which counts in the mean by `share`; one level, or two mixed.
-    CREVICE_INLINE void add(const Rgba<F> (&share)[kRgbas<F>], const LevelTaps<F>& only,
+    // One probe more of the lanes whose `taken` is 1, not 0; of one level, or of two mixed.
+    CREVICE_INLINE void add(const Rgba<F> (&taken)[kRgbas<F>], const LevelTaps<F>& only,
                             const float* border) {
-        for (int k = 0; k < kRgbas<F>; ++k) {
-            mean[k] = mix(mean[k], only.mixed(texture->texels(), border, k), share[k]);
-        }
+        for (int k = 0; k < kRgbas<F>; ++k) add(k, taken[k], only.mixed(texture->texels(), border, k));
     }
-    CREVICE_INLINE void add(const Rgba<F> (&share)[kRgbas<F>], const LevelTaps<F>& finer,
+    CREVICE_INLINE void add(const Rgba<F> (&taken)[kRgbas<F>], const LevelTaps<F>& finer,
                             const LevelTaps<F>& coarser, const Rgba<F> (&coarser_share)[kRgbas<F>],
                             const float* border) {
         for (int k = 0; k < kRgbas<F>; ++k) {
-            const Rgba<F> probe = mix(finer.mixed(texture->texels(), border, k),
-                                      coarser.mixed(texture->texels(), border, k), coarser_share[k]);
-            mean[k] = mix(mean[k], probe, share[k]);
+            add(k, taken[k],
+                mix(finer.mixed(texture->texels(), border, k), coarser.mixed(texture->texels(), border, k),
+                    coarser_share[k]));
         }
     }
     // Of a 1x1 texture.
-    CREVICE_INLINE void add_only_texel(const Rgba<F> (&share)[kRgbas<F>]) {
+    CREVICE_INLINE void add_only_texel(const Rgba<F> (&taken)[kRgbas<F>]) {
         constexpr std::int32_t first[kLanes<F>] = {};
-        const Rgba<F> texel = gather_rgba<F>(texture->texels(), first, nullptr);
-        for (int k = 0; k < kRgbas<F>; ++k) mean[k] = mix(mean[k], texel, share[k]);
+        const Rgba<F> texel = gather_pair<F>(texture->texels(), first).left;
+        for (int k = 0; k < kRgbas<F>; ++k) add(k, taken[k], texel);
     }
+
+    // A division, so that the codes of 8-bit pictures come back as the floats that they stand for.
+    CREVICE_INLINE TextureColour<F> mean() const {
+        const TextureColour<F> all = channels_of(sum);
+        const F units = probes * F(kTexelOne);
+        return {{all.colour.x / units, all.colour.y / units, all.colour.z / units}, all.alpha / units};
+    }
+
+ private:
+    CREVICE_INLINE void add(int k, Rgba<F> taken, Rgba<F> probe) { sum[k].v = sum[k].v + taken.v * probe.v; }
 };
 
 // Adds all probes to `seen`: `count` textures of one size that have seen nothing yet.
@@ -85,9 +96,10 @@ template <class F>
 CREVICE_INLINE void add_probes(SeenTexture<F>* seen, int count, const Sampler& sampler, Addressing addressing,
                                const TextureCoordinates<F>& at, const Probes<F>& probes) {
     const bool in_a_row = sampler.filter == TextureFilter::anisotropic;
-    const float border_rgba[4] = {sampler.border.x, sampler.border.y, sampler.border.z, sampler.border.w};
+    const glm::vec4 in_units = kTexelOne * sampler.border;
+    const float border_rgba[4] = {in_units.x, in_units.y, in_units.z, in_units.w};
     const float* border = addressing.has_border() ? border_rgba : nullptr;
-    Rgba<F> coarser_share[kRgbas<F>], share[kRgbas<F>];
+    Rgba<F> coarser_share[kRgbas<F>], taken[kRgbas<F>];
     spread_to_channels(probes.coarser_share, coarser_share);
     std::int32_t finer[kLanes<F>];
     store(finer, probes.finer);
@@ -103,14 +115,13 @@ CREVICE_INLINE void add_probes(SeenTexture<F>* seen, int count, const Sampler& s
         const int most = in_a_row ? largest_of(wanted) : 1;
         for (int i = 0; i < most; ++i) {
             const Vec2<F> uv = in_range(in_a_row ? probes.uv(at, i) : at.uv, addressing);
-            // Not a sum that is divided: so the mean of equal values is exactly that value.
-            spread_to_channels(select(Int<F>(i) < wanted, F(1 / static_cast<float>(i + 1)), F(0)), share);
+            spread_to_channels(select(Int<F>(i) < wanted, F(1), F(0)), taken);
             const LevelTaps<F> fine(level[0], uv, addressing);
             if (two_levels) {
                 const LevelTaps<F> coarse(level[1], uv, addressing);
-                for (int t = 0; t < count; ++t) seen[t].add(share, fine, coarse, coarser_share, border);
+                for (int t = 0; t < count; ++t) seen[t].add(taken, fine, coarse, coarser_share, border);
             } else {
-                for (int t = 0; t < count; ++t) seen[t].add(share, fine, border);
+                for (int t = 0; t < count; ++t) seen[t].add(taken, fine, border);
             }
         }
     }
@@ -123,12 +134,13 @@ CREVICE_INLINE void look_at(SeenTexture<F>* seen, int count, const Sampler& samp
     const Addressing addressing{sampler.address_u, sampler.address_v, sampler.filter == TextureFilter::point};
     if (seen->texture->size() == Size{1, 1} && !addressing.has_border()) {
         // The mean of equal texels is exactly that texel.
-        Rgba<F> share[kRgbas<F>];
-        spread_to_channels(select(at.wanted, F(1), F(0)), share);
-        for (int t = 0; t < count; ++t) seen[t].add_only_texel(share);
+        Rgba<F> taken[kRgbas<F>];
+        spread_to_channels(select(at.wanted, F(1), F(0)), taken);
+        for (int t = 0; t < count; ++t) seen[t].add_only_texel(taken);
         return;
     }
     const Probes<F> probes = probes_of(*seen->texture, sampler, at);
+    for (int t = 0; t < count; ++t) seen[t].probes = from_int<F>(probes.count);
     // The usual case as a constant: the compiler drops every question about it.
     if (addressing == Addressing{}) {
         add_probes(seen, count, sampler, Addressing{}, at, probes);

@@ -1,6 +1,8 @@
 // Which texels a bilinear lookup mixes, and their mixture.
 #pragma once
 
+#include <cstddef>
+
 #include "rasterizer/textures/rgba.h"
 #include "rasterizer/textures/sampler.h"
 #include "rasterizer/textures/texture.h"
@@ -36,70 +38,79 @@ CREVICE_INLINE Vec2<F> in_range(Vec2<F> uv, Addressing addressing) {
     return {in_range(uv.x, addressing.u), in_range(uv.y, addressing.v)};
 }
 
-// Stands for the border colour in place of a texel's index.
-inline constexpr float kBorder = -1;
-
-// The texel that an index from -1 to `last` + 1 stands for (border: any index). Whole numbers.
-template <class F>
-CREVICE_INLINE F texel_at(F index, float last, AddressMode mode) {
-    const bool wraps = mode == AddressMode::wrap, clamps = mode == AddressMode::clamp;
-    const float below = wraps ? last : clamps ? 0 : kBorder, above = wraps ? 0 : clamps ? last : kBorder;
-    return select(index < F(0), F(below), select(index > F(last), F(above), index));
-}
-
-// One axis of a lookup: two texels, and the second one's share.
+// One axis of a lookup: two neighbours and the second one's share.
 template <class F>
 struct AxisTaps {
-    Int<F> first, second;
-    F share;
+    Int<F> first;             // its neighbour follows it in memory: see Texture::Level
+    F share;                  // of the neighbour
+    F has_first, has_second;  // with a border: 1, or 0 where the border stands for it
 };
 
 // From a coordinate that is in_range, on a side of so many texels.
 template <class F>
 CREVICE_INLINE AxisTaps<F> taps_at(F coordinate, int texels, AddressMode mode, bool nearest) {
-    const float last = static_cast<float>(texels - 1);
-    const F zero = F(0), one = F(1);
+    const F zero = F(0), one = F(1), last(static_cast<float>(texels - 1));
     const F x = coordinate * F(static_cast<float>(texels)) - F(nearest ? 0.0f : 0.5f);
     const F toward_zero = from_int<F>(to_int(x)), rest = x - toward_zero;
     const F carry = select(rest < zero, one, zero);
-    const F below = toward_zero - carry, first = texel_at(below, last, mode);
-    const F second = nearest ? first : texel_at(below + one, last, mode);
-    return {to_int(first), to_int(second), nearest ? zero : rest + carry};
+    const F below = toward_zero - carry, share = nearest ? zero : rest + carry;
+    const Mask<F> before = below<zero, behind = below> last;
+    if (mode == AddressMode::clamp) {
+        // What is clamped has no neighbour.
+        const F first = select(before, zero, select(behind, last, below));
+        return {to_int(first), select(before | (below >= last), zero, share), one, one};
+    }
+    // Of a wrapped coordinate only the nearest texel can lie behind the last.
+    const bool bounded = mode == AddressMode::wrap && !nearest;
+    const Int<F> first = to_int(select(before, last, bounded ? below : select(behind, zero, below)));
+    if (mode == AddressMode::wrap) return {first, share, one, one};
+    return {first, share, select(before | behind, zero, one),
+            select((below < zero - one) | (below >= last), zero, one)};
 }
 
 // A bilinear lookup of one level by each lane, in any texture of the same size.
 template <class F>
 struct LevelTaps {
-    // Where in texels(), below 0 for the border. In memory, because texels are fetched lane by lane.
-    std::int32_t upper_left[kLanes<F>], upper_right[kLanes<F>], lower_left[kLanes<F>], lower_right[kLanes<F>];
+    std::ptrdiff_t stride;
+    std::int32_t upper_left[kLanes<F>];  // in texels(). In memory, because texels are fetched lane by lane.
     Rgba<F> right_share[kRgbas<F>], lower_share[kRgbas<F>];
+    // With a border: which columns and rows are the texture's, 1 or 0.
+    Rgba<F> has_left[kRgbas<F>], has_right[kRgbas<F>], has_upper[kRgbas<F>], has_lower[kRgbas<F>];
 
     // `at` is in_range.
-    CREVICE_INLINE LevelTaps(const Texture::Level& level, Vec2<F> at, Addressing addressing) {
+    CREVICE_INLINE LevelTaps(const Texture::Level& level, Vec2<F> at, Addressing addressing)
+        : stride(level.stride) {
         const AxisTaps<F> columns = taps_at<F>(at.x, level.size.width, addressing.u, addressing.nearest),
                           rows = taps_at<F>(at.y, level.size.height, addressing.v, addressing.nearest);
-        const Int<F> stride(level.stride), first(level.first);
-        const auto place = [&](std::int32_t * index, Int<F> row, Int<F> column)
-            __attribute__((always_inline)) {
-            const Int<F> inside = (first + row * stride) + (column << 2);
-            const bool border = addressing.has_border();
-            store(index, border ? select((row | column) < Int<F>(0), Int<F>(-1), inside) : inside);
-        };
-        place(upper_left, rows.first, columns.first);
-        place(upper_right, rows.first, columns.second);
-        place(lower_left, rows.second, columns.first);
-        place(lower_right, rows.second, columns.second);
+        store(upper_left, (Int<F>(level.first) + rows.first * Int<F>(level.stride)) + columns.first);
         spread_to_channels(columns.share, right_share);
         spread_to_channels(rows.share, lower_share);
+        if (!addressing.has_border()) return;
+        spread_to_channels(columns.has_first, has_left);
+        spread_to_channels(columns.has_second, has_right);
+        spread_to_channels(rows.has_first, has_upper);
+        spread_to_channels(rows.has_second, has_lower);
     }
 
-    // Of the lanes that Rgba number `i` stands for. `border` is null where the addressing knows none.
-    CREVICE_INLINE Rgba<F> mixed(const float* texels, const float* border, int i) const {
-        const Rgba<F> above = mix(gather_rgba<F>(texels, upper_left + i, border),
-                                  gather_rgba<F>(texels, upper_right + i, border), right_share[i]),
-                      below = mix(gather_rgba<F>(texels, lower_left + i, border),
-                                  gather_rgba<F>(texels, lower_right + i, border), right_share[i]);
-        return mix(above, below, lower_share[i]);
+    // Of the lanes that Rgba number `i` stands for, in units of 1 / kTexelOne. `border`, in these units, is null
+    // where the addressing knows none.
+    CREVICE_INLINE Rgba<F> mixed(const Rgba16* texels, const float* border, int i) const {
+        TexelPair<F> upper = gather_pair<F>(texels, upper_left + i),
+                     lower = gather_pair<F>(texels + stride, upper_left + i);
+        if (border != nullptr) {
+            const Rgba<F> outside = over_all_pixels<F>(border);
+            upper = chosen_pair(has_upper[i], upper, outside, i);
+            lower = chosen_pair(has_lower[i], lower, outside, i);
+        }
+        return mix(mix(upper.left, upper.right, right_share[i]), mix(lower.left, lower.right, right_share[i]),
+                   lower_share[i]);
+    }
+
+ private:
+    CREVICE_INLINE TexelPair<F> chosen_pair(Rgba<F> has_row, TexelPair<F> pair, Rgba<F> outside,
+                                            int i) const {
+        return {chosen(has_row, chosen(has_left[i], pair.left, outside), outside),
+                chosen(has_row, chosen(has_right[i], pair.right, outside), outside)};
     }
 };
 

@@ -1,31 +1,13 @@
 // The textures of fence and leaves keep their coverage in every mip level.
-#include <algorithm>
 #include <cmath>
-#include <map>
 
 #include <doctest/doctest.h>
 
 #include "rasterizer/textures/cutout_mips.h"
 #include "scenes/procedural_textures.h"
+#include "tests/tools/largest_tie.h"
 
 using namespace crevice;
-
-namespace {
-
-// How many texels at most have the same alpha above 0: they pass a test together.
-int largest_tie(const Image<float>& alpha) {
-    std::map<float, int> counts;
-    int largest = 0;
-    for (int y = 0; y < alpha.size.height; ++y) {
-        for (int x = 0; x < alpha.size.width; ++x) {
-            const float value = alpha.at(x, y);
-            if (value > 0) largest = std::max(largest, ++counts[value]);
-        }
-    }
-    return largest;
-}
-
-}  // namespace
 
 TEST_CASE("keep_coverage: fence and leaf pass as many texels at every level, at any threshold") {
     for (const Texture& plain : {fence_texture(128), leaf_texture(128)}) {
@@ -38,9 +20,7 @@ TEST_CASE("keep_coverage: fence and leaf pass as many texels at every level, at 
             for (std::size_t level = 1; level < kept.levels().size(); ++level) {
                 CAPTURE(level);
                 const Image<float> alpha = kept.alpha(level), mean = plain.alpha(level);
-                const double texels = mean.size.width * mean.size.height;
-                const double slack = (0.5 * largest_tie(mean) + 0.5) / texels;
-                CHECK(std::abs(coverage(alpha, threshold) - wanted) <= slack + 1e-9);
+                CHECK(std::abs(coverage(alpha, threshold) - wanted) <= coverage_slack(mean));
                 for (const float value : alpha.pixels) CHECK((value >= 0 && value <= 1));
             }
         }

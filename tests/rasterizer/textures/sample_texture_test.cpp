@@ -13,17 +13,20 @@ using namespace crevice;
 
 namespace {
 
+// What is told by colours is told in these parts, of which all are stored exactly.
+constexpr float kPart = 1 / 128.0f;
+
 // Texel (x, y) is red x, green y; its mips are constant and tell their level in blue.
 Texture labelled_texture(Size size) {
     Texture texture;
     Image3 base(size, glm::vec3(0));
     for (int y = 0; y < size.height; ++y) {
-        for (int x = 0; x < size.width; ++x) base.set(x, y, glm::vec3(x, y, 0));
+        for (int x = 0; x < size.width; ++x) base.set(x, y, kPart * glm::vec3(x, y, 0));
     }
     texture.add_level(base);
     for (Size s = size; s.width > 1 || s.height > 1;) {
         s = {std::max(1, s.width / 2), std::max(1, s.height / 2)};
-        texture.add_level(Image3(s, glm::vec3(0, 0, static_cast<float>(texture.levels().size()))));
+        texture.add_level(Image3(s, kPart * glm::vec3(0, 0, static_cast<float>(texture.levels().size()))));
     }
     return texture;
 }
@@ -48,7 +51,7 @@ glm::vec3 sample_bilinear(const Texture& texture, glm::vec2 uv) {
 }
 
 float level_at(const Texture& texture, glm::vec2 duv_dx, glm::vec2 duv_dy) {
-    return sample_trilinear(texture, glm::vec2(0.5f), duv_dx, duv_dy).z;
+    return sample_trilinear(texture, glm::vec2(0.5f), duv_dx, duv_dy).z / kPart;
 }
 
 }  // namespace
@@ -61,16 +64,16 @@ TEST_CASE("texel centres give their texel, and the point between two their mean"
             CAPTURE(y);
             const glm::vec3 c = sample_bilinear(
                 texture, {(static_cast<float>(x) + 0.5f) / 4, (static_cast<float>(y) + 0.5f) / 8});
-            CHECK(c == glm::vec3(x, y, 0));
+            CHECK(c == kPart * glm::vec3(x, y, 0));
         }
     }
-    CHECK(sample_bilinear(texture, {0.25f, 0.0625f}) == glm::vec3(0.5f, 0, 0));
-    CHECK(sample_bilinear(texture, {0.125f, 0.125f}) == glm::vec3(0, 0.5f, 0));
-    CHECK(sample_bilinear(texture, {0.5f, 0.5f}) == glm::vec3(1.5f, 3.5f, 0));
+    CHECK(sample_bilinear(texture, {0.25f, 0.0625f}) == kPart * glm::vec3(0.5f, 0, 0));
+    CHECK(sample_bilinear(texture, {0.125f, 0.125f}) == kPart * glm::vec3(0, 0.5f, 0));
+    CHECK(sample_bilinear(texture, {0.5f, 0.5f}) == kPart * glm::vec3(1.5f, 3.5f, 0));
     // The picture's edge lies half-way between its last and its first texel.
     for (const float edge : {0.0f, 1.0f, -0.0f, -1.0f, 7.0f, -3.0f}) {
         CAPTURE(edge);
-        CHECK(sample_bilinear(texture, {edge, 0.0625f}) == glm::vec3(1.5f, 0, 0));
+        CHECK(sample_bilinear(texture, {edge, 0.0625f}) == kPart * glm::vec3(1.5f, 0, 0));
     }
 }
 
@@ -105,7 +108,7 @@ TEST_CASE("any uv stays within the texture's colours, and what is no position gi
                 CAPTURE(u);
                 CAPTURE(v);
                 const glm::vec3 c = sample_bilinear(texture, {u, v});
-                const float last = static_cast<float>(side - 1);
+                const float last = kPart * static_cast<float>(side - 1);
                 CHECK(c.x >= 0);
                 CHECK(c.x <= last);
                 CHECK(c.y >= 0);
@@ -117,7 +120,7 @@ TEST_CASE("any uv stays within the texture's colours, and what is no position gi
 }
 
 TEST_CASE("a constant texture is that constant everywhere, at every level") {
-    const glm::vec3 colour(0.1f, 0.7f, 1 / 3.0f);
+    const glm::vec3 colour(0.1f, 0.7f, 1 / 3.0f);  // whole numbers of units
     for (const Size size : {Size{1, 1}, {3, 5}, {64, 16}}) {
         const Texture texture = constant_texture(size, colour);
         for (int i = 0; i < 400; ++i) {

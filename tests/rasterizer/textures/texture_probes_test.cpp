@@ -110,8 +110,9 @@ void check_pixels(const Texture& a, const Texture& b, const Sampler& sampler, co
                 dy(pixels.du_dy[lane], pixels.dv_dy[lane]);
             for (int k = 0; k < 2; ++k) {
                 const Texture& texture = k == 0 ? a : b;
-                const glm::vec4 expected =
-                    pixels.wanted[lane] != 0 ? plain_filter(texture, sampler, uv, dx, dy) : glm::vec4(0);
+                const glm::vec4 expected = pixels.wanted[lane] != 0
+                                               ? plain_filter(TexelsInUnits{texture}, sampler, uv, dx, dy)
+                                               : glm::vec4(0);
                 const auto n = static_cast<std::size_t>(k);
                 if (sampled.alone[n].of(lane) == expected && sampled.together[n].of(lane) == expected)
                     continue;
