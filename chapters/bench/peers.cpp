@@ -206,6 +206,8 @@ PeerSubject ao_subject(const std::string& scene, const std::string& method) {
 std::vector<PeerSubject> all_peer_subjects() {
     std::vector<PeerSubject> all = {plain_subject("columns"), plain_subject("columns_luna"),
                                     preset_subject("luna"), preset_subject("xjun2022")};
+    for (const char* method : {"hemisphere", "sao", "gtao"})
+        all.push_back(ao_subject("columns_luna", method));
     return all;
 }
 

@@ -2,8 +2,6 @@
 
 #include <vector>
 
-#include "rasterizer/lanes/approx_math.h"
-#include "ssao/inputs/noise_tile.h"
 #include "ssao/inputs/pixel_fetch.h"
 #include "ssao/methods/each_texel.h"
 #include "ssao/methods/obscurance.h"
@@ -16,30 +14,6 @@ namespace {
 // A tap further away than 2^(this + 1) pixels is read from a coarser level: more, and several taps fall into
 // one cell.
 constexpr int kLogFinest = 3;
-
-// The angle by which the spiral of a texel is turned; the published one is that of the texel's column and row,
-// here of the first 64.
-NoiseTile turn(const SaoSettings& settings, double SineCosine::*part) {
-    constexpr int kSide = 64;
-    return {kSide, kSide, [=](int x, int y) {
-                if (settings.as_published)
-                    return static_cast<float>(sine_cosine(10.0 * ((3 * x) ^ (y + x * y))).*part);
-                const auto cell = static_cast<std::uint32_t>(y * kSide + x);
-                const double turns = static_cast<double>(unit_number(hash_of(settings.seed, 0, cell)));
-                return static_cast<float>(sine_cosine(2 * kPi * turns).*part);
-            }};
-}
-
-// What one tap of all texels has in common: its place on the spiral before the texel's turn, in radii.
-std::vector<Screen2<float>> spiral(int samples, int turns) {
-    std::vector<Screen2<float>> taps;
-    for (int i = 0; i < samples; ++i) {
-        const double part = (i + 0.5) / samples;
-        const SineCosine at = sine_cosine(2 * kPi * turns * part);
-        taps.push_back({static_cast<float>(part * at.cosine), static_cast<float>(part * at.sine)});
-    }
-    return taps;
-}
 
 struct SaoKernel {
     const AoInputs& inputs;
@@ -55,9 +29,9 @@ struct SaoKernel {
           settings(sao),
           place(sao.as_published ? SaoPlace::tapped : sao.place),
           pyramid(ao_inputs, sao.levels, run),
-          taps(spiral(sao.samples, sao.turns)),
-          cosine(turn(sao, &SineCosine::cosine)),
-          sine(turn(sao, &SineCosine::sine)),
+          taps(sao_spiral(sao)),
+          cosine(sao_turn(sao, &SineCosine::cosine)),
+          sine(sao_turn(sao, &SineCosine::sine)),
           inverse_radius(sao.radius > kSmallestRadius ? 1 / sao.radius : 0) {}
 
     // The level that a tap `distance_px` away is read from.
@@ -140,6 +114,27 @@ void validate(const SaoSettings& s) {
     require_within("epsilon", s.epsilon, 1e-8, 1);
     require_within("levels", s.levels, 0, kPyramidLevels - 1);
     require_common(s);
+}
+
+std::vector<Screen2<float>> sao_spiral(const SaoSettings& settings) {
+    std::vector<Screen2<float>> taps;
+    for (int i = 0; i < settings.samples; ++i) {
+        const double part = (i + 0.5) / settings.samples;
+        const SineCosine at = sine_cosine(2 * kPi * settings.turns * part);
+        taps.push_back({static_cast<float>(part * at.cosine), static_cast<float>(part * at.sine)});
+    }
+    return taps;
+}
+
+NoiseTile sao_turn(const SaoSettings& settings, double SineCosine::*part) {
+    constexpr int kSide = 64;
+    return {kSide, kSide, [=](int x, int y) {
+                if (settings.as_published)
+                    return static_cast<float>(sine_cosine(10.0 * ((3 * x) ^ (y + x * y))).*part);
+                const auto cell = static_cast<std::uint32_t>(y * kSide + x);
+                const double turns = static_cast<double>(unit_number(hash_of(settings.seed, 0, cell)));
+                return static_cast<float>(sine_cosine(2 * kPi * turns).*part);
+            }};
 }
 
 AoMap sao(const AoInputs& inputs, const SaoSettings& settings, const Run& run) {

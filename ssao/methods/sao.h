@@ -18,7 +18,9 @@
 
 #include <cstdint>
 
+#include "rasterizer/lanes/approx_math.h"
 #include "ssao/inputs/depth_pyramid.h"
+#include "ssao/inputs/noise_tile.h"
 #include "ssao/methods/ao_map.h"
 #include "ssao/methods/explanation.h"
 
@@ -48,6 +50,12 @@ struct SaoSettings {
 
 // Throws UsageError naming the first member out of its range.
 void validate(const SaoSettings& settings);
+
+// Where the taps lie before a texel's turn, in radii.
+std::vector<Screen2<float>> sao_spiral(const SaoSettings& settings);
+// The cosine or the sine of the angle by which the spiral of a texel is turned; the published one is that of the texel's
+// column and row, here of the first 64.
+NoiseTile sao_turn(const SaoSettings& settings, double SineCosine::*part);
 
 AoMap sao(const AoInputs& inputs, const SaoSettings& settings, const Run& run = {});
 double sao_reach_px(const AoInputs& inputs, const SaoSettings& settings, double view_depth);

@@ -10,8 +10,6 @@ namespace crevice {
 
 namespace {
 
-constexpr GLenum kAoFormat = GL_R32F;
-
 std::string define(const char* name, int value) {
     return std::string("#define ") + name + " " + std::to_string(value) + "\n";
 }
@@ -20,7 +18,7 @@ std::string define(const char* name, int value) {
 class GlTutorialAo final : public GlAo {
  public:
     GlTutorialAo(const PeerScene& scene, const GlGBuffer& gbuffer)
-        : GlAo(scene.frame),
+        : GlAo(scene.frame, GL_R32F),
           gbuffer_(gbuffer),
           iterations_(scene.frame.blur_iterations),
           estimator_(gl_ao_prefix(scene), kPictureVertices, std::string(kGBuffer) + kLunaPixels),
@@ -69,16 +67,12 @@ class GlTutorialAo final : public GlAo {
 
 }  // namespace
 
-GlAo::GlAo(const PeerFrame& frame)
-    : map_(gl_target(kAoFormat, {frame.ao_width, frame.ao_height}, GL_CLAMP_TO_EDGE)),
-      between_(gl_target(kAoFormat, map_.size, GL_CLAMP_TO_EDGE)) {}
+GlAo::GlAo(const PeerFrame& frame, GLenum map_format)
+    : map_(gl_target(map_format, {frame.ao_width, frame.ao_height}, GL_CLAMP_TO_EDGE)),
+      between_(gl_target(map_format, map_.size, GL_CLAMP_TO_EDGE)) {}
 
 std::unique_ptr<GlAo> gl_tutorial_ao(const PeerScene& scene, const GlGBuffer& gbuffer) {
     return std::make_unique<GlTutorialAo>(scene, gbuffer);
-}
-
-std::unique_ptr<GlAo> gl_ao(const PeerScene& scene, const GlGBuffer& gbuffer) {
-    return gl_tutorial_ao(scene, gbuffer);
 }
 
 std::string gl_prefix(const PeerFrame& frame) {
@@ -91,8 +85,16 @@ std::string gl_ao_prefix(const PeerScene& scene) {
     const PeerFrame& frame = scene.frame;
     const bool point_normals = frame.method != PeerMethod::luna || frame.reads_as_luna != 0;
     return gl_prefix(frame) + define("NDC_DEPTH", frame.reads_as_luna) +
+           define("HALF_SIZE", frame.ao_width != frame.width ? 1 : 0) +
            define("POINT_NORMALS", point_normals ? 1 : 0) +
            define("SAMPLES", std::max(1, static_cast<int>(scene.samples.size())));
+}
+
+float number_of(const PeerScene& scene, std::string_view name) {
+    for (const PeerNumber& number : scene.numbers) {
+        if (name == number.name.data()) return number.value;
+    }
+    throw InputError("scene stream: no number " + std::string(name) + "; both programs must be of one build");
 }
 
 void set_ao_numbers(const GlProgram& program, const PeerScene& scene) {

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <memory>
-#include <vector>
+#include <string>
+#include <string_view>
 
 #include "tests/peers/gl_program.h"
 #include "tests/peers/gl_texture.h"
@@ -23,20 +24,19 @@ class GlAo {
     const GlTarget& map() const { return map_; }
 
  protected:
-    explicit GlAo(const PeerFrame& frame);
+    GlAo(const PeerFrame& frame, GLenum map_format);
 
-    GlTarget map_, between_;
+    mutable GlTarget map_, between_;  // a blur may end in either: they change places
 };
 
-// The one that the scene asks for.
-std::unique_ptr<GlAo> gl_ao(const PeerScene& scene, const GlGBuffer& gbuffer);
-
-// Each has its own.
+// X_Jun's and Luna's; and that of any method.
 std::unique_ptr<GlAo> gl_tutorial_ao(const PeerScene& scene, const GlGBuffer& gbuffer);
+std::unique_ptr<GlAo> gl_method_ao(const PeerScene& scene, const GlGBuffer& gbuffer);
 
 // What stands before the text of every program of a scene, and before those of its AO; and the numbers that these know.
 std::string gl_prefix(const PeerFrame& frame);
 std::string gl_ao_prefix(const PeerScene& scene);
+float number_of(const PeerScene& scene, std::string_view name);
 void set_ao_numbers(const GlProgram& program, const PeerScene& scene);
 
 }  // namespace crevice

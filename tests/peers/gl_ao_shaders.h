@@ -1,6 +1,6 @@
 // Ambient occlusion and its blur as GLSL, pixel by pixel of the AO map. `normal_depth` holds the unit view-space normal
 // in xyz and view depth in w; nothing there: X_Jun's clear values, (0, 0, -1) and background_depth. Before each text
-// stands what is fixed while it is compiled: PERSPECTIVE, NDC_DEPTH, POINT_NORMALS (0 or 1), SAMPLES.
+// stands what is fixed while it is compiled: PERSPECTIVE, HALF_SIZE, NDC_DEPTH, POINT_NORMALS (0 or 1), SAMPLES.
 #pragma once
 
 namespace crevice {
@@ -33,6 +33,12 @@ vec3 normal(vec2 at) {
     if (POINT_NORMALS == 0) return textureLod(normal_depth, at, 0).xyz;
     return texelFetch(normal_depth, pixel_at(at), 0).xyz;
 }
+// Of a texel at its centre. Where the map is as large as the picture it is its pixel's alone: a filter's rounding would
+// mix in what is far behind.
+float texel_depth(vec2 at) {
+    bool filtered = HALF_SIZE == 1 || NDC_DEPTH == 1;
+    return filtered ? view_depth(at) : texelFetch(normal_depth, pixel_at(at), 0).w;
+}
 // From here on there is no surface.
 float background() {
     if (NDC_DEPTH == 0) return background_depth;
@@ -58,7 +64,7 @@ float occlusion(float distance_z) {
     return distance_z > epsilon ? clamp((fade_end - distance_z) * inverse_fade, 0.0, 1.0) : 0.0;
 }
 void main() {
-    float z = view_depth(uv);
+    float z = texel_depth(uv);
     if (z >= background()) {
         accessibility = 1;
         return;

@@ -38,7 +38,7 @@ GlFrame::GlFrame(const PeerScene& scene)
       depth_(gl_texture(GL_DEPTH_COMPONENT32F, {frame_.width, frame_.height}, GL_LINEAR, GL_CLAMP_TO_EDGE)),
       normal_depth_(gl_target(kNormalDepthFormat, {frame_.width, frame_.height}, GL_CLAMP_TO_EDGE, depth_)),
       normal_depth_pass_(gl_prefix(frame_), geometry_, kNormalDepthPixels, GlReads::holes),
-      ao_(gl_ao(scene, {normal_depth_.texture, depth_})) {
+      ao_(gl_method_ao(scene, {normal_depth_.texture, depth_})) {
     const float far_depth[4] = {kFarthest, 0, 0, 0}, nothing[4] = {0, 0, -1, frame_.background_depth};
     set_border(depth_, far_depth);
     set_border(normal_depth_.texture, nothing);

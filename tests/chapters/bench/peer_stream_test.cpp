@@ -179,3 +179,38 @@ TEST_CASE("cut-outs travel with their threshold, and a frame without lights ends
     CHECK(peer_passes(dark.frame) == std::vector<std::string>{"normal_depth", "ao", "blur", "frame"});
     CHECK(dark.frame.sky_side == 0);
 }
+
+TEST_CASE("every method tells the peer its numbers, samples and noise") {
+    struct Case {
+        const char* method;
+        PeerMethod kind;
+        std::size_t samples;
+        int noise_side;
+        Size map;
+    };
+    const Case cases[] = {{"xjun", PeerMethod::luna, 14, 0, {160, 90}},
+                          {"luna", PeerMethod::luna, 14, 0, {160, 90}},
+                          {"hemisphere", PeerMethod::hemisphere, 64, 4, {320, 180}},
+                          {"sao", PeerMethod::sao, 11, 64, {160, 90}},
+                          {"gtao", PeerMethod::gtao, 3, 64, {160, 90}}};  // slices
+    const Scene scene = columns_scene();
+    for (const auto& [method, kind, samples, noise_side, map] : cases) {
+        CAPTURE(method);
+        const PeerScene peer = peer_of(scene, method);
+        CHECK(peer.frame.method == kind);
+        CHECK(peer.samples.size() == samples);
+        CHECK(peer.frame.noise_side == noise_side);
+        CHECK(peer.noise.size() == static_cast<std::size_t>(noise_side * noise_side));
+        CHECK(peer.frame.ao_width == map.width);
+        CHECK(peer.frame.ao_height == map.height);
+        CHECK(peer.random_map.empty() == (kind != PeerMethod::luna));
+        const float radius = static_cast<float>(
+            value_of(find_method(method), request_of(method).settings.method, "radius").value());
+        bool told = false;
+        for (const PeerNumber& number : peer.numbers) {
+            CHECK(number.name.back() == 0);
+            told = told || (std::string(number.name.data()) == "radius" && number.value == radius);
+        }
+        CHECK(told);
+    }
+}

@@ -194,3 +194,35 @@ TEST_CASE("the peer cuts out what we cut out") {
     CHECK(with_holes < 1);
     CHECK(without > 5);
 }
+
+TEST_CASE("the peer's other methods find the same AO, and another number of any of them is noticed") {
+    if (!std::filesystem::exists(built_peer())) {
+        MESSAGE("skipped: gl_ssao_peer was not built (libegl-dev libgl-dev libegl-mesa0 libgl1-mesa-dri)");
+        return;
+    }
+    Scene flat = columns_luna_scene();
+    flat.camera.projection = Projection::orthographic;
+    flat.camera.ortho_height = 10;
+    for (const char* method : {"hemisphere", "sao", "gtao"}) {
+        for (const Scene& scene : {columns_luna_scene(), flat}) {
+            CAPTURE(method);
+            CAPTURE(static_cast<int>(scene.camera.projection));
+            FrameRequest request = request_for(method, {640, 360});
+            request.wanted.erase("lit");
+            const Frame ours = render_frame(scene, scene.camera, request);
+            PeerSession peer(built_peer(), 2, 120);
+            const PeerScene right = peer_scene(scene, scene.camera, request);
+            CHECK(broken_limits(peer, scene, request, ours, right) == "");
+            if (scene.camera.projection == Projection::orthographic) continue;
+            for (const char* parameter : {"radius", "seed", "blur_iterations"}) {
+                CAPTURE(parameter);
+                FrameRequest other = request;
+                const double value = value_of(*request.method, request.settings.method, parameter).value();
+                other.settings.method =
+                    with_value(*request.method, request.settings.method, parameter, value + 1);
+                CHECK(broken_limits(peer, scene, request, ours, peer_scene(scene, scene.camera, other)) !=
+                      "");
+            }
+        }
+    }
+}
