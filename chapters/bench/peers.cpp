@@ -130,12 +130,12 @@ void add_times(Table& table, const PeerSubject& subject, const Duel& duel) {
         const MedianInterval ratio = ratio_interval(theirs.wall_ms, ours.wall_ms),
                              noise = ratio_interval(duel.again.passes[i].wall_ms, ours.wall_ms);
         const std::optional<double> aim = aim_of(subject, ours.name);
-        table.rows.push_back({subject.name, ours.name, TableValue(our_time.wall_ms, 3),
-                              TableValue(our_time.wall_ms_mad, 3), TableValue(our_time.cpu_ms, 3),
-                              their_time.wall_ms, their_time.wall_ms_mad, their_time.cpu_ms, ratio.median,
-                              ratio.low, ratio.high, TableValue(100 * ratio.confidence, 1), noise.low,
-                              noise.high, aim ? TableValue(*aim, 0) : TableValue(),
-                              aim ? TableValue(verdict_name(verdict(ratio, *aim))) : TableValue()});
+        table.rows.push_back(
+            {subject.name, ours.name, TableValue(our_time.wall_ms, 3), TableValue(our_time.wall_ms_mad, 3),
+             TableValue(our_time.cpu_ms, 3), their_time.wall_ms, their_time.wall_ms_mad, their_time.cpu_ms,
+             ratio.median, ratio.low, ratio.high, TableValue(100 * ratio.confidence, 1), noise.low,
+             noise.high, their_time.cpu_ms / our_time.cpu_ms, aim ? TableValue(*aim, 0) : TableValue(),
+             aim ? TableValue(verdict_name(verdict(ratio, *aim))) : TableValue()});
     }
 }
 
@@ -226,10 +226,11 @@ void validate(const PeersOptions& options) {
 int bench_peers(const PeersOptions& options, std::ostream& out) {
     validate(options);
     BenchReport report{"peers", machine_facts(options.run), {}};
-    Table times{"peers",
-                {"scene", "pass", "ours_ms", "ours_mad", "ours_cpu", "peer_ms", "peer_mad", "peer_cpu",
-                 "ratio", "low", "high", "confidence_%", "noise_low", "noise_high", "aim", "verdict"},
-                {}};
+    Table times{
+        "peers",
+        {"scene", "pass", "ours_ms", "ours_mad", "ours_cpu", "peer_ms", "peer_mad", "peer_cpu", "ratio",
+         "low", "high", "confidence_%", "noise_low", "noise_high", "cpu_ratio", "aim", "verdict"},
+        {}};
     Table pictures{"agreement", {"scene", "buffer", "measure", "value", "limit", "verdict"}, {}};
     report.facts.push_back({"size", size_text(options.size)});
     report.facts.push_back({"pairs", std::to_string(options.pairs)});

@@ -4,7 +4,8 @@
 // How:  the same triangles, textures, matrices, parameters and random numbers on both sides. Frames take turns in random
 //       order, ours twice, so that what else the machine does meets all; the first round is thrown away.
 // Says: medians, and the median of the paired ratios with its order-statistic interval. Ours against ours again is the
-//       noise: a ratio inside its interval means nothing.
+//       noise: a ratio inside its interval means nothing. cpu_ratio is that of the medians of processor time, which other
+//       programs disturb less.
 // What differs between the sides, and for whom it is less work: tests/peers/README.md.
 #pragma once
 

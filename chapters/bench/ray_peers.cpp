@@ -71,15 +71,17 @@ const Traced& find_traced(const std::vector<Traced>& all, const Traced& like, co
 }
 
 Table rays_table(const std::string& scene, const std::vector<Traced>& all) {
-    Table table{
-        "rays",
-        {"scene", "length", "threads", "ours_Mray/s", "embree1_Mray/s", "embree8_Mray/s", "ours/embree1",
-         "low", "high", "verdict", "ours/embree8", "low8", "high8", "verdict8", "unlike1", "unlike8"},
-        {}};
+    Table table{"rays",
+                {"scene", "length", "threads", "ours_Mray/s", "embree1_Mray/s", "embree8_Mray/s",
+                 "ours/embree1", "low", "high", "verdict", "ours/embree8", "low8", "high8", "verdict8",
+                 "noise_low", "noise_high", "unlike1", "unlike8"},
+                {}};
     for (const Traced& ours : all) {
         if (ours.tracer != "ours") continue;
-        const Traced &single = find_traced(all, ours, "embree1", ours.threads),
+        const Traced &again = find_traced(all, ours, "ours_again", ours.threads),
+                     &single = find_traced(all, ours, "embree1", ours.threads),
                      &packet = find_traced(all, ours, "embree8", ours.threads);
+        const MedianInterval noise = ratio_interval(again.ms, ours.ms);
         std::vector<TableValue> row = {scene,
                                        ours.length,
                                        TableValue(ours.threads, 0),
@@ -88,7 +90,8 @@ Table rays_table(const std::string& scene, const std::vector<Traced>& all) {
                                        TableValue(packet.million_rays_a_second(), 1)};
         add_ratio(row, ratio_interval(single.ms, ours.ms), kRayAim);
         add_ratio(row, ratio_interval(packet.ms, ours.ms), kRayAim);
-        row.insert(row.end(), {TableValue(ours.differing1, 0), TableValue(ours.differing8, 0)});
+        row.insert(row.end(), {TableValue(noise.low), TableValue(noise.high), TableValue(ours.differing1, 0),
+                               TableValue(ours.differing8, 0)});
         table.rows.push_back(row);
     }
     return table;
@@ -99,7 +102,7 @@ Table threads_table(const std::string& scene, const std::vector<Traced>& all) {
     Table table{
         "ray_threads", {"scene", "length", "tracer", "threads", "ratio_to_1", "low", "high", "verdict"}, {}};
     for (const Traced& many : all) {
-        if (many.threads == 1) continue;
+        if (many.threads == 1 || many.tracer == "ours_again") continue;
         const Traced& one = find_traced(all, many, many.tracer, 1);
         std::vector<TableValue> row = {scene, many.length, many.tracer, TableValue(many.threads, 0)};
         const bool judged = many.tracer == "ours" && many.threads == 2;

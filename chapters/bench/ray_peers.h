@@ -1,12 +1,12 @@
 // `crevice bench --peers`, the part about rays: ours against Embree's, in one run.
 // How:  the peer program (tests/peers/embree_peer.cpp) links both. It makes the rays that ambient occlusion
 //       shoots from a picture's pixels, sorted as ray_cast_ao() sorts them, and traces the very same ones in
-//       turns: ours eight by eight, Embree one by one (rtcOccluded1) and in packets of eight (rtcOccluded8).
-//       The first round is thrown away.
-// Says: rays per second, and the median of the paired ratios with its order-statistic interval, for rays of
-//       length 0.5, 2 (in the tutorials' units) and unbounded, on one thread and on all; how many rays are
-//       answered unlike; both trees' build times; what more threads give; and whether both find the same
-//       ambient occlusion, with the same rays and with rays of their own.
+//       turns of random order: ours eight by eight, twice, Embree one by one (rtcOccluded1) and in packets of eight
+//       (rtcOccluded8). The first round is thrown away.
+// Says: rays per second, and the median of the paired ratios with its order-statistic interval (ours against ours
+//       again is the noise), for rays of length 0.5, 2 (in the tutorials' units) and unbounded, on one thread and on
+//       all; how many rays are answered unlike; both trees' build times; what more threads give; and whether both
+//       find the same ambient occlusion, with the same rays and with rays of their own.
 #pragma once
 
 #include <filesystem>

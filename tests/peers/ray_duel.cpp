@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "chapters/study/turns.h"
 #include "chapters/terminal/stopwatch.h"
 #include "rasterizer/base/parallel.h"
 
@@ -15,7 +16,8 @@ using Hits = std::vector<std::uint8_t>;
 Hits trace(Tracer tracer, const RayScene& ours, const EmbreeScene& embree, const GroupedRays& rays,
            float length, const Run& run) {
     switch (tracer) {
-        case Tracer::ours: return occluded(ours, rays.rays, length, run).occluded;
+        case Tracer::ours:
+        case Tracer::ours_again: return occluded(ours, rays.rays, length, run).occluded;
         case Tracer::embree1: return embree.occluded1(rays, length, run);
         case Tracer::embree8: return embree.occluded8(rays, length, run);
     }
@@ -80,6 +82,7 @@ OpenRays open_rays(const RayScene& ours, const EmbreeScene& embree, const std::v
 const char* name_of(Tracer tracer) {
     switch (tracer) {
         case Tracer::ours: return "ours";
+        case Tracer::ours_again: return "ours_again";
         case Tracer::embree1: return "embree1";
         case Tracer::embree8: return "embree8";
     }
@@ -93,9 +96,10 @@ LengthDuel trace_in_turns(const RayScene& ours, const EmbreeScene& embree, const
         for (const Tracer tracer : kTracers) duel.times.push_back({tracer, threads, {}, {}});
     }
     std::array<Hits, kTracers.size()> hits;
+    constexpr std::uint32_t kSeed = 1;
     for (int round = 0; round <= rounds; ++round) {
-        for (std::size_t turn = 0; turn < duel.times.size(); ++turn) {
-            TracerTimes& times = duel.times[(turn + static_cast<std::size_t>(round)) % duel.times.size()];
+        for (const std::size_t turn : turn_order(duel.times.size(), round, kSeed)) {
+            TracerTimes& times = duel.times[turn];
             const Clocks before = clocks();
             Hits found = trace(times.tracer, ours, embree, rays, length, with_threads(times.threads));
             const Clocks after = clocks();
@@ -106,8 +110,11 @@ LengthDuel trace_in_turns(const RayScene& ours, const EmbreeScene& embree, const
             hits[static_cast<std::size_t>(times.tracer)] = std::move(found);
         }
     }
-    duel.differing1 = count_differing(hits[0], hits[1]);
-    duel.differing8 = count_differing(hits[0], hits[2]);
+    const auto differing = [&](Tracer tracer) {
+        return count_differing(hits[0], hits[static_cast<std::size_t>(tracer)]);
+    };
+    duel.differing1 = differing(Tracer::embree1);
+    duel.differing8 = differing(Tracer::embree8);
     return duel;
 }
 

@@ -34,9 +34,11 @@ const std::vector<std::string> kLines = {
     R"({"kind":"scene","triangles":12})",
     R"({"kind":"build","threads":1,"ours_ms":[2,2,2,2,2,2],"embree_ms":[5,5,5,5,5,5]})",
     trace_line("0.5", "ours", 1, "[3,3,3,3,3,3]"),
+    trace_line("0.5", "ours_again", 1, "[3,3,3,3.3,3.3,3.3]"),
     trace_line("0.5", "embree1", 1, "[6,6,6,6,6,6]"),
     trace_line("0.5", "embree8", 1, "[1.5,1.5,1.5,1.5,1.5,1.5]"),
     trace_line("0.5", "ours", 2, "[2,2,2,2,2,2]"),
+    trace_line("0.5", "ours_again", 2, "[2,2,2,2,2,2]"),
     trace_line("0.5", "embree1", 2, "[3,3,3,3,3,3]"),
     trace_line("0.5", "embree8", 2, "[1,1,1,1,1,1]"),
     agreement_line(0, 3.9),
@@ -77,6 +79,8 @@ TEST_CASE("answers become rates, paired ratios and verdicts") {
     CHECK(number(rays, 0, "ours/embree8") == 0.5);
     CHECK(number(rays, 1, "threads") == 2);
     CHECK(number(rays, 1, "ours_Mray/s") == 3);
+    CHECK(number(rays, 0, "noise_low") == 1);
+    CHECK(number(rays, 0, "noise_high") == doctest::Approx(1.1));
     CHECK(number(rays, 0, "unlike1") == 3);
     CHECK(number(rays, 0, "unlike8") == 5);
     CHECK(rays.rows[0][1].text == "0.5");
@@ -114,7 +118,9 @@ TEST_CASE("lines that are no answers are named") {
         CHECK(message.find("not an answer (" + line) != std::string::npos);
         CHECK(message.find(';') != std::string::npos);
     }
-    const std::string unpaired = input_error_of([&] { ray_tables("box", {kLines[2], kLines[3]}); });
+    const std::string unpaired = input_error_of([&] {
+        ray_tables("box", {kLines[2], kLines[3], kLines[4]});
+    });
     CHECK(unpaired.find("no times of embree8 at length 0.5") != std::string::npos);
 }
 
@@ -140,7 +146,7 @@ TEST_CASE("a peer that finds another ambient occlusion fails the benchmark") {
     std::ofstream script(options.program);
     script << "#!/bin/sh\ncat <<'END'\n";
     for (const std::string& line : kLines)
-        script << (line == kLines[8] ? agreement_line(0, 5) : line) << "\n";
+        script << (line == kLines[10] ? agreement_line(0, 5) : line) << "\n";
     script << "END\nsleep 5\n";
     script.close();
     chmod(options.program.c_str(), 0700);
