@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "chapters/frame/demo_view.h"
+#include "chapters/frame/worked_frame.h"
 #include "chapters/notebook/animated_webp.h"
 #include "chapters/terminal/output_directory.h"
 #include "chapters/terminal/progress.h"
@@ -61,18 +62,22 @@ void render_film(const RenderOptions& options, const FilmOptions& film, std::ost
     std::vector<std::filesystem::path> pictures;
     WebpFilm webp(static_cast<int>(1000 * kFrame_s));
     AoHistory history;
+    WorkedFrame worked;
     Progress progress("frames", last - first + 1);
     for (int i = first; i <= last; ++i) {
         scene.lights = lights;
         if (path != CameraPath::still) scene.lights = lights_at(scene, i * kFrame_s);
         if (has_history) request.settings.method = reseeded(*request.method, settings.method, i);
-        Frame frame = render_frame(scene, camera_on(path, prepared.camera, stops, i), request, history);
+        worked = worked_frame(scene, camera_on(path, prepared.camera, stops, i), request, history,
+                              std::move(worked));
+        show(worked, request);
+        Frame& frame = worked.frame;
         const std::string name = frame_name(i);
         pictures.push_back(options.out / (name + ".png"));
         const Picture picture = shown_picture(frame, request.wanted, options.inset);
         write_picture(pictures.back(), picture);
         webp.add(picture);
-        if (film.buffers) write_frame(options, prepared, options.out / name, frame);
+        if (film.buffers) write_frame(options, prepared, options.out / name, frame, worked.unchanged);
         history = std::move(frame.history);
         progress.advance();
     }

@@ -10,6 +10,7 @@
 #include "chapters/frame/buffer_writer.h"
 #include "chapters/frame/demo_view.h"
 #include "chapters/frame/frame_json.h"
+#include "chapters/frame/kept_passes.h"
 #include "chapters/frame/view_json.h"
 #include "chapters/terminal/json_text.h"
 #include "chapters/terminal/output_directory.h"
@@ -65,9 +66,11 @@ Json seed_json(const FrameRequest& request) {
     return seed ? Json(static_cast<long long>(*seed)) : Json();
 }
 
-Json left_out_json(const Frame& frame, const std::vector<Saving>& savings) {
+Json left_out_json(const Frame& frame, const std::vector<std::string>& unchanged,
+                   const std::vector<Saving>& savings) {
     Json left_out = Json::array();
     for (const LeftOut& item : frame.left_out) left_out.push_back({{"what", item.what}, {"why", item.why}});
+    for (const std::string& pass : unchanged) left_out.push_back({{"what", pass}, {"why", kWhyUnchanged}});
     for (const SkippedWork& work : frame.skipped) {
         if (work.count == 0) continue;
         Json entry = {{"what", skip_name(work.skip)},
@@ -86,7 +89,8 @@ Json left_out_json(const Frame& frame, const std::vector<Saving>& savings) {
 }
 
 Json report_json(const RenderOptions& options, const PreparedRender& prepared, const Frame& frame,
-                 const std::vector<Saving>& savings, Json buffers) {
+                 const std::vector<std::string>& unchanged, const std::vector<Saving>& savings,
+                 Json buffers) {
     const auto& [argument, camera, request] = prepared;
     Json loading = Json::array();
     for (const LoadStep& step : argument.load_steps)
@@ -109,7 +113,7 @@ Json report_json(const RenderOptions& options, const PreparedRender& prepared, c
         {"isa", isa_name(isa_of(request.run))},
         {"loading", loading},
         {"passes", passes_json(frame.passes)},
-        {"left_out", left_out_json(frame, savings)},
+        {"left_out", left_out_json(frame, unchanged, savings)},
         {"precision", precision_json(frame.precision)},
         {"buffers", std::move(buffers)}};
 }
@@ -159,12 +163,13 @@ PreparedRender prepared_render(const RenderOptions& options) {
 }
 
 void write_frame(const RenderOptions& options, const PreparedRender& prepared,
-                 const std::filesystem::path& out, const Frame& frame) {
+                 const std::filesystem::path& out, const Frame& frame,
+                 const std::vector<std::string>& unchanged) {
     std::ostream quiet(nullptr);
     try_output_directory(out);
     Json buffers = described_buffers(frame, options, prepared.request, out, quiet);
-    write_file_atomically(out / "passes.json",
-                          json_text(report_json(options, prepared, frame, {}, std::move(buffers))));
+    write_file_atomically(out / "passes.json", json_text(report_json(options, prepared, frame, unchanged, {},
+                                                                     std::move(buffers))));
 }
 
 void render(const RenderOptions& options) {
@@ -190,7 +195,7 @@ void render(const RenderOptions& options) {
     Json buffers = described_buffers(frame, options, request, options.out, std::cout);
     const std::filesystem::path report = options.out / "passes.json";
     write_file_atomically(report,
-                          json_text(report_json(options, prepared, frame, savings, std::move(buffers))));
+                          json_text(report_json(options, prepared, frame, {}, savings, std::move(buffers))));
     print_times(frame, savings, argument.load_steps);
     std::cout.flush();
     std::printf("%s\n", report.string().c_str());

@@ -31,9 +31,11 @@ struct PreparedRender {
 };
 PreparedRender prepared_render(const RenderOptions& options);
 
-// Writes a frame's wanted buffers and its passes.json into a directory, as render() does, and prints nothing.
+// Writes a frame's wanted buffers and its passes.json into a directory, as render() does, and prints nothing. `unchanged`
+// as in WorkedFrame.
 void write_frame(const RenderOptions& options, const PreparedRender& prepared,
-                 const std::filesystem::path& out, const Frame& frame);
+                 const std::filesystem::path& out, const Frame& frame,
+                 const std::vector<std::string>& unchanged = {});
 
 // Writes OUT/NAME.npy and OUT/NAME.png for each wanted buffer, or OUT/frame.exr, and OUT/passes.json, and prints one
 // line for each. Throws InputError, UsageError (for a history, which takes frames before this one, too), OutputError;

@@ -64,138 +64,124 @@ AoWork ao_work(const Method& method, const FrameSettings& settings) {
     return work;
 }
 
-// Maps that were asked for but had nothing to compute: everything is open, and background.
-void fill_open_maps(Frame& frame, const FrameRequest& request) {
-    const std::optional<double> scale = value_of(*request.method, request.settings.method, "ao_scale");
-    const Size size = ao_map_size(request.size, static_cast<float>(scale.value_or(1)));
-    if (frame.ao_raw.empty() && request.wanted.contains("ao_raw")) frame.ao_raw = Image<float>(size, 1.0f);
-    if (frame.ao_blurred.empty() && request.wanted.contains("ao_blurred")) {
-        frame.ao_blurred = frame.ao_raw.empty() ? Image<float>(size, 1.0f) : frame.ao_raw;
-    }
-    if (frame.bent_normal.empty() && request.wanted.contains(kBentNormal))
-        frame.bent_normal = Image3(size, glm::vec3(0));
+FrameInputs frame_inputs(const Scene& scene, const Camera& camera, const FrameRequest& request) {
+    const FrameSettings& settings = request.settings;
+    const Method& method = *request.method;
+    const Run& run = request.run;
+    const Needs needs = needs_of(scene, request.wanted, ao_work(method, settings),
+                                 !run.leaves_out(Skip::passes), settings.buffers.mapped_normals);
+    FrameInputs inputs;
+    inputs.view = {camera, request.size, settings.buffers, needs.normals, run.tile_size, run.kept};
+    inputs.view.camera.reversed_z = settings.reversed_z;
+    inputs.view.buffers.with_material = needs.lit && needs.materials;
+    inputs.map = {&method, {}, settings.history.longest > 1};
+    for (const auto& p : method.parameters) inputs.map.settings.push_back(p.get(settings.method.ao));
+    for (const auto& p : method.denoiser.parameters)
+        inputs.denoiser.push_back(p.get(settings.method.denoiser));
+    inputs.lookup = settings.ao_lookup;
+    inputs.light = {scene.lights,   scene.point_light, scene.ambient_light, scene.sky,
+                    scene.lighting, settings.lit,      settings.ambient,    settings.light_space};
+    inputs.sky_cube = scene.sky_cube;
+    inputs.shadow = scene.shadow;
+    inputs.needs = needs;
+    return inputs;
 }
 
 }  // namespace
 
 Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest& request,
                    const AoHistory& last) {
-    return frame_of(worked_frame(scene, camera, request, last), request);
-}
-
-Frame frame_of(WorkedFrame worked, const FrameRequest& request) {
-    worked.frame.ao_raw = std::move(worked.raw.ao);
-    fill_open_maps(worked.frame, request);
+    WorkedFrame worked = worked_frame(scene, camera, request, last);
+    show(worked, request);
     return std::move(worked.frame);
 }
 
 WorkedFrame worked_frame(const Scene& scene, const Camera& camera, const FrameRequest& request,
-                         const AoHistory& last, const AtRest& at_rest) {
+                         const AoHistory& last, WorkedFrame before) {
     const FrameSettings& settings = request.settings;
     const Method& method = *request.method;
-    const Needs needs = needs_of(scene, request.wanted, ao_work(method, settings),
-                                 !request.run.leaves_out(Skip::passes), settings.buffers.mapped_normals);
-    WorkedFrame worked;
+    const FrameInputs inputs = frame_inputs(scene, camera, request);
+    const Needs& needs = inputs.needs;
+    if (!request.run.leaves_out(Skip::passes)) before = {};
+    const KeptPasses kept = before.inputs ? kept_passes(*before.inputs, inputs) : KeptPasses();
+    const Image3 sky_before = kept.sky ? std::move(before.frame.lit) : Image3();
+    WorkedFrame worked = taken_over(std::move(before), kept);
     Frame& frame = worked.frame;
     ScreenGeometry& geometry = worked.geometry;
     RawAo& raw = worked.raw;
-    Image<float>& at_pixels = worked.at_pixels;
-    std::shared_ptr<const ShadowMap>& shadow = worked.shadow;
     std::shared_ptr<const RayScene>& rays = worked.rays;
-    std::shared_ptr<const VertexAo>& baked = worked.baked;
-    frame.camera = camera;
-    frame.camera.reversed_z = settings.reversed_z;
+    worked.inputs = inputs;
+    frame.camera = inputs.view.camera;
     frame.left_out = needs.left_out;
+    worked.unchanged = names_of(kept, needs);
 
     Stopwatch stopwatch;
+    const auto pass = [&](bool runs, const char* name, const auto& body) {
+        if (runs) stopwatch.time(name, body);
+    };
     // Of the scene at rest: built once for all repeats.
-    if (needs.ao && method.casts_rays) {
-        if (at_rest.rays && at_rest.rays->origin == frame.camera.eye)
-            rays = at_rest.rays;
-        else
-            stopwatch.time("ray_scene", [&] {
-                rays = std::make_shared<const RayScene>(ray_scene(scene, frame.camera.eye, request.run));
-            });
-    }
-    if (needs.shadow) shadow = at_rest.shadow;
-    const bool draws_shadow = needs.shadow && !shadow;
-    if (needs.ao && method.bake)
-        stopwatch.time("bake", [&] { baked = method.bake(scene, *rays, settings.method.ao, request.run); });
+    const bool casts_rays = needs.ao && method.casts_rays;
+    const bool has_rays = rays && rays->origin == frame.camera.eye;
+    if (casts_rays && has_rays) worked.unchanged.emplace_back("ray_scene");
+    pass(casts_rays && !has_rays, "ray_scene",
+         [&] { rays = std::make_shared<const RayScene>(ray_scene(scene, frame.camera.eye, request.run)); });
+    pass(needs.ao && method.bake && !kept.bake, "bake",
+         [&] { worked.baked = method.bake(scene, *rays, settings.method.ao, request.run); });
     for (int repeat = 0; repeat < request.repeats; ++repeat) {
         stopwatch.time("frame", [&] {
-            stopwatch.time("normal_depth", [&] {
+            pass(!kept.normal_depth, "normal_depth", [&] {
                 GeometrySettings geometry_with = geometry_settings(settings.buffers);
                 geometry_with.with_normals = needs.normals;
                 geometry = screen_geometry(scene, frame.camera, request.size, geometry_with, request.run);
-                NormalDepthSettings buffers = settings.buffers;
-                buffers.with_material = needs.lit && needs.materials;
-                frame.gbuffer = normal_depth(scene, geometry, frame.camera.reversed_z, buffers, request.run);
+                frame.gbuffer =
+                    normal_depth(scene, geometry, frame.camera.reversed_z, inputs.view.buffers, request.run);
             });
-            if (needs.ao) {
-                stopwatch.time("ao", [&] {
-                    raw = method.ao({scene, frame.camera, frame.gbuffer, rays.get(), baked.get()},
-                                    settings.method.ao, request.run);
-                });
-            }
-            if (needs.ao && settings.history.longest > 1) {
-                stopwatch.time("history", [&] {
-                    frame.history = temporal_accumulation(raw.ao, raw.inputs, frame.camera, last,
-                                                          settings.history, request.run);
-                    raw.ao = frame.history.ao;
-                });
-            }
-            if (needs.blur) {
-                stopwatch.time("blur", [&] {
-                    AoMap blurred = denoised(method, raw, settings.method, request.run);
-                    frame.ao_blurred = std::move(blurred.ao);
-                    frame.tiles.blur = std::move(blurred.tiles);
-                });
-            }
-            if (needs.bent_normals) {
-                stopwatch.time(kBentNormal, [&] {
-                    frame.bent_normal = bent_normals(method, raw.inputs, settings.method, request.run);
-                });
-            }
-            const Image<float>& map = needs.blur ? frame.ao_blurred : raw.ao;
-            const bool looks_up = needs.ao && needs.lit && settings.ao_lookup != AoLookup::exact;
-            if (looks_up) {
-                stopwatch.time("ao_lookup", [&] {
-                    at_pixels = looked_up(map, raw.inputs, frame.gbuffer, settings.ao_lookup, request.run);
-                });
-            }
-            if (draws_shadow) {
-                stopwatch.time("shadow", [&] {
-                    shadow = std::make_shared<const ShadowMap>(scene_shadow(scene, request.run));
-                });
-            }
-            if (needs.lit) {
-                stopwatch.time("lit", [&] {
-                    LitImage lit = lit_image(scene, geometry, frame, lit_map(worked), raw.inputs.normal,
-                                             shadow.get(), request);
-                    frame.lit = std::move(lit.image);
-                    frame.tiles.lit = std::move(lit.tiles);
-                });
-            }
-            if (needs.sky) {
-                stopwatch.time("sky", [&] {
-                    frame.lit = with_sky(std::move(frame.lit), frame.gbuffer.depth, frame.camera,
-                                         *scene.sky_cube, request.run);
-                });
-            }
+            pass(needs.ao && !kept.ao, "ao", [&] {
+                raw = method.ao({scene, frame.camera, frame.gbuffer, rays.get(), worked.baked.get()},
+                                settings.method.ao, request.run);
+            });
+            pass(needs.ao && inputs.map.has_history, "history", [&] {
+                frame.history = temporal_accumulation(raw.ao, raw.inputs, frame.camera, last,
+                                                      settings.history, request.run);
+                raw.ao = frame.history.ao;
+            });
+            pass(needs.blur && !kept.blur, "blur", [&] {
+                AoMap blurred = denoised(method, raw, settings.method, request.run);
+                frame.ao_blurred = std::move(blurred.ao);
+                frame.tiles.blur = std::move(blurred.tiles);
+            });
+            pass(needs.bent_normals && !kept.bent_normals, kBentNormal,
+                 [&] { frame.bent_normal = bent_normals(method, raw.inputs, settings.method, request.run); });
+            pass(looks_up(inputs) && !kept.ao_lookup, "ao_lookup", [&] {
+                worked.at_pixels = looked_up(needs.blur ? frame.ao_blurred : raw.ao, raw.inputs,
+                                             frame.gbuffer, settings.ao_lookup, request.run);
+            });
+            pass(needs.shadow && !kept.shadow, "shadow", [&] {
+                worked.shadow = std::make_shared<const ShadowMap>(scene_shadow(scene, request.run));
+            });
+            pass(needs.lit && !kept.lit, "lit", [&] {
+                LitImage lit = lit_image(scene, geometry, frame, lit_map(worked), raw.inputs.normal,
+                                         worked.shadow.get(), request);
+                frame.lit = std::move(lit.image);
+                frame.tiles.lit = std::move(lit.tiles);
+            });
+            pass(needs.sky && !kept.lit, "sky", [&] {
+                frame.lit = kept.sky ? with_sky(std::move(frame.lit), frame.gbuffer.depth, frame.camera,
+                                                sky_before, request.run)
+                                     : with_sky(std::move(frame.lit), frame.gbuffer.depth, frame.camera,
+                                                *scene.sky_cube, request.run);
+            });
         });
     }
     frame.passes = stopwatch.summaries();
-    frame.precision = precision_account(scene, frame.camera, geometry, frame.gbuffer, raw.inputs, rays.get(),
-                                        method, settings, request.run);
+    if (!kept.precision) {
+        frame.precision = precision_account(scene, frame.camera, geometry, frame.gbuffer, raw.inputs,
+                                            casts_rays ? rays.get() : nullptr, method, settings, request.run);
+    }
     frame.tiles.ao = raw.tiles;
     frame.tiles.raster = raster_tiles(geometry, request.run);
     frame.skipped = skipped_work(geometry, frame.gbuffer, frame.tiles);
     return worked;
-}
-
-const Image<float>& lit_map(const WorkedFrame& worked) {
-    if (!worked.at_pixels.empty()) return worked.at_pixels;
-    return worked.frame.ao_blurred.empty() ? worked.raw.ao : worked.frame.ao_blurred;
 }
 
 LitExplanation explain_lit(const Scene& scene, const FrameRequest& request, const WorkedFrame& worked, int x,

@@ -49,7 +49,7 @@ Json lab_camera_json(const SceneArgument& scene, const Camera& camera, Size size
 }
 
 Json buffers_json(const DrawnFrame& drawn) {
-    const Frame& frame = drawn.frame;
+    const Frame& frame = drawn.frame();
     Json buffers = Json::object();
     const auto tell = [&](const char* name, const auto& buffer) {
         if (drawn.request.wanted.contains(name)) buffers[name] = buffer_json(buffer, drawn.words.hashes);
@@ -100,7 +100,7 @@ LoadedScene loaded_scene(const std::string& name, bool surfaces, const Run& run)
     return loaded;
 }
 
-DrawnFrame drawn_frame(const LoadedScene& scene, const LabWords& words, const Run& run, AtRest& at_rest) {
+DrawnFrame drawn_frame(const LoadedScene& scene, const LabWords& words, const Run& run, WorkedFrame& before) {
     DrawnFrame drawn{words, chosen_camera(scene.argument, words.camera), {}, {}, {}};
     FrameRequest& request = drawn.request;
     request.run = run;
@@ -109,11 +109,9 @@ DrawnFrame drawn_frame(const LoadedScene& scene, const LabWords& words, const Ru
     request.settings = settings_for(scene.argument, scene.name, *request.method, words.params);
     named_as({{"history", "--param history"}}, [&] { require_no_history(request); });
     request.wanted = words.only;
-    WorkedFrame worked = worked_frame(scene.argument.scene, drawn.camera, request, {}, at_rest);
-    if (worked.shadow) at_rest.shadow = worked.shadow;
-    if (worked.rays) at_rest.rays = worked.rays;
-    drawn.frame = frame_of(std::move(worked), request);
-    if (request.wanted.contains("ndc_depth")) drawn.ndc_depth = ndc_depth(drawn.frame.gbuffer.depth, run);
+    drawn.worked = worked_frame(scene.argument.scene, drawn.camera, request, {}, std::exchange(before, {}));
+    show(drawn.worked, request);
+    if (request.wanted.contains("ndc_depth")) drawn.ndc_depth = ndc_depth(drawn.frame().gbuffer.depth, run);
     return drawn;
 }
 
@@ -134,7 +132,7 @@ Json buffer_json(const Image3& buffer, bool hash) {
 }
 
 Json frame_reply(const LoadedScene& scene, const DrawnFrame& drawn) {
-    const Frame& frame = drawn.frame;
+    const Frame& frame = drawn.frame();
     double load_ms = 0;
     for (const LoadStep& step : scene.argument.load_steps) load_ms += step.wall_ms;
     Json warnings = scene.warnings, left_out = Json::array();
@@ -154,6 +152,7 @@ Json frame_reply(const LoadedScene& scene, const DrawnFrame& drawn) {
             {"precision", precision_json(frame.precision)},
             {"warnings", warnings},
             {"left_out", left_out},
+            {"unchanged", drawn.worked.unchanged},
             {"buffers", buffers_json(drawn)}};
 }
 

@@ -33,21 +33,22 @@ struct DrawnFrame {
     LabWords words;
     Camera camera;  // as asked for; Frame::camera is as drawn
     FrameRequest request;
-    Frame frame;
+    WorkedFrame worked;
     Image<float> ndc_depth;  // empty when it was not asked for
+
+    const Frame& frame() const { return worked.frame; }
 };
 
 // What a frame of these words needs of its scene. Throws UsageError.
 bool wants_surfaces(const LabWords& words);
 // Throws InputError.
 LoadedScene loaded_scene(const std::string& name, bool surfaces, const Run& run);
-// Throws UsageError, as `crevice render` does. Takes over what is in `at_rest`, which is of the same scene, and leaves there
-// what the next frame may take over.
-DrawnFrame drawn_frame(const LoadedScene& scene, const LabWords& words, const Run& run, AtRest& at_rest);
+// Throws UsageError, as `crevice render` does. `before` is a frame of the same scene; it is used up, unless a word was wrong.
+DrawnFrame drawn_frame(const LoadedScene& scene, const LabWords& words, const Run& run, WorkedFrame& before);
 
 // {"scene": {"triangles", "from_obj", "length_unit", "load_ms"}, "camera": {"eye", "target", "up", "fov_y", "near", "far",
 //   "ortho" (null: perspective), "ray_scale"}, "parameters": {name: word}, "size": [width, height], "passes", "precision",
-//  "warnings": [line], "left_out": [{"what", "why"}], "buffers": {name: buffer}}
+//  "warnings": [line], "left_out": [{"what", "why"}], "unchanged": [pass], "buffers": {name: buffer}}
 // with eye and target in the scene's own coordinates, as --eye takes them, and a buffer as buffer_json() says.
 nlohmann::ordered_json frame_reply(const LoadedScene& scene, const DrawnFrame& drawn);
 

@@ -1,5 +1,7 @@
 #include "chapters/lab/lab_session.h"
 
+#include <utility>
+
 #include "chapters/study/references.h"
 #include "rasterizer/base/error.h"
 #include "ssao/judge/metrics.h"
@@ -17,28 +19,32 @@ constexpr std::size_t kPointsAtOnce = 1 << 15;
 
 const LoadedScene& LabSession::scene(const std::string& name, bool surfaces) {
     if (!scene_ || scene_->name != name || (surfaces && !scene_->surfaces)) {
-        at_rest_ = {};
+        before_ = {};
         scene_ = loaded_scene(name, surfaces, run_);
     }
     return *scene_;
 }
 
 const DrawnFrame& LabSession::draw(const LabWords& words) {
+    if (drawn_) before_ = std::exchange(drawn_->worked, {});
     drawn_.reset();
-    worked_.reset();
+    has_all_ = false;
     truth_.reset();
-    drawn_ = drawn_frame(scene(words.scene, wants_surfaces(words)), words, run_, at_rest_);
+    const LoadedScene& of = scene(words.scene, wants_surfaces(words));
+    drawn_ = drawn_frame(of, words, run_, before_);
     return *drawn_;
 }
 
 const WorkedFrame& LabSession::worked() {
     if (!drawn_) throw UsageError("frame: there is none yet; draw one first");
-    if (!worked_) {
+    if (!has_all_) {
+        before_ = std::exchange(drawn_->worked, {});
         drawn_->request.wanted = all_buffers();
-        worked_ =
-            worked_frame(scene(drawn_->words.scene, true).argument.scene, drawn_->camera, drawn_->request);
+        const Scene& of = scene(drawn_->words.scene, true).argument.scene;
+        drawn_->worked = worked_frame(of, drawn_->camera, drawn_->request, {}, std::exchange(before_, {}));
+        has_all_ = true;
     }
-    return *worked_;
+    return drawn_->worked;
 }
 
 PixelProbe LabSession::probe(int x, int y) {

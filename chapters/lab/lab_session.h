@@ -39,9 +39,9 @@ class LabSession {
 
     Run run_;
     std::optional<LoadedScene> scene_;
-    AtRest at_rest_;  // of that scene, which nothing moves
+    WorkedFrame before_;  // of that scene: the last frame, while the next one is still to be drawn
     std::optional<DrawnFrame> drawn_;
-    std::optional<WorkedFrame> worked_;      // the same with all buffers, as soon as somebody asks about it
+    bool has_all_ = false;                   // all buffers, as soon as somebody asks about a pixel of it
     std::optional<ProgressiveTruth> truth_;  // of what was drawn
     ReferenceImage reference_;               // as it was told last
     Image<float> ao_, ao_error_;             // the AO that is judged, picture size, and how far it is off

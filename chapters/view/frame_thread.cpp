@@ -21,7 +21,7 @@ WantedBuffers wanted_for(const std::vector<std::string>& shown) {
 }
 
 Picture picture_of(const DrawnFrame& drawn, const std::string& buffer) {
-    const Frame& frame = drawn.frame;
+    const Frame& frame = drawn.frame();
     if (buffer == "normal") return normal_picture(frame.gbuffer.normal);
     if (buffer == "view_depth") return view_depth_picture(frame.gbuffer.view_depth);
     if (buffer == "ndc_depth") return ndc_depth_picture(drawn.ndc_depth, frame.camera.reversed_z);
@@ -37,7 +37,7 @@ Picture picture_of(const DrawnFrame& drawn, const std::string& buffer) {
 }
 
 std::string hash_of(const DrawnFrame& drawn, const std::string& buffer) {
-    const Frame& frame = drawn.frame;
+    const Frame& frame = drawn.frame();
     if (buffer == "normal") return content_hash(frame.gbuffer.normal);
     if (buffer == "view_depth") return content_hash(frame.gbuffer.view_depth);
     if (buffer == "ndc_depth") return content_hash(drawn.ndc_depth);
@@ -51,15 +51,18 @@ void tell(const LoadedScene& scene, const DrawnFrame& drawn, ViewFrame& told) {
     told.error.clear();
     told.words = drawn.words;
     told.camera = drawn.camera;
-    told.passes = drawn.frame.passes;
-    told.tiles = drawn.frame.tiles;
+    const Frame& frame = drawn.frame();
+    told.passes = frame.passes;
+    told.unchanged = drawn.worked.unchanged;
+    told.tiles = frame.tiles;
     told.warnings = scene.warnings;
-    for (const PrecisionLoss& loss : drawn.frame.precision) {
+    for (const PrecisionLoss& loss : frame.precision) {
         if (!loss.warning.empty()) told.warnings.push_back("warning: " + loss.warning);
     }
     told.left_out.clear();
-    for (const LeftOut& item : drawn.frame.left_out) told.left_out.push_back(item.what + ": " + item.why);
-    for (const SkippedWork& work : drawn.frame.skipped) {
+    for (const LeftOut& item : frame.left_out) told.left_out.push_back(item.what + ": " + item.why);
+    for (const std::string& pass : told.unchanged) told.left_out.push_back(pass + ": " + kWhyUnchanged);
+    for (const SkippedWork& work : frame.skipped) {
         if (work.count == 0) continue;
         told.left_out.push_back(std::string(skip_name(work.skip)) + ": " + std::to_string(work.count) +
                                 " of " + std::to_string(work.of) + " " + work.unit);

@@ -53,6 +53,7 @@ struct ViewFrame {
         hashes;  // of the same buffers, as `crevice render` tells them
     std::vector<std::pair<std::string, std::string>> parameters;  // names, and words for their values
     std::vector<PassTime> passes;
+    std::vector<std::string> unchanged;           // passes: WorkedFrame::unchanged
     std::vector<std::string> warnings, left_out;  // a line each
     FrameTiles tiles;
     std::optional<ViewTruth> truth;

@@ -129,6 +129,7 @@ void draw_times(const ViewState& state, const ViewFrame& newest) {
         ImGui::PlotLines(label.c_str(), wall_ms.data(), static_cast<int>(wall_ms.size()), 0, nullptr, 0,
                          1.1f * highest, ImVec2(150, 22));
     }
+    for (const std::string& pass : newest.unchanged) ImGui::TextDisabled("%s  unchanged", pass.c_str());
 }
 
 void draw_lines(const std::vector<std::string>& lines) {

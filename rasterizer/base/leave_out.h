@@ -8,7 +8,7 @@
 namespace crevice {
 
 enum class Skip {
-    passes,                // passes and buffers that nothing asked for reads
+    passes,                // that nothing asked for reads, or whose finding the frame before has left
     off_screen_instances,  // whole meshes beyond one side of the view, before their vertices are transformed
     off_screen_triangles,  // whole triangles beyond one side of the view
     hidden_triangles,      // behind everything a part of a tile already shows
@@ -40,6 +40,7 @@ class KeptWork {
         return kept;
     }
     bool contains(Skip skip) const { return kinds_.test(static_cast<std::size_t>(skip)); }
+    bool operator==(const KeptWork&) const = default;
 
  private:
     std::bitset<kSkipCount> kinds_;

@@ -14,7 +14,7 @@
 namespace crevice {
 
 struct GBuffer {
-    Image3 normal;  // view space, unit (interpolated vertex normal), turned over on back faces
+    Image3 normal;            // view space, unit (interpolated vertex normal), turned over on back faces
     Image<float> view_depth;  // view-space z, scene units
     DepthBuffer depth;
     BufferFormat format = BufferFormat::float32;  // normal and view_depth hold only values this format can
@@ -36,6 +36,7 @@ struct NormalDepthSettings {
     bool cutouts = true;  // false: surfaces with holes are drawn whole
     // Bent by the materials' normal maps; the tutorials' AO knows the vertices' normals only.
     bool mapped_normals = false;
+    bool operator==(const NormalDepthSettings&) const = default;
 };
 
 GBuffer normal_depth(const Scene& scene, const Camera& camera, Size size, const Run& run = {});

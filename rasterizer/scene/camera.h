@@ -21,6 +21,7 @@ struct Camera {
     double near_plane = 1;                  // > 0, scene units
     double far_plane = 1000;                // > near_plane, scene units
     bool reversed_z = false;                // near at ndc depth 1 and far at 0
+    bool operator==(const Camera&) const = default;
 };
 
 // Throws UsageError naming the first member that is out of range or not a number.

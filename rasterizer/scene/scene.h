@@ -64,6 +64,7 @@ struct DirectionalLight {
     glm::vec3 ambient = glm::vec3(0);           // phong only
     glm::vec3 diffuse = glm::vec3(0);           // phong: diffuse intensity; blinn_schlick: light strength
     glm::vec3 specular = glm::vec3(0);          // phong only
+    bool operator==(const DirectionalLight&) const = default;
 };
 
 // A light at a place, weaker with distance d: 1 / (1 + linear d + quadratic d^2).
@@ -72,6 +73,7 @@ struct PointLight {
     glm::vec3 colour = glm::vec3(1);    // linear light, diffuse and specular
     float linear = 0.09f;               // 1 / scene units
     float quadratic = 0.032f;           // 1 / scene units^2
+    bool operator==(const PointLight&) const = default;
 };
 
 enum class LightingModel {

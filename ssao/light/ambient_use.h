@@ -23,6 +23,7 @@ struct AmbientSettings {
     MultiBounce multi_bounce = MultiBounce::none;
     SpecularOcclusion specular_occlusion =
         SpecularOcclusion::none;  // of blinn_schlick surfaces under a sky cube
+    bool operator==(const AmbientSettings&) const = default;
 };
 
 struct AmbientUse {

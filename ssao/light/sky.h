@@ -23,6 +23,10 @@ namespace crevice {
 Image3 with_sky(Image3 lit, const DepthBuffer& depth, const Camera& camera, const CubeMap& sky,
                 const Run& run = {});
 
+// The same sky, taken over from a picture that has it already: of the same depths, seen by the same camera.
+Image3 with_sky(Image3 lit, const DepthBuffer& depth, const Camera& camera, const Image3& before,
+                const Run& run = {});
+
 // The colour that one pixel gets of it; none where something else was drawn.
 std::optional<glm::vec3> sky_at(const DepthBuffer& depth, const Camera& camera, const CubeMap& sky, int x,
                                 int y);

@@ -1,6 +1,7 @@
 // Tables: of buffers with their hashes, of the time of each pass, and of whatever lists of numbers a probe tells.
 import { shortest } from "./colour.js";
 import { probeText } from "./probe_texts.js";
+import { translated } from "./texts.js";
 
 const kCellDigits = 6;
 
@@ -35,8 +36,10 @@ export function showBuffers(body, buffers) {
   }));
 }
 
-export function showPasses(body, passes) {
-  body.replaceChildren(...passes.map(({ name, wall_ms }) => rowOf([name, `${wall_ms.toFixed(2)} ms`])));
+// Those that ran, with their times, and those whose finding is that of the frame before.
+export function showPasses(body, passes, unchanged) {
+  const timed = passes.map(({ name, wall_ms }) => rowOf([name, `${wall_ms.toFixed(2)} ms`]));
+  body.replaceChildren(...timed, ...unchanged.map((name) => rowOf([name, translated("unchanged")])));
 }
 
 export function showLines(list, lines) {

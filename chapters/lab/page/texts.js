@@ -62,6 +62,7 @@ const kTexts = {
   no_obj: ["no OBJ among these files; drop one with its MTL files and textures", "其中没有 OBJ 文件；请连同 MTL 与纹理一起拖入"],
   passes: ["time of each pass", "各通道耗时"],
   pass: ["pass", "通道"],
+  unchanged: ["unchanged", "未变"],
   buffers: ["buffers", "缓冲"],
   buffer: ["buffer", "缓冲"],
   least: ["min", "最小"],

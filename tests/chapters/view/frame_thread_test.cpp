@@ -50,7 +50,7 @@ TEST_CASE("frame_thread: a frame has the bits that the program draws for the wor
     LabSession session;
     const DrawnFrame& drawn = session.draw(frame->words);
     REQUIRE(frame->hashes.size() == 1);
-    CHECK(frame->hashes.front().second == content_hash(drawn.frame.ao_blurred));
+    CHECK(frame->hashes.front().second == content_hash(drawn.frame().ao_blurred));
     CHECK(frame->words.camera.eye == "0.1234568,1,-6");
 }
 
