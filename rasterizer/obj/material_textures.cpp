@@ -9,7 +9,6 @@
 #include "rasterizer/base/memory.h"
 #include "rasterizer/obj/texel_images.h"
 #include "rasterizer/textures/cutout_mips.h"
-#include "rasterizer/textures/exif_orientation.h"
 
 namespace crevice {
 
@@ -68,12 +67,27 @@ struct MaterialTextures::Request {
     }
 };
 
-MaterialTextures::MaterialTextures(const FileTree& tree, bool want_surfaces)
-    : tree_(tree), want_surfaces_(want_surfaces) {
+MaterialTextures::MaterialTextures(const FileTree& tree, bool want_surfaces, const Run& run)
+    : tree_(tree), want_surfaces_(want_surfaces), images_(run) {
     constexpr std::uintmax_t kBytesPerPixel = 22;  // four floats, and a third of that for the mip levels
     const std::uintmax_t pixels_in_half = memory_bytes() / 2 / kBytesPerPixel;
     pixels_left_ = static_cast<std::int64_t>(
         std::min(pixels_in_half, static_cast<std::uintmax_t>(kMaxTexturePixelsOfObj)));
+}
+
+// In the order in which add_to() looks at them; whatever else it looks at is not decoded ahead.
+void MaterialTextures::expect(const MtlMaterial& from, const fs::path& mtl) {
+    const auto add = [&](const MtlTexture& texture, TextureEncoding encoding) {
+        if (!is_named(texture)) return;
+        const fs::path path = look_for(texture, mtl).path;
+        if (!path.empty()) images_.expect(path, encoding);
+    };
+    if (want_surfaces_) add(from.diffuse_map, TextureEncoding::srgb);
+    if (from.opacity_map.file != from.diffuse_map.file) add(from.opacity_map, TextureEncoding::linear);
+    if (!want_surfaces_) return;
+    const MtlTexture& bump = is_named(from.bump_map) ? from.bump_map : from.displacement_map;
+    add(is_named(from.normal_map) ? from.normal_map : bump, TextureEncoding::linear);
+    if (from.specular && *from.specular != glm::vec3(0)) add(from.specular_map, TextureEncoding::srgb);
 }
 
 FoundFile MaterialTextures::look_for(const MtlTexture& texture, const fs::path& mtl) const {
@@ -101,15 +115,13 @@ fs::path MaterialTextures::find(Request& request, const MtlTexture& texture) con
 
 DecodedImage MaterialTextures::load(Request& request, const MtlTexture& texture, const fs::path& path,
                                     TextureEncoding encoding) {
-    const std::string bytes = read_image_bytes(path);
-    DecodedImage image =
-        decode_image(bytes, path.string(), encoding, std::min(pixels_left_, kMaxTexturePixels));
-    if (exif_orientation(bytes) != 1) {
+    auto [image, orientation] = images_.take(path, encoding, std::min(pixels_left_, kMaxTexturePixels));
+    if (orientation != 1) {
         request.from.notes.push_back({"a texture's EXIF orientation would have it turned or mirrored",
                                       "drawn as its pixels are stored", texture.line});
     }
     pixels_left_ -= std::int64_t{image.colour.size().width} * image.colour.size().height;
-    return image;
+    return std::move(image);
 }
 
 // What `make` gives; nothing, which is said, when the file cannot be read.

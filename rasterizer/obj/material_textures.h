@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "rasterizer/obj/file_tree.h"
+#include "rasterizer/obj/images_ahead.h"
 #include "rasterizer/obj/mtl_read.h"
 #include "rasterizer/scene/scene.h"
 
@@ -44,7 +45,11 @@ inline constexpr float kBumpHeight = 0.01f;
 // the OBJ's directory or would be wholly cut out is a warning, and drawn without.
 class MaterialTextures {
  public:
-    MaterialTextures(const FileTree& tree, bool want_surfaces);
+    MaterialTextures(const FileTree& tree, bool want_surfaces, const Run& run);
+
+    // That add_to() will come with this material, after those that were expected before: its pictures are decoded
+    // together with others.
+    void expect(const MtlMaterial& from, const std::filesystem::path& mtl);
 
     // `mtl` is the path of the MTL, and `from` one of its materials, which gets the warnings and notes.
     TexcoordMap add_to(Material& material, MtlMaterial& from, const std::filesystem::path& mtl);
@@ -73,6 +78,7 @@ class MaterialTextures {
 
     const FileTree& tree_;
     const bool want_surfaces_;
+    ImagesAhead images_;
     std::int64_t pixels_left_;
     std::map<std::string, TexturePointer> made_;  // null: could not be
 };

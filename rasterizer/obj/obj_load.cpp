@@ -139,7 +139,7 @@ LoadedObj loaded_from(const std::filesystem::path& path, const ObjOptions& optio
     timer.finish("triangles");
     ObjMaterials materials =
         load_obj_materials(path, text.libraries, text.materials,
-                           {.surfaces = options.want_textures, .outside = options.outside_files});
+                           {.surfaces = options.want_textures, .outside = options.outside_files, .run = run});
     if (!text.vertices.colours.empty()) show_vertex_colours_alone(materials.materials.back());
     timer.finish("materials and textures");
     const auto any = [&](const auto& has) {

@@ -202,7 +202,11 @@ ObjMaterials load_obj_materials(const fs::path& obj_path, std::span<const Materi
         for (const MaterialLibrary& library : libraries) known.add(library);
     }
     const MaterialIndex index(known);
-    MaterialTextures textures(tree, files.surfaces);
+    MaterialTextures textures(tree, files.surfaces, files.run);
+    for (const ObjMaterialUse& use : used) {
+        if (const auto [from, file] = index.find(use.name); from != nullptr)
+            textures.expect(*from, file->name);
+    }
     ObjMaterials result;
     std::map<const MtlMaterial*, int> converted;
     std::map<const MtlFile*, std::vector<MtlNote>> notes;

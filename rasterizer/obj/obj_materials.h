@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "rasterizer/base/run.h"
 #include "rasterizer/obj/material_textures.h"
 #include "rasterizer/obj/obj_faces.h"
 #include "rasterizer/obj/obj_prescan.h"
@@ -24,6 +25,7 @@ struct ObjMaterials {
 struct MaterialFiles {
     bool surfaces = true;  // false: of textures only what cuts out
     bool outside = false;  // also files outside the directory of the OBJ
+    Run run = {};          // changes nothing in what is read
 };
 
 // Kd, Ka and Ks are taken as linear light as they stand (above 1 darkened to 1), Ns as the shininess; without
