@@ -218,7 +218,7 @@ book.show_row({{"above_ao", painted(of_above.frame.lit, of_above.frame.tiles.ao)
 
 // %% table
 book.table(
-    {"scene", "off-screen instances", "off-screen triangles", "hidden triangles", "empty tiles",
+    {"scene", "off-screen clusters", "off-screen triangles", "hidden triangles", "empty tiles",
      "background tiles (AO)", "open tiles (AO + blur)", "tiles lit once"},
     {table_row("columns", frame), table_row("columns from above", of_above.frame),
      table_row("cornell", of_cornell.frame), table_row("sphere_on_plane", of_ball.frame),

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/scene/mesh_clusters.h"
 #include "ssao/inputs/random_vectors.h"
 
 namespace crevice {
@@ -84,6 +85,7 @@ Scene height_field_scene(int across, int down, std::uint32_t seed) {
     Scene scene;
     scene.name = "height_field";
     scene.meshes.push_back(height_field_mesh(across, down, seed));
+    add_clusters(scene);
     scene.instances.push_back({});
     scene.materials.push_back({});
     scene.ambient_light = glm::vec3(0.4f);

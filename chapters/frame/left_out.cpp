@@ -23,8 +23,7 @@ std::vector<SkippedWork> skipped_work(const ScreenGeometry& geometry, const GBuf
     };
     const TileMap &raster = tiles.raster, &ao = tiles.ao, &blur = tiles.blur, &lit = tiles.lit;
     return {
-        counted(Skip::off_screen_instances, geometry.off_screen_instances, geometry.vertices.in_view.size(),
-                "instances"),
+        counted(Skip::off_screen_clusters, geometry.off_screen_clusters, geometry.clusters, "clusters"),
         counted(Skip::off_screen_triangles, geometry.off_screen_triangles(), geometry.submitted_triangles,
                 "triangles"),
         counted(Skip::hidden_triangles, hidden, entries, "triangles of tiles"),

@@ -10,6 +10,7 @@
 #include "rasterizer/base/float_text.h"
 #include "rasterizer/base/no_such.h"
 #include "rasterizer/lanes/approx_math.h"
+#include "rasterizer/scene/mesh_clusters.h"
 #include "rasterizer/scene/outlier_vertex.h"
 #include "scenes/builtin_scenes.h"
 
@@ -54,6 +55,7 @@ SceneArgument load_scene(const std::string& name_or_path, const WantedOfScene& w
         const auto start = std::chrono::steady_clock::now();
         const SceneDetail detail = wanted.surfaces ? SceneDetail::surfaces : SceneDetail::shapes;
         Scene scene = builtin->make(detail, wanted.run);
+        add_clusters(scene, wanted.run);
         const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
         return {std::move(scene), false, {{"make the scene", took.count()}}};
     }
@@ -71,6 +73,7 @@ SceneArgument load_scene(const std::string& name_or_path, const WantedOfScene& w
     LoadedObj loaded = load_obj(name_or_path, options, wanted.run);
     require_within_reach(name_or_path, world_bounds(loaded.scene));
     for (const std::string& warning : loaded.report.warnings) std::cerr << warning << "\n";
+    add_clusters(loaded.scene, wanted.run);
     return {std::move(loaded.scene), true, std::move(loaded.steps)};
 }
 

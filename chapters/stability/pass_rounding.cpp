@@ -30,13 +30,13 @@ void add_vertices(const RoundingView& view, std::vector<PassRounding>& rows) {
     const TransformedVertices& drawn = view.geometry.vertices;
     std::vector<double> off_px, off_ulps;
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-        if (!drawn.in_view[i]) continue;
+        if (!drawn.in_view[i].any()) continue;
         const Instance& instance = scene.instances[i];
         const std::size_t count = scene.meshes[static_cast<std::size_t>(instance.mesh)].positions.size();
         for (std::size_t number = 0; number < count; ++number) {
             const std::size_t at = drawn.first_vertex[i] + number;
             const ProjectedVertex p = drawn.projected[at];
-            if ((p.outside & (kNeedsClipping | kNotANumber)) != 0) continue;
+            if ((p.outside & (kNeedsClipping | kNotANumber | kNotTransformed)) != 0) continue;
             const JudgedVertex right = judge.vertex(instance, number);
             const auto position = [](std::int32_t snapped, float rest) {
                 return (static_cast<double>(snapped) + static_cast<double>(rest)) / kSubpixelSteps;

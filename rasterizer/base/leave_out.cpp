@@ -5,7 +5,7 @@ namespace crevice {
 const char* skip_name(Skip skip) {
     switch (skip) {
         case Skip::passes: return "passes";
-        case Skip::off_screen_instances: return "off-screen instances";
+        case Skip::off_screen_clusters: return "off-screen clusters";
         case Skip::off_screen_triangles: return "off-screen triangles";
         case Skip::hidden_triangles: return "hidden triangles";
         case Skip::empty_tiles: return "empty tiles";
@@ -20,7 +20,7 @@ const char* skip_name(Skip skip) {
 const char* skip_reason(Skip skip) {
     switch (skip) {
         case Skip::passes: return "nothing that was asked for reads them";
-        case Skip::off_screen_instances: return "the box around them lies beyond one side of the view";
+        case Skip::off_screen_clusters: return "the box around them lies beyond one side of the view";
         case Skip::off_screen_triangles: return "all three corners lie beyond one side of the view";
         case Skip::hidden_triangles:
             return "their nearest depth is behind the farthest that the tile shows there";

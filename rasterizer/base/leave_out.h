@@ -9,7 +9,7 @@ namespace crevice {
 
 enum class Skip {
     passes,                // that nothing asked for reads, or whose finding the frame before has left
-    off_screen_instances,  // whole meshes beyond one side of the view, before their vertices are transformed
+    off_screen_clusters,   // meshes, or clusters of their triangles, beyond one side of the view
     off_screen_triangles,  // whole triangles beyond one side of the view
     hidden_triangles,      // behind everything a part of a tile already shows
     empty_tiles,           // no triangle touches them: they keep their clear values

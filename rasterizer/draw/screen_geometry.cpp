@@ -15,7 +15,7 @@ namespace crevice {
 
 namespace {
 
-// Blocks are made of at least this many triangles; a large draw has at most kMostBlocks for each instance.
+// Blocks are made of at least this many triangles; a large draw has about kMostBlocks.
 constexpr std::uint32_t kBlockTriangles = 4096;
 constexpr std::uint32_t kMostBlocks = 64;
 
@@ -38,10 +38,13 @@ ScreenGeometry empty_geometry(Size size, const Run& run) {
 // Consecutive sources together, until a block is large enough.
 std::vector<std::span<const BlockSource>> grouped(const std::vector<BlockSource>& sources) {
     std::vector<std::span<const BlockSource>> groups;
+    std::size_t all = 0;
+    for (const BlockSource& source : sources) all += source.triangles.size();
+    const std::size_t enough = std::max(std::size_t{kBlockTriangles}, all / kMostBlocks);
     std::size_t first = 0, triangles = 0;
     for (std::size_t i = 0; i < sources.size(); ++i) {
         triangles += sources[i].triangles.size();
-        if (triangles < kBlockTriangles && i + 1 < sources.size()) continue;
+        if (triangles < enough && i + 1 < sources.size()) continue;
         groups.push_back(std::span(sources).subspan(first, i + 1 - first));
         first = i + 1;
         triangles = 0;
@@ -58,7 +61,7 @@ void build_blocks(ScreenGeometry& geometry, const std::vector<BlockSource>& sour
         geometry.blocks[at] = build_block(geometry, groups[at], setup, run);
     });
     for (const BlockSource& source : sources) geometry.submitted_triangles += source.triangles.size();
-    geometry.submitted_triangles += geometry.triangles_of_off_screen_instances;
+    geometry.submitted_triangles += geometry.triangles_of_off_screen_clusters;
     std::size_t largest = 0;
     for (const TriangleBlock& block : geometry.blocks) largest = std::max(largest, block.triangles.size());
     geometry.index_bits = static_cast<int>(std::bit_width(largest));
@@ -77,6 +80,39 @@ void append_sources(std::vector<BlockSource>& sources, BlockSource whole) {
         part.triangles = whole.triangles.subspan(first, std::min(step, count - first));
         sources.push_back(part);
     }
+}
+
+// What of an instance is in view, counted, in the order of its triangles; `whole` are all of them.
+void append_in_view(ScreenGeometry& geometry, std::vector<BlockSource>& sources, const Mesh& mesh,
+                    const InstanceInView& in_view, const BlockSource& whole) {
+    const auto append = [&](std::uint32_t part, std::uint32_t first, std::uint32_t count) {
+        BlockSource source = whole;
+        source.triangles = whole.triangles.subspan(first, count);
+        source.material = mesh.parts[part].material;
+        append_sources(sources, source);
+    };
+    const std::vector<TriangleCluster>& clusters = mesh.clusters.clusters;
+    geometry.clusters += std::max(clusters.size(), std::size_t{1});
+    if (in_view.whole) {
+        for (std::uint32_t part = 0; part < mesh.parts.size(); ++part)
+            append(part, mesh.parts[part].first_triangle, mesh.parts[part].triangle_count);
+        return;
+    }
+    std::size_t drawn = 0;
+    for (std::size_t i = 0; i < in_view.clusters.size();) {
+        // Neighbours together.
+        const TriangleCluster& first = clusters[in_view.clusters[i]];
+        std::uint32_t count = 0;
+        for (; i < in_view.clusters.size(); ++i) {
+            const TriangleCluster& next = clusters[in_view.clusters[i]];
+            if (next.part != first.part || next.first_triangle != first.first_triangle + count) break;
+            count += next.triangle_count;
+        }
+        append(first.part, first.first_triangle, count);
+        drawn += count;
+    }
+    geometry.off_screen_clusters += std::max(clusters.size(), std::size_t{1}) - in_view.clusters.size();
+    geometry.triangles_of_off_screen_clusters += mesh.triangles.size() - drawn;
 }
 
 }  // namespace
@@ -101,18 +137,11 @@ ScreenGeometry screen_geometry(const Scene& scene, const Camera& camera, Size si
     std::vector<BlockSource> sources;
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(scene.instances[i].mesh)];
-        if (!geometry.vertices.in_view[i]) {
-            ++geometry.off_screen_instances;
-            geometry.triangles_of_off_screen_instances += mesh.triangles.size();
-            continue;
-        }
         const bool mirrored = glm::determinant(glm::mat3(scene.instances[i].world_from_object)) < 0;
-        for (const MeshPart& part : mesh.parts) {
-            append_sources(sources,
-                           {std::span(mesh.triangles).subspan(part.first_triangle, part.triangle_count),
-                            geometry.vertices.first_vertex[i], static_cast<std::uint32_t>(i), part.material,
-                            mirrored, from_exact ? &exact : nullptr});
-        }
+        const BlockSource whole{
+            mesh.triangles, geometry.vertices.first_vertex[i], static_cast<std::uint32_t>(i), 0,
+            mirrored,       from_exact ? &exact : nullptr};
+        append_in_view(geometry, sources, mesh, geometry.vertices.in_view[i], whole);
     }
     const SetupSettings setup{!scene.two_sided && !settings.keep_back_faces, settings.depth_format,
                               settings.depth_bias};
@@ -126,7 +155,7 @@ ScreenGeometry screen_geometry_from_clip(std::span<const glm::vec4> p_clip,
     ScreenGeometry geometry = empty_geometry(size, run);
     TransformedVertices& vertices = geometry.vertices;
     vertices.first_vertex = {0};
-    vertices.in_view = {true};
+    vertices.in_view = {InstanceInView{}};
     vertices.with_normals = true;
     vertices.n_view.resize(p_clip.size());
     std::fill(vertices.n_view.begin(), vertices.n_view.end(), glm::vec3(0));

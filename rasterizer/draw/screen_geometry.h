@@ -55,8 +55,8 @@ struct ScreenGeometry {
     std::vector<TriangleBlock> blocks;
     int index_bits = 0;  // of a triangle's number; the rest is that of its block
     std::size_t submitted_triangles = 0;
-    // Left out before their vertices were transformed.
-    std::size_t off_screen_instances = 0, triangles_of_off_screen_instances = 0;
+    // Off screen: left out before their vertices were transformed. A mesh without clusters is one.
+    std::size_t clusters = 0, off_screen_clusters = 0, triangles_of_off_screen_clusters = 0;
 
     // A triangle's number: what a visibility buffer holds.
     std::int32_t number_of(std::size_t block, std::uint32_t index) const {
@@ -69,9 +69,9 @@ struct ScreenGeometry {
         return {&t, block.corners_of(t)};
     }
 
-    // Those of instances that are left out are among them.
+    // Those of off-screen clusters are among them.
     std::size_t off_screen_triangles() const {
-        std::size_t count = triangles_of_off_screen_instances;
+        std::size_t count = triangles_of_off_screen_clusters;
         for (const TriangleBlock& block : blocks) count += block.off_screen;
         return count;
     }

@@ -109,8 +109,8 @@ struct SetupLanes {
  private:
     CREVICE_INLINE static D doubled_area_before_snap(const LaneCorner<F>& a, const LaneCorner<F>& b,
                                                      const LaneCorner<F>& c) {
-        const auto exact = [](I snapped, F rest) __attribute__((always_inline)) {
-            return to_double(snapped) + to_double(rest);
+        const auto exact = [](I steps, F rest) __attribute__((always_inline)) {
+            return to_double(steps) + to_double(rest);
         };
         const D x = exact(a.x, a.x_rest), y = exact(a.y, a.y_rest);
         return (exact(b.x, b.x_rest) - x) * (exact(c.y, c.y_rest) - y) -

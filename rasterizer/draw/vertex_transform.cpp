@@ -1,5 +1,6 @@
 #include "rasterizer/draw/vertex_transform.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -10,7 +11,8 @@
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/parallel.h"
 #include "rasterizer/base/run.h"
-#include "rasterizer/draw/instances_in_view.h"
+#include "rasterizer/draw/clusters_in_view.h"
+#include "rasterizer/draw/vertex_lanes.h"
 #include "rasterizer/scene/relative_position.h"
 #include "rasterizer/spaces.h"
 
@@ -105,56 +107,13 @@ CREVICE_INLINE ProjectedLanes<F> project(Vec4<F> clip, Size size, const DepthRan
         clip.z / w, F(1) / w};
 }
 
-template <class T>
-T element(T value, int) {
-    return value;
-}
-template <class T, int N>
-CREVICE_INLINE T element(const WideOf<T, N>& value, int lane) {
-    return value.v[lane];
-}
-
-// Every third float from `at` on, one a lane.
-template <class F>
-CREVICE_INLINE F every_third(const float* at) {
-    if constexpr (kLanes<F> == 1) {
-        return *at;
-    } else {
-        F r;
-        CREVICE_UNROLLED
-        for (int lane = 0; lane < kLanes<F>; ++lane) r.v[lane] = at[3 * lane];
-        return r;
-    }
-}
-
-// `count` vec3 from `at` on, one a lane; lanes past the end repeat the last.
-template <class F>
-CREVICE_INLINE Vec3<F> load_vec3(const glm::vec3* at, int count) {
-    glm::vec3 padded[kLanes<F>];
-    if (count < kLanes<F>) {
-        for (int lane = 0; lane < kLanes<F>; ++lane) padded[lane] = at[lane < count ? lane : count - 1];
-        at = padded;
-    }
-    return {every_third<F>(&at->x), every_third<F>(&at->y), every_third<F>(&at->z)};
-}
-
-// The first `count` lanes of a value.
-template <class T, class V>
-CREVICE_INLINE void store_first(T* at, const V& value, int count) {
-    constexpr int lanes = static_cast<int>(sizeof(V) / sizeof(T));
-    if (count == lanes) {
-        store(at, value);
-    } else {
-        for (int lane = 0; lane < count; ++lane) at[lane] = element(value, lane);
-    }
-}
-
 struct VertexBlock {
     const Mesh* mesh;
     const PositionTransform* positions;
     const glm::mat3* normals;
     int first, count;    // in the mesh
     std::size_t output;  // index of `first` in TransformedVertices
+    bool in_view;        // false: marked as kNotTransformed and left
 };
 
 template <class F>
@@ -171,6 +130,11 @@ CREVICE_INLINE void store_projected(const ProjectedLanes<F>& p, std::size_t at, 
 
 void transform_block(const VertexBlock& block, Size size, const DepthRange& range, TransformedVertices& out,
                      const Run& run) {
+    if (!block.in_view) {
+        std::int32_t* const outside = out.projected.outside.data() + block.output;
+        std::fill(outside, outside + block.count, std::int32_t{kNotTransformed});
+        return;
+    }
     run_kernel(run, [&]<class F>(Lanes<F>) {
         for (int i = 0; i < block.count; i += kLanes<F>) {
             const int filled = block.count - i < kLanes<F> ? block.count - i : kLanes<F>;
@@ -257,7 +221,7 @@ TransformedVertices transform_vertices(const Scene& scene, const Camera& camera,
     const CameraMatrices matrices = camera_matrices(camera, size);
     const DepthRange range = depth_range(camera);
     TransformedVertices result;
-    result.in_view = instances_in_view(scene, camera, size, settings.position_order, run);
+    result.in_view = clusters_in_view(scene, camera, size, settings.position_order, run);
     // The matrices of the instances in view.
     std::vector<PositionTransform> positions;
     std::vector<glm::mat3> normals;
@@ -267,7 +231,7 @@ TransformedVertices transform_vertices(const Scene& scene, const Camera& camera,
     std::size_t total = 0;
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         result.first_vertex.push_back(static_cast<std::uint32_t>(total));
-        if (!result.in_view[i]) continue;
+        if (!result.in_view[i].any()) continue;
         const Instance& instance = scene.instances[i];
         const Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
         const int count = static_cast<int>(mesh.positions.size());
@@ -277,10 +241,9 @@ TransformedVertices transform_vertices(const Scene& scene, const Camera& camera,
                               ? scaled_to_one(normal_matrix_by(settings.normal_matrix,
                                                                instance.world_from_object, matrices))
                               : glm::mat3(1));
-        for (int first = 0; first < count; first += kBlockVertices) {
-            const int block_count = count - first < kBlockVertices ? count - first : kBlockVertices;
-            blocks.push_back({&mesh, &positions.back(), &normals.back(), first, block_count,
-                              total + static_cast<std::size_t>(first)});
+        for (const VertexRun& run_of : vertex_runs(mesh, result.in_view[i], kBlockVertices)) {
+            blocks.push_back({&mesh, &positions.back(), &normals.back(), run_of.first, run_of.count,
+                              total + static_cast<std::size_t>(run_of.first), run_of.in_view});
         }
         total += static_cast<std::size_t>(count);
     }

@@ -37,6 +37,7 @@ enum OutsideBits : std::int32_t {
     kOutsideTop = 1 << 6,
     kOutsideBottom = 1 << 7,
     kNotANumber = 1 << 8,
+    kNotTransformed = 1 << 9,  // only clusters out of view have it as a corner; the rest of it means nothing
 };
 inline constexpr std::int32_t kNeedsClipping = kOutsideNear | kOutsideFar | kOutsideEye | kOutsideGuardBand;
 inline constexpr std::int32_t kOutsideOneSide =
@@ -94,6 +95,14 @@ struct ProjectedVertices {
     void set(std::size_t i, const ProjectedVertex& v);
 };
 
+// What of an instance is drawn.
+struct InstanceInView {
+    bool whole = true;
+    std::vector<std::uint32_t> clusters = {};  // else: these of its mesh, in ascending order
+
+    bool any() const { return whole || !clusters.empty(); }
+};
+
 // All vertices of a draw, instances one after the other.
 struct TransformedVertices {
     VertexArray<glm::vec4> p_clip;  // empty when not asked for
@@ -103,7 +112,7 @@ struct TransformedVertices {
 
     // Of each instance; the next one's where it has none here, because it is out of view.
     std::vector<std::uint32_t> first_vertex;
-    std::vector<bool> in_view;  // of each instance
+    std::vector<InstanceInView> in_view;  // one an instance
 };
 
 ProjectedVertex project_vertex(glm::vec4 p_clip, Size size, const DepthRange& range = {});

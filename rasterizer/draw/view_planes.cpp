@@ -18,6 +18,9 @@ constexpr double kRounding = 0x1p-20;
 // So far beyond the side of the view, where a vertex is marked as outside beyond the first pixel (OutsideBits).
 constexpr double kMargin_px = 2;
 
+// Coordinates up to here stay finite in the clip space of every camera.
+constexpr double kLargest = 1e15;
+
 }  // namespace
 
 ViewPlanes::ViewPlanes(const Camera& camera, Size size) {
@@ -39,14 +42,17 @@ ViewPlanes::ViewPlanes(const Camera& camera, Size size) {
                    : plane(-1, rows[2], 1, rows[3])};
 }
 
-bool ViewPlanes::beyond(const Box& relative) const {
-    const glm::dvec4 centre(relative.centre, 1), half(relative.half, 0),
-        reach(glm::abs(relative.centre) + relative.half, 1);
-    for (const Plane& plane : planes_) {
+std::uint8_t ViewPlanes::beyond(const Box& relative) const {
+    const glm::dvec3 magnitude = glm::abs(relative.centre) + relative.half;
+    if (!(magnitude.x < kLargest && magnitude.y < kLargest && magnitude.z < kLargest)) return 0;
+    const glm::dvec4 centre(relative.centre, 1), half(relative.half, 0), reach(magnitude, 1);
+    unsigned sides = 0;
+    for (std::size_t i = 0; i < planes_.size(); ++i) {
+        const Plane& plane = planes_[i];
         const double most = glm::dot(plane.equation, centre) + glm::dot(glm::abs(plane.equation), half);
-        if (most < -kRounding * glm::dot(plane.magnitude, reach)) return true;
+        if (most < -kRounding * glm::dot(plane.magnitude, reach)) sides |= 1u << i;
     }
-    return false;
+    return static_cast<std::uint8_t>(sides);
 }
 
 }  // namespace crevice

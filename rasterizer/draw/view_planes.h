@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -23,9 +24,9 @@ class ViewPlanes {
  public:
     ViewPlanes(const Camera& camera, Size size);
 
-    // Whether all of a box in relative space (world axes, origin at the eye) lies beyond one side, or too near or too far.
-    // False where a number is not finite.
-    bool beyond(const Box& relative) const;
+    // The sides that all of a box in relative space (world axes, origin at the eye) lies beyond, near and far among them: a
+    // bit each. None where a number is not finite, or too large for the clip space of every camera.
+    std::uint8_t beyond(const Box& relative) const;
 
  private:
     struct Plane {

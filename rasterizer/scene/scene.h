@@ -26,6 +26,19 @@ struct MeshPart {
     int material = 0;  // index into Scene::materials
 };
 
+// Consecutive triangles of one part.
+struct TriangleCluster {
+    std::uint32_t part = 0, first_triangle = 0, triangle_count = 0;
+    std::uint32_t first_block = 0, block_count = 0;  // in MeshClusters::vertex_blocks
+};
+// Vertices kVertexBlock * n to kVertexBlock * n + kVertexBlock - 1 are block n.
+inline constexpr std::uint32_t kVertexBlock = 64;
+struct MeshClusters {
+    std::vector<TriangleCluster> clusters;  // cover all triangles in order
+    std::vector<std::uint32_t>
+        vertex_blocks;  // of one cluster after the other, those that its corners lie in
+};
+
 // Triangles are clockwise seen from their front (the D3D rule). Every vertex has a position and a unit
 // normal.
 struct Mesh {
@@ -37,6 +50,7 @@ struct Mesh {
     std::vector<std::array<std::uint32_t, 3>> triangles;  // indices into all of the above
     std::vector<MeshPart> parts;                          // cover all triangles in order
     std::vector<glm::vec3> colours = {};  // one a position, linear, multiply the material's; empty: white
+    MeshClusters clusters = {};           // mesh_clusters.h, of these triangles; empty: they are one cluster
 };
 
 struct Instance {

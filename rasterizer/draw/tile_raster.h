@@ -1,0 +1,198 @@
+// The drawing of one tile: the kernel behind everything in visibility.h.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "rasterizer/draw/hidden_triangles.h"
+#include "rasterizer/draw/lane_edge.h"
+#include "rasterizer/draw/tiny_triangles.h"
+#include "rasterizer/draw/visibility.h"
+
+namespace crevice {
+
+// Larger triangles are tested against blocks of 8x8 pixels first.
+inline constexpr int kBlock_px = 8;
+
+// What is drawn, and where to.
+struct Drawing {
+    const ScreenGeometry& geometry;
+    DepthFunction test;
+    DepthFormat format;
+    const Image<std::int32_t>& tested;       // depth codes
+    Image<std::int32_t>* depth;              // the same, to be written; null: they stay
+    std::optional<std::int32_t> clear_code;  // of tiles before their first triangle; none: depths are kept
+    Image<std::int32_t>* triangle;           // to be written; null: not asked for
+    const Holes& holes;
+    std::vector<std::int32_t>* hidden =
+        nullptr;  // numbers of what is left out as a whole; null: not asked for
+};
+
+// One tile while it is drawn. Without kAsksHoles the drawing has none.
+template <class F, bool kAsksHoles>
+struct TileRaster {
+    const Drawing& drawing;
+    const PixelRect tile;
+    TileRecord record = {};
+
+    CREVICE_INLINE void draw_all(int number_of_tile, const Run& run) {
+        HiddenTriangles hidden(tile);
+        TinyTriangles<F> tiny;
+        const ScreenGeometry& geometry = drawing.geometry;
+        for (std::size_t b = 0; b < geometry.blocks.size(); ++b) {
+            const TriangleBlock& block = geometry.blocks[b];
+            const std::span<const std::uint32_t> indices = block.triangles_of_tile(number_of_tile);
+            for (std::size_t i = 0; i < indices.size(); ++i) {
+                if (i + kExpected < indices.size()) expect(block.triangles[indices[i + kExpected]]);
+                const ScreenTriangle& t = block.triangles[indices[i]];
+                const PixelRect reached = common_part(t.bounds, tile);
+                if (reached.empty()) continue;
+                const std::int32_t number = geometry.number_of(b, indices[i]);
+                if (run.leaves_out(Skip::hidden_triangles) && is_hidden(hidden, t, number, reached)) continue;
+                if (!kAsksHoles && TinyTriangles<F>::has(t, tile)) {
+                    tiny.add(t, number);
+                    if (tiny.full()) draw(tiny);
+                    continue;
+                }
+                draw(tiny);
+                if (t.small) {
+                    draw<Int<F>>(block, t, number, reached);
+                } else {
+                    draw<Double<F>>(block, t, number, reached);
+                }
+            }
+        }
+        draw(tiny);
+    }
+
+    // A triangle that comes so many places later in a tile's list is asked for already: they lie far apart in memory.
+    static constexpr std::size_t kExpected = 4;
+    static void expect(const ScreenTriangle& t) {
+        const char* const first = reinterpret_cast<const char*>(&t);
+        __builtin_prefetch(first);
+        __builtin_prefetch(first + sizeof t - 1);
+    }
+
+    CREVICE_INLINE bool is_hidden(HiddenTriangles& hidden, const ScreenTriangle& t, std::int32_t number,
+                                  PixelRect reached) {
+        hidden.count_triangle<F>(drawing.tested);
+        const HiddenTriangles::Verdict verdict = hidden.verdict(drawing.test, drawing.format, t, reached);
+        if (verdict.tied) note_tie(reached);
+        if (!verdict.hidden) return false;
+        ++record.hidden;
+        if (drawing.hidden != nullptr) drawing.hidden->push_back(number);
+        return true;
+    }
+
+    CREVICE_INLINE void draw(TinyTriangles<F>& tiny) {
+        tiny.take(
+            drawing.format, [this](std::int32_t number, int x, int y, std::int32_t code)
+                                __attribute__((always_inline)) {
+                                    const std::int32_t stored = drawing.tested.at(x, y);
+                                    const bool passes = depth_passes<float>(drawing.test, code, stored);
+                                    if (drawing.depth != nullptr) {
+                                        if (code == stored) note_tie({x, y, x + 1, y + 1});
+                                        if (passes) drawing.depth->at(x, y) = code;
+                                    }
+                                    if (drawing.triangle != nullptr && passes)
+                                        drawing.triangle->at(x, y) = number;
+                                });
+    }
+
+    // E is the type of the edge values: Int<F> for small triangles, Double<F> for the others.
+    template <class E>
+    CREVICE_INLINE void draw(const TriangleBlock& block, const ScreenTriangle& t, std::int32_t number,
+                             PixelRect rect) {
+        constexpr bool test_blocks = !std::is_same_v<E, Int<F>>;
+        const LaneEdge<F, E> edges[3] = {LaneEdge<F, E>(triangle_edge(t, 0)),
+                                         LaneEdge<F, E>(triangle_edge(t, 1)),
+                                         LaneEdge<F, E>(triangle_edge(t, 2))};
+        // A narrow triangle is one column of groups, wherever it starts; it must end within the tile.
+        const bool narrow = rect.x1 - rect.x0 <= kBlock_px;
+        const int start_x =
+            narrow ? std::min(rect.x0, round_up(tile.x1, kBlock_px) - kBlock_px) : rect.x0 & -kBlock_px;
+        constexpr int step_y = test_blocks ? kBlock_px : kSmallTriangle_px;
+        for (int block_y = test_blocks ? rect.y0 & -kBlock_px : rect.y0; block_y < rect.y1;
+             block_y += step_y) {
+            for (int block_x = start_x; block_x < rect.x1; block_x += kBlock_px) {
+                if (test_blocks && block_missed(edges, block_x, block_y)) continue;
+                const int first_x = kLanes<F> == 1 ? std::max(block_x, rect.x0) : block_x;
+                const PixelRect part = {first_x, std::max(block_y, rect.y0),
+                                        std::min(block_x + kBlock_px, rect.x1),
+                                        std::min(block_y + step_y, rect.y1)};
+                for (int x = part.x0; x < part.x1; x += kLanes<F>) column(block, t, number, edges, x, part);
+            }
+        }
+    }
+
+    // Whether a block lies wholly beyond one edge: its most inner pixel decides.
+    template <class E>
+    static bool block_missed(const LaneEdge<F, E> (&edges)[3], int x, int y) {
+        for (const LaneEdge<F, E>& e : edges) {
+            const int inner_x = x + (e.edge.per_column > 0 ? kBlock_px - 1 : 0);
+            const int inner_y = y + (e.edge.per_row > 0 ? kBlock_px - 1 : 0);
+            if (e.at(inner_x, inner_y) < 0) return true;
+        }
+        return false;
+    }
+
+    // The groups of pixels at x, one below the other.
+    template <class E>
+    CREVICE_INLINE void column(const TriangleBlock& block, const ScreenTriangle& t, std::int32_t number,
+                               const LaneEdge<F, E> (&edges)[3], int x, PixelRect part) {
+        E e0 = edges[0].lanes(x, part.y0), e1 = edges[1].lanes(x, part.y0), e2 = edges[2].lanes(x, part.y0);
+        for (int y = part.y0; y < part.y1; ++y) {
+            const Mask<F> covered = none_negative<F>(e0, e1, e2);
+            if (any(covered)) {
+                group(block, t, number, x, y, covered, F(to_float(e1 + edges[1].threshold)),
+                      F(to_float(e2 + edges[2].threshold)));
+            }
+            e0 = e0 + edges[0].per_row;
+            e1 = e1 + edges[1].per_row;
+            e2 = e2 + edges[2].per_row;
+        }
+    }
+
+    // Depth test of a group of covered pixels.
+    CREVICE_INLINE void group(const TriangleBlock& block, const ScreenTriangle& t, std::int32_t number, int x,
+                              int y, Mask<F> covered, F e1, F e2) {
+        const Int<F> code = depth_code(drawing.format, z_ndc_at(t, e1, e2), t.depth_bias);
+        const Int<F> stored = load<F>(drawing.tested.row(y) + x);
+        Mask<F> passed = covered & depth_passes<F>(drawing.test, code, stored);
+        Mask<F> tied = covered & (code == stored);
+        if (!any(passed | tied)) return;
+        if constexpr (kAsksHoles) {
+            const Mask<F> kept = without_holes(block, t, x, y, passed, passed | tied);
+            passed = passed & kept;
+            tied = tied & kept;
+        }
+        if (drawing.depth != nullptr) {
+            if (any(tied)) note_tie({x, y, x + kLanes<F>, y + 1});
+            store(drawing.depth->row(y) + x, select(passed, code, stored));
+        }
+        if (drawing.triangle != nullptr) {
+            std::int32_t* const shown = drawing.triangle->row(y) + x;
+            store(shown, select(passed, Int<F>(number), load<F>(shown)));
+        }
+    }
+
+    CREVICE_INLINE Mask<F> without_holes(const TriangleBlock& block, const ScreenTriangle& t, int x, int y,
+                                         Mask<F> passed, Mask<F> asked) const {
+        const Int<F> none(0), every(-1);
+        std::int32_t kept[kLanes<F>], passes[kLanes<F>];
+        store(kept, select(asked, every, none));
+        store(passes, select(passed, every, none));
+        drawing.holes({block, t, x, y, kLanes<F>, kept, passes});
+        return load<F>(kept) != none;
+    }
+
+    void note_tie(PixelRect pixels) {
+        pixels.x0 &= -kRowAlignment;
+        pixels.x1 = round_up(pixels.x1, kRowAlignment);
+        record.tied = around(record.tied, pixels);
+    }
+};
+
+}  // namespace crevice
