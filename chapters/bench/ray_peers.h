@@ -1,7 +1,7 @@
 // `crevice bench --peers`, the part about rays: ours against Embree's, in one run.
 // How:  the peer program (tests/peers/embree_peer.cpp) links both. It makes the rays that ambient occlusion
 //       shoots from a picture's pixels, sorted as ray_cast_ao() sorts them, and traces the very same ones in
-//       turns of random order: ours eight by eight, twice, Embree one by one (rtcOccluded1) and in packets of eight
+//       turns of random order: ours a point after the other, twice, Embree one by one (rtcOccluded1) and in packets of eight
 //       (rtcOccluded8). The first round is thrown away.
 // Says: rays per second, and the median of the paired ratios with its order-statistic interval (ours against ours
 //       again is the noise), for rays of length 0.5, 2 (in the tutorials' units) and unbounded, on one thread and on

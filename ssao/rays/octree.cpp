@@ -163,7 +163,6 @@ CREVICE_INLINE OctreeWalk walk_of(const Octree& octree, const Ray& ray, float ma
     OctreeWalk found;
     if (octree.nodes.empty()) return found;
     const BoxRay box = box_ray(ray, max_distance, octree.reach);
-    const RaySpace<float> space = ray_space<float>(ray, max_distance);
     // Each node takes itself off and puts eight children on at most.
     std::int32_t waiting[1 + (kOctants - 1) * (kOctreeLevels + 1)];
     int count = 0;
@@ -174,7 +173,7 @@ CREVICE_INLINE OctreeWalk walk_of(const Octree& octree, const Ray& ray, float ma
             const OctreeLeaf& leaf = octree.leaves[static_cast<std::size_t>(~child)];
             for (std::uint32_t b = leaf.first_block; b < leaf.first_block + leaf.block_count; ++b) {
                 found.triangles += kBvhWidth;
-                found.occluded = meets_block<F>(ray, space, max_distance, octree.blocks[b]);
+                found.occluded = meets_block<F>(ray, max_distance, octree.blocks[b]);
                 if (found.occluded) return found;
             }
             continue;

@@ -10,7 +10,6 @@
 #include "rasterizer/base/float_text.h"
 #include "rasterizer/base/parallel.h"
 #include "rasterizer/base/run.h"
-#include "ssao/rays/ray_packet.h"
 
 namespace crevice {
 
@@ -37,11 +36,6 @@ void validate(const Ray& ray) {
         text_of(ray.origin) + "; direction " + text_of(ray.direction) + "); leave this ray out");
 }
 
-std::size_t count_unusable(std::span<const Ray> rays) {
-    return static_cast<std::size_t>(
-        std::count_if(rays.begin(), rays.end(), [](const Ray& ray) { return !usable(ray); }));
-}
-
 // Calls trace(Lanes<F>{}, first, end) for pieces of `count` rays, on all threads.
 template <class Trace>
 void trace_all(std::size_t count, const Run& run, const Trace& trace) {
@@ -52,19 +46,6 @@ void trace_all(std::size_t count, const Run& run, const Trace& trace) {
     });
 }
 
-// As bits. Rays that are not usable() meet nothing.
-template <class F>
-CREVICE_INLINE std::uint32_t which_are_occluded(const RayScene& scene, std::span<const Ray> rays,
-                                                float max_distance) {
-    if (!scene.holes.any()) return which_meet_any<F>(scene.bvh, rays, max_distance);
-    std::uint32_t met = 0;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        if (usable(rays[i]) && nearest_solid_hit<F>(scene, rays[i], max_distance).triangle >= 0)
-            met |= 1u << i;
-    }
-    return met;
-}
-
 }  // namespace
 
 OccludedRays occluded(const RayScene& scene, std::span<const Ray> rays, float max_distance, const Run& run) {
@@ -73,13 +54,8 @@ OccludedRays occluded(const RayScene& scene, std::span<const Ray> rays, float ma
     OccludedRays result{std::vector<std::uint8_t>(rays.size()), 0};
     std::atomic<std::size_t> refused = 0;
     trace_all(rays.size(), run, [&]<class F>(Lanes<F>, std::size_t first, std::size_t end) {
-        refused += count_unusable(rays.subspan(first, end - first));
-        for (std::size_t i = first; i < end; i += kLanes<F>) {
-            const std::size_t count = std::min<std::size_t>(kLanes<F>, end - i);
-            const std::uint32_t met = which_are_occluded<F>(scene, rays.subspan(i, count), max_distance);
-            for (std::size_t lane = 0; lane < count; ++lane)
-                result.occluded[i + lane] = static_cast<std::uint8_t>(met >> lane & 1);
-        }
+        refused += for_occluded_rays<F>(scene, rays.subspan(first, end - first), max_distance,
+                                        [&](std::size_t i) { result.occluded[first + i] = 1; });
     });
     result.refused = refused;
     return result;
@@ -92,10 +68,13 @@ ClosestHits closest_hits(const RayScene& scene, std::span<const Ray> rays, float
     ClosestHits result{std::vector<RayHit>(rays.size()), 0};
     std::atomic<std::size_t> refused = 0;
     trace_all(rays.size(), run, [&]<class F>(Lanes<F>, std::size_t first, std::size_t end) {
-        refused += count_unusable(rays.subspan(first, end - first));
+        std::size_t usable_rays = 0;
         for (std::size_t i = first; i < end; ++i) {
-            if (usable(rays[i])) result.hits[i] = nearest_solid_hit<F>(scene, rays[i], max_distance);
+            if (!usable(rays[i])) continue;
+            result.hits[i] = nearest_solid_hit<F>(scene, rays[i], max_distance);
+            ++usable_rays;
         }
+        refused += end - first - usable_rays;
     });
     result.refused = refused;
     return result;

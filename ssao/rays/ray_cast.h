@@ -1,12 +1,11 @@
 // Rays against all triangles of a scene: is anything in the way, and what is met first.
-// Source: bvh.h, ray_triangle.h, ray_traverse.h
+// Source: bvh.h, ray_triangle.h, ray_packet.h, ray_traverse.h
 // In:     a Scene; rays relative to RayScene::origin, scene units
 // Out:    hit or not, distance, triangle: the ones that testing every triangle would give, whatever the tree,
 //         the threads, the lanes or the instruction set
-// Cost:   100 bytes a triangle in all, 180 while it is built. Rays go fastest in groups of eight that start
-//         in one point and point alike: all rays of a pixel, sorted by the signs of their directions, then
-//         those of the next pixel. Unsorted they take 1.2 to 1.3 times as long, shuffled over the picture two
-//         to three times.
+// Cost:   100 bytes a triangle in all, 180 while it is built. Rays go fastest where up to 64 in a row start
+//         in one point, sorted by the signs of their directions: all rays of a pixel, then those of the next.
+//         Eight together take 1.4 to 1.7 times as long.
 #pragma once
 
 #include <array>
@@ -21,7 +20,7 @@
 #include "rasterizer/scene/scene.h"
 #include "ssao/rays/bvh.h"
 #include "ssao/rays/ray_holes.h"
-#include "ssao/rays/ray_traverse.h"
+#include "ssao/rays/ray_packet.h"
 
 namespace crevice {
 
@@ -56,6 +55,18 @@ CREVICE_INLINE RayHit nearest_solid_hit(const RayScene& scene, const Ray& ray, f
         });
 }
 
+// For kernels: calls body(i) for each ray that meets anything solid at a distance in (0, max_distance], in their order.
+// Returns how many rays are not usable(); those meet nothing.
+template <class F, class Body>
+CREVICE_INLINE std::size_t for_occluded_rays(const RayScene& scene, std::span<const Ray> rays,
+                                             float max_distance, const Body& body) {
+    return for_meeting_rays<F>(
+        scene.bvh, rays, max_distance, [&](std::size_t i) __attribute__((always_inline)) {
+            if (scene.holes.any() && nearest_solid_hit<F>(scene, rays[i], max_distance).triangle < 0) return;
+            body(i);
+        });
+}
+
 // Triangles are transformed and brought to `origin` in double, then rounded to float: with the eye of the
 // camera as origin, what is near it keeps its bits however far away the scene is. Triangles come in the order
 // of instances and meshes. Throws UsageError when `origin` is not finite or `run` not valid.
@@ -83,7 +94,7 @@ struct ClosestHits {
     std::size_t refused = 0;
 };
 
-// On all threads, the rays of occluded() eight by eight in their order. Throws UsageError for a max_distance
+// On all threads; of occluded() those together that follow each other and start in the same point. Throws UsageError for a max_distance
 // that is not above 0 and for a `run` that is not valid.
 OccludedRays occluded(const RayScene& scene, std::span<const Ray> rays, float max_distance,
                       const Run& run = {});

@@ -10,7 +10,6 @@
 #include "rasterizer/base/float_text.h"
 #include "rasterizer/base/parallel.h"
 #include "rasterizer/base/run.h"
-#include "ssao/rays/ray_packet.h"
 
 namespace crevice {
 
@@ -70,26 +69,6 @@ CREVICE_INLINE void aim_rays(const SurfacePoint& point, const SquarePoints& squa
     }
 }
 
-// How many of the rays meet nothing.
-template <class F>
-CREVICE_INLINE int open_rays(const RayScene& scene, std::span<const Ray> rays, float radius) {
-    const Bvh& bvh = scene.bvh;
-    int met = 0;
-    if (scene.holes.any()) {
-        for (const Ray& ray : rays) met += nearest_solid_hit<F>(scene, ray, radius).triangle >= 0 ? 1 : 0;
-        return static_cast<int>(rays.size()) - met;
-    }
-    for (std::size_t i = 0; i < rays.size(); i += kLanes<F>) {
-        if constexpr (kLanes<F> == 1) {
-            met += meets_any<F>(bvh, rays[i], radius) ? 1 : 0;
-        } else {
-            const auto group = rays.subspan(i, std::min<std::size_t>(kLanes<F>, rays.size() - i));
-            met += __builtin_popcount(which_meet_any<F>(bvh, group, radius));
-        }
-    }
-    return static_cast<int>(rays.size()) - met;
-}
-
 // What the rays of a point leave open, rays below the surface counted as closed.
 struct OpenShare {
     double hard = 1, soft = 1;
@@ -98,15 +77,28 @@ struct OpenShare {
 template <class F>
 CREVICE_INLINE OpenShare open_share(const RayScene& scene, const PointRays& on, const RayAoSettings& settings,
                                     const Fade* fade, int count) {
-    if (fade == nullptr) return {open_rays<F>(scene, on.rays, settings.radius) / double(count), 1};
-    int open = 0;
-    double soft = 0;
-    for (const Ray& ray : on.rays) {
-        const RayHit hit = nearest_solid_hit<F>(scene, ray, settings.radius);
-        open += hit.triangle < 0 ? 1 : 0;
-        soft += hit.triangle < 0 ? 1.0 : 1.0 - fade->occlusion(hit.distance);
+    std::size_t open = on.rays.size();
+    if (fade == nullptr) {
+        for_occluded_rays<F>(scene, on.rays, settings.radius, [&](std::size_t) { --open; });
+        return {static_cast<double>(open) / count, 1};
     }
-    return {open / double(count), soft / count};
+    // Added up ray by ray, in their order.
+    double soft = 0;
+    std::size_t added = 0;
+    const auto add_open_up_to = [&](std::size_t ray) {
+        for (; added < ray; ++added) soft += 1;
+    };
+    for_meeting_rays<F>(
+        scene.bvh, on.rays, settings.radius, [&](std::size_t ray) __attribute__((always_inline)) {
+            const RayHit hit = nearest_solid_hit<F>(scene, on.rays[ray], settings.radius);
+            if (hit.triangle < 0) return;
+            --open;
+            add_open_up_to(ray);
+            soft += 1.0 - fade->occlusion(hit.distance);
+            ++added;
+        });
+    add_open_up_to(on.rays.size());
+    return {static_cast<double>(open) / count, soft / count};
 }
 
 // Calls body(Lanes<F>{}, first point, end) for pieces of the points, on all threads.

@@ -15,7 +15,7 @@
 #include "ssao/methods/each_texel.h"
 #include "ssao/methods/settings_range.h"
 #include "ssao/rays/open_region.h"
-#include "ssao/rays/ray_packet.h"
+#include "ssao/rays/ray_cast.h"
 
 namespace crevice {
 
@@ -154,24 +154,6 @@ struct RayMapCaster {
     }
 };
 
-// How many of the rays meet something, one count a texel; `rays` holds `samples` a texel.
-template <class F>
-CREVICE_INLINE void count_met(const RayScene& scene, const std::vector<Ray>& rays, int samples, float radius,
-                              int* met) {
-    for (std::size_t i = 0; i < rays.size(); i += kLanes<F>) {
-        const std::size_t count = std::min<std::size_t>(kLanes<F>, rays.size() - i);
-        std::uint32_t bits = 0;
-        if (kLanes<F> == 1 || scene.holes.any()) {
-            for (std::size_t k = 0; k < count; ++k)
-                bits |= (nearest_solid_hit<F>(scene, rays[i + k], radius).triangle >= 0 ? 1u : 0u) << k;
-        } else if constexpr (kLanes<F> > 1) {
-            bits = which_meet_any<F>(scene.bvh, {rays.data() + i, count}, radius);
-        }
-        for (; bits != 0; bits &= bits - 1)
-            ++met[(i + static_cast<std::size_t>(__builtin_ctz(bits))) / static_cast<std::size_t>(samples)];
-    }
-}
-
 // The tile whose upper left texel is (left, top).
 struct TileCaster {
     const RayMapCaster& caster;
@@ -215,7 +197,9 @@ struct TileCaster {
             texel[count++] = i;
         }
         run_kernel(run, [&]<class F>(Lanes<F>) {
-            count_met<F>(caster.scene, rays, caster.settings.samples, caster.settings.radius, met.data());
+            for_occluded_rays<F>(caster.scene, rays, caster.settings.radius, [&](std::size_t ray) {
+                ++met[ray / static_cast<std::size_t>(caster.settings.samples)];
+            });
         });
         for (std::size_t i = 0; i < count; ++i)
             ao.at(left + texel[i] % kTexelTile, top + texel[i] / kTexelTile) = caster.value(met[i]);

@@ -31,12 +31,17 @@ struct RayAxis {
     Mask<F> backwards;  // the ray enters a box by its highest coordinate
 };
 
-// `reach` is Bvh::reach plus the largest absolute coordinate of the origin.
+// Double's own error, less than 2^-44 of the furthest corner, moves a hit off its box at most that far; and less than a
+// float's rounding would round back to the origin. `reach` is Bvh::reach plus the largest absolute coordinate of the
+// origin.
+template <class F>
+CREVICE_INLINE F box_margin(F origin, F reach) {
+    return absolute(origin) * F(0x1p-22f) + reach * F(0x1p-40f) + F(0x1p-126f);
+}
+
 template <class F>
 CREVICE_INLINE RayAxis<F> ray_axis(F origin, F direction, F reach) {
-    // Double's own error, less than 2^-44 of the furthest corner, moves a hit off its box at most that far;
-    // and less than a float's rounding would round back to the origin.
-    const F margin = absolute(origin) * F(0x1p-22f) + reach * F(0x1p-40f) + F(0x1p-126f);
+    const F margin = box_margin(origin, reach);
     const Mask<F> backwards = float_bits(direction) < Int<F>(0);  // of -0 too: its inverse is -inf
     const F forward = select(backwards, -margin, margin);
     return {origin + forward, origin - forward, F(1) / direction, backwards};
@@ -138,29 +143,25 @@ CREVICE_INLINE bool traverse(const Bvh& bvh, std::int32_t child, const BoxRay& r
 
 // Whether one of a block's triangles is met.
 template <class F>
-CREVICE_INLINE bool meets_block(const Ray& ray, const RaySpace<float>& space, float max_distance,
-                                const BvhBlock& block) {
+CREVICE_INLINE bool meets_block(const Ray& ray, float max_distance, const BvhBlock& block) {
+    const RayAim<float> aim = ray_aim(ray.direction, max_distance);
     std::uint32_t perhaps = 0;
     for (int i = 0; i < kBvhWidth; i += kLanes<F>) {
-        const Verdict<F> found = verdict<F>(space, block, i);
+        const Verdict<F> found = verdict(seen_triangles<F>(ray.origin, block, i), spread<F>(aim));
         if (any(found.sure)) return true;
         perhaps |= lane_bits(found.perhaps) << i;
     }
-    for (; perhaps != 0; perhaps &= perhaps - 1) {
-        if (exact_hit(ray, max_distance, block, __builtin_ctz(perhaps)).met) return true;
-    }
-    return false;
+    return meets_one_of(ray, max_distance, block, perhaps);
 }
 
 // Whether anything at and below `child`, 0 for the whole tree, is met at a distance in (0, max_distance]. The
 // ray must be usable().
 template <class F>
 CREVICE_INLINE bool meets_any(const Bvh& bvh, const Ray& ray, float max_distance, std::int32_t child = 0) {
-    const RaySpace<float> space = ray_space<float>(ray, max_distance);
     return traverse<F>(
         bvh, child,
         box_ray(ray, max_distance, bvh.reach), [&](const BvhBlock& block) __attribute__((always_inline)) {
-            return meets_block<F>(ray, space, max_distance, block);
+            return meets_block<F>(ray, max_distance, block);
         });
 }
 
@@ -181,15 +182,15 @@ struct NoHoles {
 template <class F, class Solid = NoHoles>
 CREVICE_INLINE RayHit nearest_hit(const Bvh& bvh, const Ray& ray, float max_distance,
                                   const Solid& solid = {}) {
-    RaySpace<float> space = ray_space<float>(ray, max_distance);
+    RayAim<float> aim = ray_aim(ray.direction, max_distance);
     BoxRay box = box_ray(ray, max_distance, bvh.reach);
     RayHit nearest;
-    const float along = std::abs(ray.direction[space.z]);
     traverse<F>(
         bvh, 0, box, [&](const BvhBlock& block) __attribute__((always_inline)) {
             std::uint32_t perhaps = 0;
             for (int i = 0; i < kBvhWidth; i += kLanes<F>)
-                perhaps |= lane_bits(verdict<F>(space, block, i).perhaps) << i;
+                perhaps |= lane_bits(verdict(seen_triangles<F>(ray.origin, block, i), spread<F>(aim)).perhaps)
+                           << i;
             for (; perhaps != 0; perhaps &= perhaps - 1) {
                 const int lane = __builtin_ctz(perhaps);
                 const ExactHit hit = exact_hit(ray, max_distance, block, lane);
@@ -201,7 +202,7 @@ CREVICE_INLINE RayHit nearest_hit(const Bvh& bvh, const Ray& ray, float max_dist
                     continue;
                 if (!solid(triangle, hit.u, hit.v)) continue;
                 nearest = {distance, triangle, hit.u, hit.v};
-                space.depth_limit = distance * along;
+                aim.limit = distance;
                 box.max_distance = distance * kBoxTolerance;
             }
             return false;

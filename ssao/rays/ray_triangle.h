@@ -1,14 +1,16 @@
 // Does a ray meet a triangle? Watertight: no ray slips through the edge or the corner that triangles share.
 // Source: Woop, Benthin & Wald 2013, "Watertight ray/triangle intersection", JCGT 2(1): shear to the ray's
-//         space, edge functions, double precision where float cannot tell.
+//         space, edge functions, double precision where float cannot tell. In float the edge functions are
+//         Plücker's (Shevtsov, Soupikov & Kapustin 2007), of which most depends on the ray's origin alone.
 // In:     rays and triangles relative to the same origin, scene units, |coordinates| <= kRayReach
 // Out:    whether the triangle is met, from either side, at a distance in (0, max]
 // Differs from the paper: float decides only what its rounding error cannot change, and double decides the
 //         rest (the paper's falls back for an edge function of exactly 0). So the answer is the one double
 //         gives, for the distance too. A hit whose distance double cannot tell from 0 is none: that is the
 //         triangle the ray starts on. Neither is one with a triangle seen exactly edge-on.
-// Cost:   about 80 operations for one triangle or eight, half of that where the ray passes by; double rarely,
-//         but for triangles that are large against their distance from the origin.
+// Cost:   about 100 operations for one triangle or eight and all rays from one point, 25 more for each ray, twice
+//         that where it does not pass by; double rarely, but for triangles that are large against their distance
+//         from the origin.
 #pragma once
 
 #include <algorithm>
@@ -41,107 +43,108 @@ inline bool usable(const Ray& ray) {
     return within && finite && (d.x >= 1 / kRayReach || d.y >= 1 / kRayReach || d.z >= 1 / kRayReach);
 }
 
-// The axes and the shear that turn a ray into the z axis, in float or double. "Depth" is the distance along
-// the axis of the direction's largest component, forwards positive.
-template <class Scalar>
-struct RaySpace {
-    float origin[3];
-    int x, y, z;              // axes of the world; z the dominant one
-    Scalar shear_x, shear_y;  // in [-1, 1]
-    Scalar forward;           // 1 or -1, the sign of the direction along z
-    Scalar depth_limit;       // hits beyond do not count
+// The direction of a ray in lanes, and how far along it hits count.
+template <class F>
+struct RayAim {
+    Vec3<F> direction;
+    F size;   // the largest |component|
+    F limit;  // multiples of the direction's length
 };
 
-template <class Scalar>
-RaySpace<Scalar> ray_space(const Ray& ray, float max_distance) {
-    constexpr int kNext[] = {1, 2, 0, 1};
-    // Plain arrays and no branches: which axis it is cannot be foreseen.
-    const float d[] = {ray.direction.x, ray.direction.y, ray.direction.z};
-    const float size_x = std::abs(d[0]), size_y = std::abs(d[1]), size_z = std::abs(d[2]);
-    int z = size_y > size_x ? 1 : 0;
-    z = size_z > max_of(size_x, size_y) ? 2 : z;
-    const int x = kNext[z], y = kNext[z + 1];
-    const Scalar along = d[z], forward = along < 0 ? Scalar(-1) : Scalar(1);
-    // No hit is deeper than two reaches; finite, so that no product below is 0 * inf.
-    const Scalar limit =
-        std::min(static_cast<Scalar>(max_distance) * (forward * along), Scalar(4 * kRayReach));
-    return {{ray.origin.x, ray.origin.y, ray.origin.z}, x, y, z, d[x] / along, d[y] / along, forward, limit};
+// No hit is further than this: two reaches, in multiples of the shortest direction. Finite, so that no product below
+// is 0 * inf.
+inline constexpr float kLongestRay = 0x1p100f;
+
+inline RayAim<float> ray_aim(const glm::vec3& d, float max_distance) {
+    const float size = max_of(std::abs(d.x), max_of(std::abs(d.y), std::abs(d.z)));
+    return {{d.x, d.y, d.z}, size, min_of(max_distance, kLongestRay)};
 }
 
-// One triangle or eight as a ray sees them.
 template <class F>
-struct SeenTriangle {
-    F u, v, w;        // edge functions: twice the signed area that is opposite to corner 0, 1, 2
-    F area;           // |u + v + w|
-    F depth_by_area;  // of the plane where the ray meets it, times `area`
-    F edge_error;     // u, v and w are off by this at most
-    F area_error;     // `area` is off by this at most, and depth_by_area ...
-    F depth_error;    // ... by this, when the ray does not pass further by than edge_error
+CREVICE_INLINE RayAim<F> spread(const RayAim<float>& aim) {
+    return {{F(aim.direction.x), F(aim.direction.y), F(aim.direction.z)}, F(aim.size), F(aim.limit)};
+}
+
+// One triangle or eight as all rays from one point see them. The lines of rays with the direction d pass by the edges
+// at d.u, d.v and d.w: twice the edge functions, which are opposite to corner 0, 1 and 2. Inside all three have the same
+// sign, and the plane is met at volume / (d.u + d.v + d.w).
+template <class F>
+struct SeenTriangles {
+    Vec3<F> u, v, w;
+    F volume;
+    F edge_error;    // each edge function is off by this at most, times the largest |component| of d
+    F volume_error;  // `volume` is off by this at most
 };
 
 template <class F>
-inline constexpr double kRoundoff = std::is_same_v<F, double> ? 0x1p-53 : 0x1p-24;
-
-// Below this products lose digits, or vanish.
-template <class F>
-inline constexpr double kSmallestProduct = std::is_same_v<F, double> ? 0x1p-1022 : 0x1p-126;
-
-template <class F, class Scalar>
-CREVICE_INLINE Vec3<F> in_ray_space(const RaySpace<Scalar>& space, const float (&corner)[3][kBvhWidth],
-                                    int lane) {
-    const F z = load<F>(corner[space.z] + lane) - F(space.origin[space.z]);
-    return {(load<F>(corner[space.x] + lane) - F(space.origin[space.x])) - F(space.shear_x) * z,
-            (load<F>(corner[space.y] + lane) - F(space.origin[space.y])) - F(space.shear_y) * z, z};
+CREVICE_INLINE Vec3<F> cross(Vec3<F> a, Vec3<F> b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 template <class F>
-CREVICE_INLINE F largest(Vec3<F> a, Vec3<F> b, Vec3<F> c, F Vec3<F>::*component) {
-    return max_of(absolute(a.*component), max_of(absolute(b.*component), absolute(c.*component)));
+CREVICE_INLINE Vec3<F> lowest(Vec3<F> a, Vec3<F> b) {
+    return {min_of(a.x, b.x), min_of(a.y, b.y), min_of(a.z, b.z)};
+}
+template <class F>
+CREVICE_INLINE Vec3<F> highest(Vec3<F> a, Vec3<F> b) {
+    return {max_of(a.x, b.x), max_of(a.y, b.y), max_of(a.z, b.z)};
+}
+template <class F>
+CREVICE_INLINE F highest(Vec3<F> a) {
+    return max_of(a.x, max_of(a.y, a.z));
 }
 
-// The errors, with s = the largest |x| or |y|, z the largest |z| and e = kRoundoff: a difference of
-// coordinates, |a - origin| <= s + z, is off by e (s + z); the product with the shear by 3 e z; their
-// difference by e s more. So x and y are off by e (2 s + 4 z), a product of two of them by 2 s e (2 s + 4 z)
-// + e s^2, and the difference of two such products by e s (12 s + 16 z). 20 covers the terms in e^2.
-template <class F, class Scalar>
-CREVICE_INLINE SeenTriangle<F> seen_triangle(const RaySpace<Scalar>& space, const BvhBlock& block, int lane) {
-    const Vec3<F> a = in_ray_space<F>(space, block.corner[0], lane),
-                  b = in_ray_space<F>(space, block.corner[1], lane),
-                  c = in_ray_space<F>(space, block.corner[2], lane);
-    const F side = max_of(largest(a, b, c, &Vec3<F>::x), largest(a, b, c, &Vec3<F>::y)),
-            depth = largest(a, b, c, &Vec3<F>::z);
-    SeenTriangle<F> t;
-    t.u = c.x * b.y - c.y * b.x;
-    t.v = a.x * c.y - a.y * c.x;
-    t.w = b.x * a.y - b.y * a.x;
-    t.edge_error = F(static_cast<Scalar>(20 * kRoundoff<F>)) * side * (side + depth) + F(static_cast<Scalar>(kSmallestProduct<F>));
-    const F signed_area = t.u + t.v + t.w;
-    t.area = absolute(signed_area);
-    const F sum = F(space.forward) * (t.u * a.z + t.v * b.z + t.w * c.z);
-    t.depth_by_area = select(signed_area < F(0), -sum, sum);
-    t.area_error = F(4) * t.edge_error + F(static_cast<Scalar>(8 * kRoundoff<F>)) * t.area;
-    t.depth_error = depth * t.area_error + F(static_cast<Scalar>(kSmallestProduct<F>));
-    return t;
+// In float. The errors, with m = the largest |coordinate| from the origin, s = that of an edge and e = 2^-24. A corner
+// from the origin is off by e m, a sum of two by 4 e m, an edge by e s: so a component of u, a difference of two products of
+// an edge and a sum, by 20 e s m, and the sum of three such products with d by 92 e s m. A component of the normal, of two
+// edges, is off by 8 e s^2, and its product with a corner by 92 e s^2 m as well. What exact_hit() calls met depends on
+// double's error too, in which the edges' lengths do not show: less than 2^-45 m^2 and 2^-41 m^3. The smallest terms
+// are more than what is lost where products vanish.
+template <class F>
+CREVICE_INLINE SeenTriangles<F> seen_triangles(const glm::vec3& origin, const BvhBlock& block, int lane) {
+    constexpr float kError = 100 * 0x1p-24f;
+    const auto corner = [&](int i) __attribute__((always_inline)) {
+        const auto& c = block.corner[i];
+        return Vec3<F>{load<F>(c[0] + lane), load<F>(c[1] + lane), load<F>(c[2] + lane)};
+    };
+    const Vec3<F> from = spread<F>(origin), corner_a = corner(0), corner_b = corner(1), corner_c = corner(2);
+    const Vec3<F> a = corner_a - from, b = corner_b - from, c = corner_c - from;
+    const Vec3<F> bc = corner_c - corner_b, ca = corner_a - corner_c, ab = corner_b - corner_a;
+    const Vec3<F> low = lowest(a, lowest(b, c)), high = highest(a, highest(b, c));
+    const F away = max_of(highest(high), -min_of(low.x, min_of(low.y, low.z)));
+    const F size = highest(high - low) + F(4 * 0x1p-24f) * away;
+    const F error = F(kError) * size * away, square = away * away;
+    const F volume = F(2) * dot(a, cross(ab, ca));
+    return {cross(bc, b + c),
+            cross(ca, c + a),
+            cross(ab, a + b),
+            volume,
+            error + F(0x1p-45f) * square + F(0x1p-89f),
+            size * error + F(0x1p-41f) * square * away + F(0x1p-100f)};
 }
 
-// What float can say of a ray and a triangle: surely met, perhaps met, or (neither) surely not.
+// What float can say of rays and triangles: surely met, perhaps met, or (neither) surely not.
 template <class F>
 struct Verdict {
     Mask<F> sure, perhaps;
 };
 
 template <class F>
-CREVICE_INLINE Verdict<F> verdict(const RaySpace<float>& space, const BvhBlock& block, int lane) {
-    const SeenTriangle<F> t = seen_triangle<F>(space, block, lane);
-    const F low = min_of(t.u, min_of(t.v, t.w)), high = max_of(t.u, max_of(t.v, t.w)), error = t.edge_error;
-    const auto near_inside = (low >= -error) | (high <= error);
-    const auto inside = (low > error) | (high < -error);
-    const F limit = F(space.depth_limit), tolerance = F(1.000001f);
+CREVICE_INLINE Verdict<F> verdict(const SeenTriangles<F>& seen, const RayAim<F>& ray) {
+    const F u = dot(ray.direction, seen.u), v = dot(ray.direction, seen.v), w = dot(ray.direction, seen.w);
+    const F error = ray.size * seen.edge_error;
+    const F low = min_of(u, min_of(v, w)), high = max_of(u, max_of(v, w));
+    const auto near_inside = Mask<F>((low >= -error) | (high <= error));
+    if (!any(near_inside)) return {near_inside, near_inside};
+    const auto inside = Mask<F>((low > error) | (high < -error));
+    const F signed_area = u + v + w;
+    const F area = absolute(signed_area), volume = select(signed_area < F(0), -seen.volume, seen.volume);
+    const F area_error = F(4) * error + F(8 * 0x1p-24f) * area, volume_error = seen.volume_error;
+    const F tolerance = F(1.000001f);
     const auto near_in_range =
-        (t.depth_by_area >= -t.depth_error) &
-        (t.depth_by_area <= tolerance * (limit * (t.area + t.area_error)) + t.depth_error);
-    const auto in_range = (t.depth_by_area > t.depth_error) &
-                          (tolerance * t.depth_by_area + t.depth_error < limit * (t.area - t.area_error));
+        (volume >= -volume_error) & (volume <= tolerance * (ray.limit * (area + area_error)) + volume_error);
+    const auto in_range =
+        (volume > volume_error) & (tolerance * volume + volume_error < ray.limit * (area - area_error));
     return {Mask<F>(inside & in_range), Mask<F>(near_inside & near_in_range)};
 }
 
@@ -155,5 +158,13 @@ struct ExactHit {
 };
 
 ExactHit exact_hit(const Ray& ray, float max_distance, const BvhBlock& block, int lane);
+
+// Whether exact_hit() meets one of the lanes whose bits are set.
+inline bool meets_one_of(const Ray& ray, float max_distance, const BvhBlock& block, std::uint32_t lanes) {
+    for (; lanes != 0; lanes &= lanes - 1) {
+        if (exact_hit(ray, max_distance, block, __builtin_ctz(lanes)).met) return true;
+    }
+    return false;
+}
 
 }  // namespace crevice

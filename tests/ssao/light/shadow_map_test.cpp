@@ -63,7 +63,7 @@ TEST_CASE("shadow map: the sphere around a box sees all of it from everywhere") 
         const ScreenGeometry geometry =
             shadow_geometry(scene, light_camera(bounds_shadow_fit(bounds), direction), {.size_px = 64});
         CAPTURE(i);
-        for (const ProjectedVertex& vertex : geometry.vertices.projected) CHECK(vertex.outside == 0);
+        for (const std::int32_t outside : geometry.vertices.projected.outside) CHECK(outside == 0);
     }
     CHECK(bounds_shadow_fit(Bounds{}).half_width == 1);
 }
