@@ -27,6 +27,10 @@ CREVICE_INLINE F dot(Vec3<F> a, Vec3<F> b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 template <class F>
+CREVICE_INLINE Vec3<F> cross(Vec3<F> a, Vec3<F> b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <class F>
 CREVICE_INLINE Vec3<F> select(Mask<F> m, Vec3<F> a, Vec3<F> b) {
     return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
 }

@@ -44,11 +44,6 @@ struct SliceNoise {
     SliceNoise(std::uint32_t seed, int slices);
 };
 
-template <class F>
-CREVICE_INLINE Vec3<F> cross(Vec3<F> a, Vec3<F> b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 // One slice through a group of texels. Its plane holds v, towards the eye, and t, to its positive side.
 template <class F>
 struct Slice {

@@ -77,11 +77,6 @@ struct SeenTriangles {
 };
 
 template <class F>
-CREVICE_INLINE Vec3<F> cross(Vec3<F> a, Vec3<F> b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-template <class F>
 CREVICE_INLINE Vec3<F> lowest(Vec3<F> a, Vec3<F> b) {
     return {min_of(a.x, b.x), min_of(a.y, b.y), min_of(a.z, b.z)};
 }
