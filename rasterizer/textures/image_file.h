@@ -21,7 +21,7 @@ struct DecodedImage {
 };
 
 inline constexpr int kMaxTextureSide = 16384;
-// Decoded and with its mip levels a picture takes 21 bytes a pixel, and while it is decoded three times that.
+// With its mip levels a texture takes 11 bytes a pixel, and while it is decoded three times that.
 inline constexpr std::int64_t kMaxTexturePixels = std::int64_t{1} << 26;
 
 // The picture in the bytes of a PNG, JPEG or TGA file, 8 or 16 bits a channel. Apple's PNG variant, CgBI, is

@@ -39,7 +39,7 @@ Size half_of(Size size) { return {std::max(1, size.width / 2), std::max(1, size.
 // The level below a plane: first the rows that each of its own covers are mixed, then the columns.
 class HalfSize {
  public:
-    explicit HalfSize(const Image<float>& above) : above_(above), below_(half_of(above.size)) {
+    explicit HalfSize(const Image<float>& above) : above_(above), below_(half_of(above.size), 0.0f) {
         for (int x = 0; x < below_.size.width; ++x)
             columns_.push_back(footprint(x, above.size.width, below_.size.width));
     }
@@ -102,6 +102,16 @@ std::size_t stride_of(int width) {
     return (lines | 1u) * kTexelsOfLine;
 }
 
+// With the row that repeats the first.
+std::size_t texels_of(Size size) {
+    return stride_of(size.width) * (static_cast<std::size_t>(size.height) + 1);
+}
+std::size_t texels_of_chain(Size size) {
+    std::size_t texels = texels_of(size);
+    for (; size != Size{1, 1}; texels += texels_of(size)) size = half_of(size);
+    return texels;
+}
+
 // The row's texels, from channels of whole groups of pixels.
 template <class F>
 CREVICE_INLINE void pack_row(const float* const (&channel)[4], int width, Rgba16* texel) {
@@ -136,12 +146,12 @@ void Texture::add_level(const Image3& colour, const Image<float>& alpha, const R
     if (!levels_.empty() && has_alpha_ == alpha.empty()) {
         throw UsageError("texture: some levels have alpha and some have none; give it to all, or to none");
     }
-    const std::size_t first = texels_.size(), stride = stride_of(size.width),
-                      rows = static_cast<std::size_t>(size.height) + 1, end = first + stride * rows;
+    const std::size_t first = texels_.size(), stride = stride_of(size.width), end = first + texels_of(size);
     if (end > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
         throw UsageError("texture: there are too many texels (" + size_text(size) + "); give at most " +
                          std::to_string(kMaxTextureSide) + " on a side");
     }
+    if (levels_.empty()) texels_.reserve(texels_of_chain(size));
     texels_.resize(end);
     Rgba16* const texels = texels_.data() + first;
     parallel_rows(size.height + 1, run, [&](int first_row, int end_row) {

@@ -54,7 +54,8 @@ CREVICE_INLINE AxisTaps<F> taps_at(F coordinate, int texels, AddressMode mode, b
     const F toward_zero = from_int<F>(to_int(x)), rest = x - toward_zero;
     const F carry = select(rest < zero, one, zero);
     const F below = toward_zero - carry, share = nearest ? zero : rest + carry;
-    const Mask<F> before = below<zero, behind = below> last;
+    const Mask<F> before = below < zero;
+    const Mask<F> behind = below > last;
     if (mode == AddressMode::clamp) {
         // What is clamped has no neighbour.
         const F first = select(before, zero, select(behind, last, below));
