@@ -5,7 +5,7 @@
 // Out:    Visibility; background: the cleared depth and kNoTriangle
 // How:    tile by tile, on all threads; of each tile the triangles in the order in which they were submitted; of
 //         each triangle groups of pixels (as many as there are lanes) that are covered, whose depth passes, and
-//         that are not cut out. visibility.cpp has it in that order.
+//         that are not cut out. tile_raster.h has it in that order; triangles of a few pixels go many at a time.
 // Cost:   about 15 operations a covered pixel, 8 bytes a pixel.
 #pragma once
 
