@@ -194,18 +194,18 @@ TEST_CASE("every method tells the peer its numbers, samples and noise") {
                           {"sao", PeerMethod::sao, 11, 64, {160, 90}},
                           {"gtao", PeerMethod::gtao, 3, 64, {160, 90}}};  // slices
     const Scene scene = columns_scene();
-    for (const auto& [method, kind, samples, noise_side, map] : cases) {
-        CAPTURE(method);
-        const PeerScene peer = peer_of(scene, method);
-        CHECK(peer.frame.method == kind);
-        CHECK(peer.samples.size() == samples);
-        CHECK(peer.frame.noise_side == noise_side);
-        CHECK(peer.noise.size() == static_cast<std::size_t>(noise_side * noise_side));
-        CHECK(peer.frame.ao_width == map.width);
-        CHECK(peer.frame.ao_height == map.height);
-        CHECK(peer.random_map.empty() == (kind != PeerMethod::luna));
+    for (const Case& c : cases) {
+        CAPTURE(c.method);
+        const PeerScene peer = peer_of(scene, c.method);
+        CHECK(peer.frame.method == c.kind);
+        CHECK(peer.samples.size() == c.samples);
+        CHECK(peer.frame.noise_side == c.noise_side);
+        CHECK(peer.noise.size() == static_cast<std::size_t>(c.noise_side * c.noise_side));
+        CHECK(peer.frame.ao_width == c.map.width);
+        CHECK(peer.frame.ao_height == c.map.height);
+        CHECK(peer.random_map.empty() == (c.kind != PeerMethod::luna));
         const float radius = static_cast<float>(
-            value_of(find_method(method), request_of(method).settings.method, "radius").value());
+            value_of(find_method(c.method), request_of(c.method).settings.method, "radius").value());
         bool told = false;
         for (const PeerNumber& number : peer.numbers) {
             CHECK(number.name.back() == 0);

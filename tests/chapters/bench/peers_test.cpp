@@ -148,9 +148,10 @@ TEST_CASE("the peer draws the same pictures, and what is wrong in one pass is no
                           {columns_luna_scene(), "xjun"},
                           {columns_luna_scene(SceneDetail::surfaces), "luna"},
                           {columns_2022_scene(SceneDetail::surfaces), "xjun"}};
-    for (const auto& [scene, method] : cases) {
+    for (const Case& c : cases) {
+        const Scene& scene = c.scene;
         CAPTURE(scene.name);
-        const FrameRequest request = request_for(method, {640, 360});
+        const FrameRequest request = request_for(c.method, {640, 360});
         const Frame ours = render_frame(scene, scene.camera, request);
         PeerSession peer(built_peer(), 2, 120);
         const PeerScene right = peer_scene(scene, scene.camera, request);
