@@ -28,8 +28,8 @@ inline constexpr int kBvhWidth = 8;
 // The corners of a triangle, in the order of its mesh.
 using Corners = std::array<glm::vec3, 3>;
 
-// Bounds of child i: bounds[2 * axis][i] the lowest, bounds[2 * axis + 1][i] the highest coordinate. A place
-// without a child has its lowest at +inf and its highest at -inf: no ray enters it.
+// Bounds of child i: bounds[2 * axis][i] the lowest, bounds[2 * axis + 1][i] the highest coordinate. Small boxes come
+// before large ones. A place without a child has its lowest at +inf and its highest at -inf: no ray enters it.
 struct alignas(32) BvhNode {
     float bounds[6][kBvhWidth];
     std::int32_t child[kBvhWidth];  // >= 0: index of a node; < 0: ~index of a block
