@@ -2,12 +2,15 @@
 #include "chapters/commands/film.h"
 
 #include <cmath>
+#include <fstream>
+#include <set>
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include "chapters/frame/frame_settings.h"
+#include "chapters/frame/kept_passes.h"
 #include "chapters/frame/presets.h"
 #include "chapters/notebook/animated_webp.h"
 #include "rasterizer/base/error.h"
@@ -153,6 +156,18 @@ TEST_CASE(
     };
     // Without a history nothing changes from frame to frame of a camera at rest.
     CHECK(same(map("--frames 0-2", 0), map("--frames 0-2", 2)));
+    // Nothing is computed again, either, and that is said.
+    const auto left_out = [&](int frame) {
+        const std::filesystem::path out = scratch / std::to_string(std::hash<std::string>()("--frames 0-2"));
+        const std::string report = "frame_000" + std::to_string(frame) + "/passes.json";
+        std::set<std::string> unchanged;
+        for (const auto& item : nlohmann::json::parse(std::ifstream(out / report)).at("left_out")) {
+            if (item.at("why") == kWhyUnchanged) unchanged.insert(item.at("what"));
+        }
+        return unchanged;
+    };
+    CHECK(left_out(0).empty());
+    CHECK(left_out(2) == std::set<std::string>{"normal_depth", "ao"});
     const std::string seeded = "--frames 0-2 --param history=4";
     CHECK(same(map(seeded, 0), map("--frames 0-0", 0)));
     CHECK(!same(map(seeded, 0), map(seeded, 1)));

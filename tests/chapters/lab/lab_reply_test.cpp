@@ -95,8 +95,15 @@ TEST_CASE("lab: what is kept of a scene at rest changes no bit, whatever moves o
     };
     Lab fresh;
     const Json request = frame_request("columns", "xjun");
-    CHECK(draws_shadow(asked(fresh, request)));
-    CHECK(!draws_shadow(asked(fresh, request)));
+    const Json first = asked(fresh, request);
+    CHECK(draws_shadow(first));
+    CHECK(first["unchanged"] == Json::array());
+    const Json again = asked(fresh, request);
+    CHECK(again["passes"].size() == 1);  // the frame
+    CHECK(again["unchanged"] == Json({"normal_depth", "ao", "blur", "shadow", "lit", "sky"}));
+    // A probe has all that was drawn.
+    asked(fresh, {{"ask", "probe"}, {"x", 30}, {"y", 20}});
+    CHECK(asked(fresh, request)["unchanged"] == again["unchanged"]);
 }
 
 TEST_CASE("lab: parameters of a request change the frame as --param does") {
