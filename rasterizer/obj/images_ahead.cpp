@@ -11,8 +11,9 @@
 namespace crevice {
 namespace {
 
-// Each can be large.
+// Decoded pictures take sixteen bytes a pixel: larger ones are decoded one by one, when they are taken.
 constexpr int kMostAtOnce = 4;
+constexpr std::int64_t kMostPixelsAhead = std::int64_t{1} << 24;
 
 DecodedFile decoded_file(const std::filesystem::path& path, TextureEncoding encoding,
                          std::int64_t most_pixels) {
@@ -33,7 +34,7 @@ void ImagesAhead::decode_next() {
         Expected& expected = expected_[next_ + static_cast<std::size_t>(i)];
         if (std::exchange(expected.tried, true)) return;
         try {
-            expected.decoded = decoded_file(expected.path, expected.encoding, kMaxTexturePixels);
+            expected.decoded = decoded_file(expected.path, expected.encoding, kMostPixelsAhead);
         } catch (const std::exception&) {
             expected.decoded = std::nullopt;
         }

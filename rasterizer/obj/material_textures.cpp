@@ -68,8 +68,8 @@ struct MaterialTextures::Request {
 };
 
 MaterialTextures::MaterialTextures(const FileTree& tree, bool want_surfaces, const Run& run)
-    : tree_(tree), want_surfaces_(want_surfaces), images_(run) {
-    constexpr std::uintmax_t kBytesPerPixel = 22;  // four floats, and a third of that for the mip levels
+    : tree_(tree), want_surfaces_(want_surfaces), run_(run), images_(run) {
+    constexpr std::uintmax_t kBytesPerPixel = 11;  // four times 16 bits, and a third of that for the mip levels
     const std::uintmax_t pixels_in_half = memory_bytes() / 2 / kBytesPerPixel;
     pixels_left_ = static_cast<std::int64_t>(
         std::min(pixels_in_half, static_cast<std::uintmax_t>(kMaxTexturePixelsOfObj)));
@@ -205,7 +205,7 @@ void MaterialTextures::add_colours(Material& material, Request& request) {
             image.alpha = {};
         }
         if (image.alpha.empty() && !want_surfaces_) return nullptr;
-        Texture texture = build_texture(std::move(image.colour), std::move(image.alpha));
+        Texture texture = build_texture(std::move(image.colour), std::move(image.alpha), run_);
         if (texture.has_alpha()) texture = keep_coverage(texture, kCutoutAlpha);
         return std::make_shared<const Texture>(std::move(texture));
     });
@@ -230,7 +230,7 @@ MaterialTextures::TexturePointer MaterialTextures::normals_of(Request& request, 
         image.colour =
             normals ? normals_with_green_down(std::move(image.colour), map.bump_factor)
                     : normals_of_heights(channel_of(image, map.channel), kBumpHeight * map.bump_factor);
-        return std::make_shared<const Texture>(build_texture(std::move(image.colour)));
+        return std::make_shared<const Texture>(build_texture(std::move(image.colour), {}, run_));
     });
 }
 
@@ -262,7 +262,7 @@ void MaterialTextures::add_mean_specular(Material& material, Request& request) {
     if (path.empty()) return;
     const TexturePointer picture = once("specular:" + path.string(), request, map, [&]() -> TexturePointer {
         return std::make_shared<const Texture>(
-            build_texture(load(request, map, path, TextureEncoding::srgb).colour));
+            build_texture(load(request, map, path, TextureEncoding::srgb).colour, {}, run_));
     });
     if (picture == nullptr) return;
     material.specular *= glm::vec3(picture->texel(picture->levels().size() - 1, 0, 0));

@@ -21,7 +21,7 @@ struct TexcoordMap {
     friend bool operator==(const TexcoordMap&, const TexcoordMap&) = default;
 };
 
-// All pictures of an OBJ together: 6 GB when they are decoded and have their mip levels. Less where that
+// All pictures of an OBJ together: 3 GB when they are decoded and have their mip levels. Less where that
 // would be more than half of the machine's memory.
 inline constexpr std::int64_t kMaxTexturePixelsOfObj = std::int64_t{1} << 28;
 
@@ -78,6 +78,7 @@ class MaterialTextures {
 
     const FileTree& tree_;
     const bool want_surfaces_;
+    const Run run_;
     ImagesAhead images_;
     std::int64_t pixels_left_;
     std::map<std::string, TexturePointer> made_;  // null: could not be
