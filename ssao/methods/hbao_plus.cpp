@@ -40,11 +40,6 @@ float stretch(const AoInputs& inputs, const HbaoPlusSettings& s) {
     return spelt_out(s).projected_by == ProjectedBy::width ? aspect(inputs) : 1.0f;
 }
 
-template <class F>
-CREVICE_INLINE Vec3<F> cross(Vec3<F> a, Vec3<F> b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 // The shorter one of the ways to a pixel from its two neighbours of one row or column.
 template <class F>
 CREVICE_INLINE Vec3<F> shorter(Vec3<F> a, Vec3<F> b) {
