@@ -61,7 +61,8 @@ std::vector<double> random_angles(int count, std::uint32_t seed) {
 
 // The head as the tutorials bake it, with other rays.
 Image<float> baked(const Scene& scene, const RayScene& rays, Size size, const RayAoSettings& settings) {
-    return vertex_ao_picture(scene, scene.camera, size, rays, vertex_ao_from_centroids(scene, rays, settings));
+    return vertex_ao_picture(scene, scene.camera, size, rays,
+                             vertex_ao_from_centroids(scene, rays, settings));
 }
 
 // What a ray of every 64th point is tested against in the octree, and whether all meet the same as in the tree that
@@ -181,7 +182,7 @@ book.draw("fan", fan.svg,
 // is interpolated like a colour, which costs nothing.
 
 // %% kernels tags=["setup"]
-book.listing_part("ssao/rays/ray_cast_ao.cpp", "open_share", "int open = 0;", "return {open",
+book.listing_part("ssao/rays/ray_cast_ao.cpp", "open_share", "std::size_t open", "return {static_cast<double>(open) / count, 1}",
                   "The count at the heart of it. `soft` is the same where near occluders count "
                   "more than far ones.");
 book.listing("ssao/bakes/vertex_ao.cpp", "means_of_triangles",

@@ -209,7 +209,7 @@ book.show_row(
 
 // %% kernels tags=["setup"]
 book.listing("ssao/methods/alchemy.cpp", "contribution", "What a surface takes, after Alchemy. `cap` is epsilon.");
-book.listing("ssao/methods/sao.cpp", "spiral", "The places of the taps, once for all texels.");
+book.listing("ssao/methods/sao.cpp", "sao_spiral", "The places of the taps, once for all texels.");
 book.listing("ssao/methods/sao.cpp", "level_of", "The logarithm is read off the exponent bits of the distance.");
 book.listing("ssao/methods/sao.cpp", "tap", "One tap. After the fourth line all lengths are in radii.");
 

@@ -159,9 +159,10 @@ TEST_CASE(
     // Nothing is computed again, either, and that is said.
     const auto left_out = [&](int frame) {
         const std::filesystem::path out = scratch / std::to_string(std::hash<std::string>()("--frames 0-2"));
-        const std::string report = "frame_000" + std::to_string(frame) + "/passes.json";
+        const std::string file = "frame_000" + std::to_string(frame) + "/passes.json";
+        const nlohmann::json report = nlohmann::json::parse(std::ifstream(out / file));
         std::set<std::string> unchanged;
-        for (const auto& item : nlohmann::json::parse(std::ifstream(out / report)).at("left_out")) {
+        for (const auto& item : report.at("left_out")) {
             if (item.at("why") == kWhyUnchanged) unchanged.insert(item.at("what"));
         }
         return unchanged;

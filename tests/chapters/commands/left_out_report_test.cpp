@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "chapters/frame/frame.h"
-#include "scenes/builtin_scenes.h"
+#include "chapters/frame/scene_argument.h"
 #include "tests/tools/scratch_directory.h"
 
 using namespace crevice;
@@ -16,7 +16,7 @@ using namespace crevice;
 namespace {
 
 Frame frame_of_columns() {
-    const Scene scene = columns_scene(SceneDetail::surfaces);
+    const Scene scene = load_scene("columns").scene;
     FrameRequest request;
     request.size = {160, 90};
     request.method = &find_method("xjun");
