@@ -139,7 +139,8 @@ std::size_t vertices_not_finite(const ScreenGeometry& geometry) {
     return count;
 }
 
-// Triangles that reach behind the eye and are cut at the near plane.
+// Triangles that reach behind the eye and are cut at the near plane, of those that were set up: clusters beyond one side
+// of the view are not looked at.
 std::size_t through_the_eye_plane(const ScreenGeometry& geometry) {
     std::size_t count = 0;
     const ScreenTriangle* last = nullptr;

@@ -15,16 +15,6 @@ namespace {
 // Boxes are looked at in bands of this many.
 constexpr std::size_t kBandBoxes = 1024;
 
-// Calls body(first, end) for bands of [0, count).
-template <class Body>
-void for_each_band(std::size_t count, const Run& run, const Body& body) {
-    const std::size_t bands = (count + kBandBoxes - 1) / kBandBoxes;
-    parallel_for(static_cast<int>(bands), run, [&](int band) {
-        const std::size_t first = static_cast<std::size_t>(band) * kBandBoxes;
-        body(first, std::min(first + kBandBoxes, count));
-    });
-}
-
 // Around vertices, object space. NaN where one of them is not finite.
 struct Corners {
     glm::vec3 low, high;
@@ -47,7 +37,7 @@ std::vector<Corners> mesh_corners(const Mesh& mesh, const Run& run) {
     if (count == 0) return {};
     std::vector<Corners> corners((count + step - 1) / step);
     const glm::vec3* const positions = mesh.positions.data();
-    for_each_band(corners.size(), run, [&](std::size_t first, std::size_t end) {
+    parallel_blocks(corners.size(), kBandBoxes, run, [&](std::size_t first, std::size_t end) {
         for (std::size_t i = first; i < end; ++i)
             corners[i] = corners_of(positions + i * step, positions + std::min((i + 1) * step, count));
     });
@@ -81,7 +71,7 @@ InstanceInView instance_in_view(const Mesh& mesh, const std::vector<Corners>& co
     if (corners.empty()) return {};
     if (clusters.empty()) return {.whole = boxes.beyond(corners.front()) == 0};
     std::vector<std::uint8_t> beyond(corners.size());
-    for_each_band(corners.size(), run, [&](std::size_t first, std::size_t end) {
+    parallel_blocks(corners.size(), kBandBoxes, run, [&](std::size_t first, std::size_t end) {
         for (std::size_t i = first; i < end; ++i) beyond[i] = boxes.beyond(corners[i]);
     });
     InstanceInView seen{.whole = false};

@@ -50,7 +50,11 @@ struct TileRaster {
                 const PixelRect reached = common_part(t.bounds, tile);
                 if (reached.empty()) continue;
                 const std::int32_t number = geometry.number_of(b, indices[i]);
-                if (run.leaves_out(Skip::hidden_triangles) && is_hidden(hidden, t, number, reached)) continue;
+                if (run.leaves_out(Skip::hidden_triangles)) {
+                    // So that what is left out is the same at every lane count.
+                    if (hidden.reads_next()) draw(tiny);
+                    if (is_hidden(hidden, t, number, reached)) continue;
+                }
                 if (!kAsksHoles && TinyTriangles<F>::has(t, tile)) {
                     tiny.add(t, number);
                     if (tiny.full()) draw(tiny);

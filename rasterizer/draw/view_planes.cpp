@@ -42,7 +42,7 @@ ViewPlanes::ViewPlanes(const Camera& camera, Size size) {
                    : plane(-1, rows[2], 1, rows[3])};
 }
 
-std::uint8_t ViewPlanes::beyond(const Box& relative) const {
+std::uint8_t ViewPlanes::beyond(const CentredBox& relative) const {
     const glm::dvec3 magnitude = glm::abs(relative.centre) + relative.half;
     if (!(magnitude.x < kLargest && magnitude.y < kLargest && magnitude.z < kLargest)) return 0;
     const glm::dvec4 centre(relative.centre, 1), half(relative.half, 0), reach(magnitude, 1);

@@ -16,7 +16,7 @@
 namespace crevice {
 
 // Parallel to the axes.
-struct Box {
+struct CentredBox {
     glm::dvec3 centre = glm::dvec3(0), half = glm::dvec3(0);  // half its extent
 };
 
@@ -26,7 +26,7 @@ class ViewPlanes {
 
     // The sides that all of a box in relative space (world axes, origin at the eye) lies beyond, near and far among them: a
     // bit each. None where a number is not finite, or too large for the clip space of every camera.
-    std::uint8_t beyond(const Box& relative) const;
+    std::uint8_t beyond(const CentredBox& relative) const;
 
  private:
     struct Plane {

@@ -48,11 +48,8 @@ MeshClusters mesh_clusters(const Mesh& mesh, const Run& run) {
     MeshClusters result;
     result.clusters = cut_into_clusters(mesh);
     std::vector<std::vector<std::uint32_t>> blocks(result.clusters.size());
-    constexpr std::size_t at_once = 256;
-    const std::size_t bands = (blocks.size() + at_once - 1) / at_once;
-    parallel_for(static_cast<int>(bands), run, [&](int band) {
-        const std::size_t first = static_cast<std::size_t>(band) * at_once,
-                          end = std::min(first + at_once, blocks.size());
+    constexpr std::size_t kClustersAtOnce = 256;
+    parallel_blocks(blocks.size(), kClustersAtOnce, run, [&](std::size_t first, std::size_t end) {
         for (std::size_t i = first; i < end; ++i) blocks[i] = vertex_blocks(mesh, result.clusters[i]);
     });
     for (std::size_t i = 0; i < blocks.size(); ++i) {
