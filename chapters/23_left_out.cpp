@@ -223,7 +223,8 @@ book.table(
     {table_row("columns", frame), table_row("columns from above", of_above.frame),
      table_row("cornell", of_cornell.frame), table_row("sphere_on_plane", of_ball.frame),
      table_row("noise_wall", of_noise.frame), table_row("empty", of_empty.frame)},
-    "How much of its work each scene was spared. A triangle counts once for every tile that it reaches.");
+    "How much of its work each scene was spared. A triangle counts once for every tile that it reaches. A cluster is "
+    "128 neighbouring triangles of a large mesh, or all of a small one.");
 
 // %% how_wrong [markdown]
 // ## How wrong is it?

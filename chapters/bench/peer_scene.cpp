@@ -142,13 +142,13 @@ class PeerMaterials {
     }
 
  private:
-    // Each is handed over once.
+    // Each is handed over once, and again for every other way to sample it.
     std::int32_t number_of(const Texture* texture, const Sampler& sampler) {
         if (texture == nullptr) return kNoPeerTexture;
-        const auto found = std::find(handed_over_.begin(), handed_over_.end(), texture);
+        const auto found = std::find(handed_over_.begin(), handed_over_.end(), std::pair(texture, sampler));
         const auto number = static_cast<std::int32_t>(found - handed_over_.begin());
         if (found == handed_over_.end()) {
-            handed_over_.push_back(texture);
+            handed_over_.emplace_back(texture, sampler);
             peer_.textures.push_back(peer_texture(*texture, sampler));
         }
         return number;
@@ -156,7 +156,7 @@ class PeerMaterials {
 
     PeerScene& peer_;
     const Scene& scene_;
-    std::vector<const Texture*> handed_over_;
+    std::vector<std::pair<const Texture*, Sampler>> handed_over_;
 };
 
 // What textures need of the vertices of an instance.

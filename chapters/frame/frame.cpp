@@ -165,11 +165,13 @@ WorkedFrame worked_frame(const Scene& scene, const Camera& camera, const FrameRe
                 frame.lit = std::move(lit.image);
                 frame.tiles.lit = std::move(lit.tiles);
             });
-            pass(needs.sky && !kept.lit, "sky", [&] {
-                frame.lit = kept.sky ? with_sky(std::move(frame.lit), frame.gbuffer.depth, frame.camera,
-                                                sky_before, request.run)
-                                     : with_sky(std::move(frame.lit), frame.gbuffer.depth, frame.camera,
-                                                *scene.sky_cube, request.run);
+            const bool lit_anew = needs.sky && !kept.lit;
+            if (lit_anew && kept.sky)
+                frame.lit = with_sky(std::move(frame.lit), frame.gbuffer.depth, frame.camera, sky_before,
+                                     request.run);
+            pass(lit_anew && !kept.sky, "sky", [&] {
+                frame.lit = with_sky(std::move(frame.lit), frame.gbuffer.depth, frame.camera, *scene.sky_cube,
+                                     request.run);
             });
         });
     }

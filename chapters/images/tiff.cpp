@@ -23,6 +23,7 @@ namespace crevice {
 namespace {
 
 constexpr tmsize_t kLargestAllocation = tmsize_t{1} << 32;  // by libtiff, for one line, strip or tile
+constexpr std::uint64_t kLargestTile_px = 1 << 24;
 constexpr std::uint64_t kMostPacked = 1 << 16;  // bytes from one: more no compression of the format makes
 
 // The bytes, as libtiff reads a file; and the first thing that it complains of.
@@ -98,6 +99,8 @@ Layout layout_of(TIFF* tiff) {
     if (TIFFIsTiled(tiff) != 0) {
         TIFFGetField(tiff, TIFFTAG_TILEWIDTH, &l.block_width);
         TIFFGetField(tiff, TIFFTAG_TILELENGTH, &l.block_height);
+        if (std::uint64_t{l.block_width} * l.block_height > kLargestTile_px)
+            throw InputError("its tiles have more than 2^24 pixels");
     } else {
         l.block_width = l.width;
     }

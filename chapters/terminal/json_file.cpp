@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "rasterizer/base/float_text.h"
@@ -170,9 +171,9 @@ void JsonFile::require_list(const Json& list, const JsonPlace& place) const {
     const std::string& name = place.back();
     if (!list.is_array()) refuse(name + ": not a list (" + list.dump() + "); write [...]", place);
     if (list.empty()) refuse(name + ": an empty list ([]); give at least one value", place);
+    std::set<Json> before;
     for (std::size_t i = 0; i < list.size(); ++i) {
-        const auto end = list.begin() + static_cast<std::ptrdiff_t>(i);
-        if (std::find(list.begin(), end, list[i]) != end)
+        if (!before.insert(list[i]).second)
             refuse(name + ": given twice (" + list[i].dump() + "); leave one away",
                    below(place, std::to_string(i)));
     }

@@ -54,9 +54,11 @@ class PlacedBoxes {
     }
     // ViewPlanes::beyond.
     std::uint8_t beyond(const Corners& corners) const {
-        const glm::dvec3 low(corners.low), high(corners.high);
-        return planes_.beyond(
-            {placed_.linear * (0.5 * (low + high)) + placed_.offset, magnitude_ * (0.5 * (high - low))});
+        const glm::dvec3 centre = 0.5 * (glm::dvec3(corners.low) + glm::dvec3(corners.high)),
+                         half = 0.5 * (glm::dvec3(corners.high) - glm::dvec3(corners.low));
+        // Large terms may cancel, and leave the rounding of each.
+        const glm::dvec3 rounding = 0x1p-50 * (magnitude_ * glm::abs(centre) + glm::abs(placed_.offset));
+        return planes_.beyond({placed_.linear * centre + placed_.offset, magnitude_ * half + rounding});
     }
 
  private:

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "rasterizer/draw/depth_buffer.h"
 #include "rasterizer/draw/triangle_setup.h"
@@ -80,16 +81,18 @@ class HiddenTriangles {
         return true;
     }
 
-    // Includes the row padding at the picture's right edge, which only widens the range.
+    // Of the tile's own pixels: what pads a row at the picture's right edge holds anything.
     template <class F>
     CREVICE_INLINE Range range(const Image<std::int32_t>& codes, int x0, int y0) const {
         const int x1 = std::min(x0 + kSquare_px, tile_.x1), y1 = std::min(y0 + kSquare_px, tile_.y1);
-        Int<F> low = load<F>(codes.row(y0) + x0), high = low;
+        Int<F> low(std::numeric_limits<std::int32_t>::max()),
+            high(std::numeric_limits<std::int32_t>::lowest());
         for (int y = y0; y < y1; ++y) {
             for (int x = x0; x < x1; x += kLanes<F>) {
                 const Int<F> code = load<F>(codes.row(y) + x);
-                low = min_of(low, code);
-                high = max_of(high, code);
+                const Mask<F> inside = lane_index<F>() < Int<F>(x1 - x);
+                low = min_of(low, select(inside, code, low));
+                high = max_of(high, select(inside, code, high));
             }
         }
         return {-largest_of(Int<F>(0) - low), largest_of(high)};

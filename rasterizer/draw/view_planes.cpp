@@ -15,11 +15,11 @@ namespace {
 // place of the sum of their magnitudes. Two of them make a plane.
 constexpr double kRounding = 0x1p-20;
 
-// So far beyond the side of the view, where a vertex is marked as outside beyond the first pixel (OutsideBits).
+// So far beyond the side of the view: a vertex is marked as outside beyond the first pixel (OutsideBits).
 constexpr double kMargin_px = 2;
 
-// Coordinates up to here stay finite in the clip space of every camera.
-constexpr double kLargest = 1e15;
+// Up to here coordinates, and sums of clip coordinates, are finite floats, also where they are multiplied.
+constexpr double kLargest = 1e15, kLargestClip = 1e37;
 
 }  // namespace
 
@@ -49,8 +49,10 @@ std::uint8_t ViewPlanes::beyond(const CentredBox& relative) const {
     unsigned sides = 0;
     for (std::size_t i = 0; i < planes_.size(); ++i) {
         const Plane& plane = planes_[i];
+        const double terms = glm::dot(plane.magnitude, reach);
+        if (!(terms < kLargestClip)) return 0;
         const double most = glm::dot(plane.equation, centre) + glm::dot(glm::abs(plane.equation), half);
-        if (most < -kRounding * glm::dot(plane.magnitude, reach)) sides |= 1u << i;
+        if (most < -kRounding * terms) sides |= 1u << i;
     }
     return static_cast<std::uint8_t>(sides);
 }

@@ -1,7 +1,7 @@
 // The six sides of a view, for boxes: what lies beyond one of them covers no pixel and need not be transformed.
 //
-// A box is left out only where the float arithmetic of its vertices cannot disagree: the planes are double, moved
-// outwards by a pixel, and a box must lie beyond them by more than the vertices' rounding errors.
+// A box is left out only where the float arithmetic of its vertices cannot disagree: the planes are double, those of
+// the four sides moved outwards by two pixels, and a box must lie beyond them by more than the vertices' rounding errors.
 #pragma once
 
 #include <array>

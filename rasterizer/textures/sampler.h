@@ -20,6 +20,8 @@ struct Sampler {
     int max_anisotropy = 8;  // probes, 1 to 16; anisotropic only; 1 is trilinear
     AddressMode address_u = AddressMode::wrap, address_v = AddressMode::wrap;
     glm::vec4 border = {0, 0, 0, 1};  // RGB linear light, alpha; each in [0,1]
+
+    friend bool operator==(const Sampler&, const Sampler&) = default;
 };
 
 // Throws UsageError when a member is out of its range.

@@ -16,7 +16,7 @@ namespace crevice {
 
 // All levels lie in one block, texel by texel (Rgba16: four times 16 bits). RGB in [0,1], linear light; alpha in
 // [0,1], linear: 0 is not there, 1 is (everywhere if there is none). A value is off by at most half a unit, 1 /
-// 130560, and not at all if it is a multiple of 1 / 255 or 1 / 256; what is out of range is clamped, and NaN
+// 130560, and a float's rounding of it (.504 units in all), and not at all if it is a multiple of 1 / 255 or 1 / 256; what is out of range is clamped, and NaN
 // counts as 0.
 class Texture {
  public:

@@ -7,6 +7,7 @@
 
 #include "chapters/frame/frame.h"
 #include "rasterizer/base/image_summary.h"
+#include "rasterizer/scene/mesh_clusters.h"
 #include "scenes/builtin_scenes.h"
 #include "scenes/shapes.h"
 #include "tests/tools/random_sequence.h"
@@ -83,6 +84,7 @@ Scene random_scene(RandomSequence& random) {
     }
     for (Mesh& mesh : scene.meshes) {
         mesh.parts[0].material = random.whole(0, static_cast<int>(scene.materials.size()) - 1);
+        mesh.clusters = mesh_clusters(mesh, {});  // small as it is
     }
     scene.two_sided = random.whole(0, 1) == 1;
     scene.lighting = random.whole(0, 1) == 1 ? LightingModel::phong : LightingModel::blinn_schlick;

@@ -24,6 +24,9 @@ export class Frames {
   #changed_ms = -Infinity;
   #timer = 0;
   #shown_ms = [];
+  // Of each pass, what it took when it was last computed; of the frame, their sum: at rest nothing is computed again.
+  #pass_ms = new Map();
+  frame_ms = 0;
   #key = "";
   #painting = 0;
 
@@ -84,11 +87,19 @@ export class Frames {
     // Another view of the same frame keeps the buffers that it has.
     this.buffers = key === this.#key ? { ...this.buffers, ...buffers } : buffers;
     this.reply = reply;
+    this.#noteTimes(reply);
     this.settled = rests;
     this.#key = key;
     this.#shown_ms = rests ? [] : [...this.#shown_ms, performance.now()].slice(-kRateFrames);
     this.#paint();
     if (!rests) this.#timer = setTimeout(() => { this.#wanted = true; if (!this.#busy) this.#run(); }, kRest_ms);
+  }
+
+  #noteTimes({ passes, unchanged }) {
+    const ran = passes.slice(0, -1);
+    for (const { name, wall_ms } of ran) this.#pass_ms.set(name, wall_ms);
+    const names = new Set([...ran.map(({ name }) => name), ...unchanged]);
+    this.frame_ms = [...names].reduce((sum, name) => sum + (this.#pass_ms.get(name) ?? 0), 0);
   }
 
   // With the next picture of the screen, so that the module begins the next frame meanwhile.

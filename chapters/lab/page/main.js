@@ -73,8 +73,7 @@ function showFrame() {
   camera.see(reply.camera, reply.scene.from_obj);
   showPicture();
   showPasses(byId("passes"), reply.passes, reply.unchanged);
-  const frame_ms = reply.passes.at(-1).wall_ms;
-  byId("rate").textContent = `${frame_ms.toFixed(1)} ms` + (frames.rate > 0 ? `, ${frames.rate.toFixed(0)}/s` : "");
+  byId("rate").textContent = `${frames.frame_ms.toFixed(1)} ms` + (frames.rate > 0 ? `, ${frames.rate.toFixed(0)}/s` : "");
   if (settled) showRest(reply);
   const root = document.documentElement.dataset;
   root.settled = String(settled);

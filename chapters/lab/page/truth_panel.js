@@ -53,7 +53,7 @@ export class TruthPanel {
   }
 
   #tell({ rays, rmse, bias }) {
-    const frame_ms = this.#frames.reply.passes.at(-1).wall_ms.toFixed(1);
+    const frame_ms = this.#frames.frame_ms.toFixed(1);
     this.#output.textContent = translated("truth_told").replace("{rays}", rays).replace("{rmse}", digits(rmse))
       .replace("{bias}", digits(bias)).replace("{ms}", frame_ms);
   }

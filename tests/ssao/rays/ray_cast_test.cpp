@@ -69,6 +69,35 @@ TEST_CASE("every ray meets what testing every triangle finds") {
     }
 }
 
+TEST_CASE("as many rays from one point as there are: each meets what testing every triangle finds") {
+    const std::vector<Corners> triangles = random_triangles(400, 0.3f, 16);
+    const RayScene scene = scene_of_triangles(triangles);
+    RandomNumbers random(17);
+    for (const int count : {1, 4, 5, 63, 64, 65, 200}) {
+        const glm::vec3 origin = 2.0f * random.direction();
+        std::vector<Ray> rays;
+        for (int i = 0; i < count; ++i) rays.push_back({origin, random.direction()});
+        rays[0].direction.x = 0;
+        if (count > 4) {
+            rays[3].direction.y = -0.0f;
+            rays[4].direction = glm::vec3(0);  // cannot be traced
+        }
+        for (const float max_distance : {0.7f, kInfinity}) {
+            for (const Run& run : every_run()) {
+                INFO(count << " rays, max_distance " << max_distance << ", " << run_text(run));
+                const OccludedRays any = occluded(scene, rays, max_distance, run);
+                CHECK(any.refused == (count > 4 ? 1 : 0));
+                for (std::size_t i = 0; i < rays.size(); ++i) {
+                    const bool traced = count <= 4 || i != 4,
+                               meets =
+                                   traced && nearest_of_all(triangles, rays[i], max_distance).triangle >= 0;
+                    if ((any.occluded[i] != 0) != meets) FAIL_CHECK("ray " << i << ": " << text_of(rays[i]));
+                }
+            }
+        }
+    }
+}
+
 TEST_CASE("one triangle: distance in lengths of the direction, weights of the corners, both sides") {
     const RayScene scene = scene_of_triangles({kTriangle});
     const RayHit front = closest_hit(scene, {{0.5f, 0.25f, 0}, {0, 0, 2}}, kInfinity);
