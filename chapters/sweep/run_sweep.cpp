@@ -11,6 +11,7 @@
 #include "chapters/sweep/sweep_words.h"
 #include "chapters/sweep/time_job.h"
 #include "chapters/terminal/exit_code.h"
+#include "chapters/terminal/number_text.h"
 #include "chapters/terminal/output_directory.h"
 #include "chapters/terminal/program_version.h"
 #include "chapters/terminal/progress.h"

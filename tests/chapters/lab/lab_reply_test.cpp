@@ -83,7 +83,9 @@ TEST_CASE("lab: what is kept of a scene at rest changes no bit, whatever moves o
         Lab from_scratch;
         const Json kept = asked(lab, request), made = asked(from_scratch, request);
         REQUIRE_MESSAGE(kept.contains("buffers"), kept.dump());
-        for (const auto& [name, buffer] : made["buffers"].items()) {
+        for (const auto& item : made["buffers"].items()) {
+            const std::string& name = item.key();
+            const Json& buffer = item.value();
             CAPTURE(name);
             CHECK(kept["buffers"][name]["hash"] == buffer["hash"]);
         }
