@@ -206,7 +206,7 @@ const PeerRow& row_of_peer(const Method& method) {
         if (std::string(row.name) == method.name) return row;
         known += (known.empty() ? "" : ", ") + std::string(row.name);
     }
-    throw UsageError("--peers: the peer has no such AO (" + std::string(method.name) + "); choose one of " +
+    throw UsageError("--ao: the peer has no such AO (" + std::string(method.name) + "); choose one of " +
                      known);
 }
 

@@ -197,7 +197,9 @@ void add_instance(PeerScene& peer, PeerMaterials& materials, const Scene& scene,
 }  // namespace
 
 void require_in_peer(bool holds, const char* what) {
-    if (!holds) throw UsageError(std::string("--peers: the peer has no ") + what + "; leave it away");
+    if (!holds)
+        throw UsageError(std::string("bench --peers: the peer has no ") + what +
+                         "; choose another scene, --preset or --ao");
 }
 
 PeerScene peer_scene(const Scene& scene, const Camera& camera, const FrameRequest& request) {

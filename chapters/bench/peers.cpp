@@ -24,7 +24,7 @@ namespace crevice {
 
 namespace {
 
-// How many times as fast as the peer a pass is meant to be; DESIGN, section 10. None: told, not judged.
+// How many times as fast as the peer a pass is meant to be. None: told, not judged.
 std::optional<double> aim_of(const PeerSubject& subject, const std::string& pass) {
     constexpr std::pair<const char*, double> kPlain[] = {
         {"normal_depth", 8}, {"ao", 15}, {"blur", 150}, {"lit", 10}, {"frame", 25}};

@@ -22,7 +22,7 @@ namespace {
 
 using Answer = nlohmann::json;
 
-// How many times as fast as each of Embree's ways ours is meant to be; DESIGN, section 10.
+// How many times as fast as each of Embree's ways ours is meant to be.
 constexpr double kRayAim = 1;
 // Means of the same thing are further apart once in 16,000 times.
 constexpr double kMostErrors = 4;

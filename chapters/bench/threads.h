@@ -5,7 +5,7 @@
 
 namespace crevice {
 
-inline constexpr double kTwoThreadAim = 1.9;  // times as fast as one; DESIGN, section 10
+inline constexpr double kTwoThreadAim = 1.9;  // times as fast as one, at least
 
 // Frames of `columns` at 1280x720 by one thread and by two, in turns: medians, the median of the paired
 // ratios with its interval, and whether the aim is met. Without rows where the machine has one thread only.

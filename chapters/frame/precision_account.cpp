@@ -139,20 +139,22 @@ std::size_t vertices_not_finite(const ScreenGeometry& geometry) {
     return count;
 }
 
-// Triangles that reach behind the eye and are cut at the near plane, of those that were set up: clusters beyond one side
-// of the view are not looked at.
+// Triangles that reach behind the eye and are cut at the near plane, with a piece that reaches into the picture: so their
+// number does not depend on what is left out beyond its sides.
 std::size_t through_the_eye_plane(const ScreenGeometry& geometry) {
     std::size_t count = 0;
-    const ScreenTriangle* last = nullptr;
+    const PixelRect picture = {0, 0, geometry.size.width, geometry.size.height};
+    const ScreenTriangle* counted = nullptr;
     for (const TriangleBlock& block : geometry.blocks) {
         for (const ScreenTriangle& t : block.triangles) {
-            const bool piece_of_last = last != nullptr && last->clipped >= 0 && last->vertex == t.vertex;
-            last = &t;
-            if (t.clipped < 0 || piece_of_last) continue;
+            const bool piece_of_counted = counted != nullptr && counted->vertex == t.vertex;
+            if (t.clipped < 0 || piece_of_counted || common_part(t.bounds, picture).empty()) continue;
             const auto behind = [&](std::uint32_t vertex) {
                 return (geometry.vertices.projected.outside[vertex] & kOutsideEye) != 0;
             };
-            count += std::any_of(t.vertex.begin(), t.vertex.end(), behind) ? 1 : 0;
+            if (std::none_of(t.vertex.begin(), t.vertex.end(), behind)) continue;
+            counted = &t;
+            ++count;
         }
     }
     return count;

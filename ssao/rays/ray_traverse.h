@@ -21,35 +21,31 @@ namespace crevice {
 // a comparison, and one of the distance found in it.
 inline constexpr float kBoxTolerance = 1 + 0x1p-20f;
 
-// A ray against the planes of one axis, or eight rays. A plane at b is met at distance (b - origin) *
-// inverse, with an origin that is moved back for the planes the ray enters a box by, and forth for those it
-// leaves by.
-template <class F>
+// A ray against the planes of one axis. A plane at b is met at distance (b - origin) * inverse, with an origin that is moved
+// back for the planes the ray enters a box by, and forth for those it leaves by.
 struct RayAxis {
-    F origin_in, origin_out;
-    F inverse;          // 1 / direction
-    Mask<F> backwards;  // the ray enters a box by its highest coordinate
+    float origin_in, origin_out;
+    float inverse;   // 1 / direction
+    bool backwards;  // the ray enters a box by its highest coordinate
 };
 
 // Double's own error, less than 2^-44 of the furthest corner, moves a hit off its box at most that far; and less than a
 // float's rounding would round back to the origin. `reach` is Bvh::reach plus the largest absolute coordinate of the
 // origin.
-template <class F>
-CREVICE_INLINE F box_margin(F origin, F reach) {
-    return absolute(origin) * F(0x1p-22f) + reach * F(0x1p-40f) + F(0x1p-126f);
+inline float box_margin(float origin, float reach) {
+    return std::abs(origin) * 0x1p-22f + reach * 0x1p-40f + 0x1p-126f;
 }
 
-template <class F>
-CREVICE_INLINE RayAxis<F> ray_axis(F origin, F direction, F reach) {
-    const F margin = box_margin(origin, reach);
-    const Mask<F> backwards = float_bits(direction) < Int<F>(0);  // of -0 too: its inverse is -inf
-    const F forward = select(backwards, -margin, margin);
-    return {origin + forward, origin - forward, F(1) / direction, backwards};
+inline RayAxis ray_axis(float origin, float direction, float reach) {
+    const float margin = box_margin(origin, reach);
+    const bool backwards = std::signbit(direction);  // of -0 too: its inverse is -inf
+    const float forward = backwards ? -margin : margin;
+    return {origin + forward, origin - forward, 1 / direction, backwards};
 }
 
 // One ray against boxes.
 struct BoxRay {
-    RayAxis<float> x, y, z;
+    RayAxis x, y, z;
     std::int32_t in_x, in_y, in_z;  // which BvhNode::bounds the ray enters by; it leaves by the neighbour
     float max_distance;             // boxes beyond it do not matter
 };
@@ -57,8 +53,8 @@ struct BoxRay {
 inline BoxRay box_ray(const Ray& ray, float max_distance, float reach) {
     const glm::vec3 &o = ray.origin, &d = ray.direction;
     const float furthest = reach + max_of(std::abs(o.x), max_of(std::abs(o.y), std::abs(o.z)));
-    const RayAxis<float> x = ray_axis(o.x, d.x, furthest), y = ray_axis(o.y, d.y, furthest),
-                         z = ray_axis(o.z, d.z, furthest);
+    const RayAxis x = ray_axis(o.x, d.x, furthest), y = ray_axis(o.y, d.y, furthest),
+                  z = ray_axis(o.z, d.z, furthest);
     return {x, y, z, 0 + x.backwards, 2 + y.backwards, 4 + z.backwards, max_distance * kBoxTolerance};
 }
 
@@ -67,7 +63,7 @@ struct Slab {
     F in, out;  // the distances between which the ray is between two planes
 };
 template <class F>
-CREVICE_INLINE Slab<F> slab(const RayAxis<float>& axis, std::int32_t in, const BvhNode& node, int lane) {
+CREVICE_INLINE Slab<F> slab(const RayAxis& axis, std::int32_t in, const BvhNode& node, int lane) {
     return {(load<F>(node.bounds[in] + lane) - F(axis.origin_in)) * F(axis.inverse),
             (load<F>(node.bounds[in ^ 1] + lane) - F(axis.origin_out)) * F(axis.inverse)};
 }

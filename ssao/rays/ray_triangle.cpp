@@ -24,8 +24,8 @@ RaySpace ray_space(const Ray& ray) {
     return {x, y, z, ray.direction[x] / along, ray.direction[y] / along, along < 0 ? -1.0 : 1.0};
 }
 
-// A triangle as a ray sees it.
-struct SeenTriangle {
+// A triangle in a ray's space.
+struct ShearedTriangle {
     double u, v, w;        // edge functions: twice the signed area that is opposite to corner 0, 1, 2
     double area;           // |u + v + w|
     double depth_by_area;  // of the plane where the ray meets it, times `area`
@@ -47,7 +47,7 @@ double largest(double a, double b, double c) { return max_of(std::abs(a), max_of
 // |a - origin| <= s + z, is off by e (s + z); the product with the shear by 3 e z; their difference by e s more. So
 // x and y are off by e (2 s + 4 z), a product of two of them by 2 s e (2 s + 4 z) + e s^2, and the difference of two such
 // products by e s (12 s + 16 z). 20 covers the terms in e^2. Below the smallest normal number products lose digits.
-SeenTriangle seen_triangle(const Ray& ray, const BvhBlock& block, int lane) {
+ShearedTriangle sheared_triangle(const Ray& ray, const BvhBlock& block, int lane) {
     constexpr double kRoundoff = 0x1p-53, kSmallestProduct = 0x1p-1022;
     const RaySpace space = ray_space(ray);
     const Vec3<double> a = in_ray_space(ray, space, block, 0, lane),
@@ -55,7 +55,7 @@ SeenTriangle seen_triangle(const Ray& ray, const BvhBlock& block, int lane) {
                        c = in_ray_space(ray, space, block, 2, lane);
     const double side = max_of(largest(a.x, b.x, c.x), largest(a.y, b.y, c.y)),
                  depth = largest(a.z, b.z, c.z);
-    SeenTriangle t;
+    ShearedTriangle t;
     t.u = c.x * b.y - c.y * b.x;
     t.v = a.x * c.y - a.y * c.x;
     t.w = b.x * a.y - b.y * a.x;
@@ -72,7 +72,7 @@ SeenTriangle seen_triangle(const Ray& ray, const BvhBlock& block, int lane) {
 }  // namespace
 
 ExactHit exact_hit(const Ray& ray, float max_distance, const BvhBlock& block, int lane) {
-    const SeenTriangle t = seen_triangle(ray, block, lane);
+    const ShearedTriangle t = sheared_triangle(ray, block, lane);
     // An edge function of 0 is inside on both sides of the edge: the ray cannot pass between them.
     const bool inside = (t.u >= 0 && t.v >= 0 && t.w >= 0) || (t.u <= 0 && t.v <= 0 && t.w <= 0);
     if (!inside || !(t.area > 0) || !(t.depth_by_area > t.depth_error)) return {};

@@ -123,11 +123,21 @@ FrameRequest random_request(RandomSequence& random) {
     return request;
 }
 
+// A pass that was left out has no account of its own, and nothing to put into it.
+std::string precision_of(const Frame& frame) {
+    std::string counts;
+    for (const PrecisionLoss& loss : frame.precision) {
+        if (loss.count > 0) counts += std::string(loss.name) + " " + std::to_string(loss.count) + ", ";
+    }
+    return counts;
+}
+
+// Every buffer, and what precision cost.
 std::string hashes_of(const Frame& frame) {
     const auto hash = [](const auto& buffer) { return content_hash(buffer) + " "; };
     return hash(frame.gbuffer.normal) + hash(frame.gbuffer.view_depth) +
            hash(ndc_depth(frame.gbuffer.depth)) + hash(frame.ao_raw) + hash(frame.ao_blurred) +
-           hash(frame.lit);
+           hash(frame.lit) + precision_of(frame);
 }
 
 }  // namespace
