@@ -9,6 +9,7 @@
 #include "chapters/report/sweep_plots.h"
 #include "chapters/report/sweep_tables.h"
 #include "chapters/study/error_points.h"
+#include "chapters/terminal/number_text.h"
 
 namespace crevice {
 
