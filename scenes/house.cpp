@@ -70,7 +70,7 @@ Blocks door() {
 std::vector<FlatPolygon> walls() {
     Blocks blocks = {
         {{-2.1, 0.0, -1.5}, {2.1, kPlinthTop, 1.9}, kStone},
-        {{-kWallX, kPlinthTop, kFrontZ}, {kWallX, kWallTop, kBackZ}, kPlaster},
+        {{-kWallX, kPlinthTop, kFrontZ}, {kWallX, kWallTop, kBackZ}, kHousePlaster},
     };
     append(blocks, door());
     for (const double x : {-1.25, 1.25}) {
@@ -102,7 +102,7 @@ std::vector<FlatPolygon> gables() {
                                              {kRidgeY + inside_roof, kRidgeZ},
                                              {shoulder, kRidgeZ + reach},
                                              {kWallTop - 0.1, kRidgeZ + reach}};
-    return prism_along_x(outline, -kWallX + 0.04, kWallX - 0.04, kPlaster);
+    return prism_along_x(outline, -kWallX + 0.04, kWallX - 0.04, kHousePlaster);
 }
 
 // A chevron whose upper side is courses of tiles, each ending in a small drop onto the next.

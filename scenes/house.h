@@ -6,7 +6,7 @@
 namespace crevice {
 
 // What the house is made of, in the order its materials must stand in Scene::materials.
-enum HouseMaterial { kPlaster, kStone, kTimber, kGlass, kRoofTiles, kHouseMaterialCount };
+enum HouseMaterial { kHousePlaster, kStone, kTimber, kGlass, kRoofTiles, kHouseMaterialCount };
 
 // A one-storey house in scene units, its front towards -z: plinth, steps, door recess, window niches with
 // bars and sills, eaves all round, a tiled roof and a chimney. Bounds: x -2.39..2.39, y 0..4.28, z

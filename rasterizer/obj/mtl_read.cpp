@@ -12,7 +12,7 @@ namespace crevice {
 namespace {
 
 // Statements that change nothing in what is drawn here. The transparency they tell of has its own warning.
-bool is_harmless(std::string_view keyword) {
+bool is_harmless_property(std::string_view keyword) {
     static constexpr std::array<std::string_view, 4> kHarmless = {"illum", "ni", "tf", "sharpness"};
     return std::find(kHarmless.begin(), kHarmless.end(), keyword) != kHarmless.end();
 }
@@ -164,7 +164,7 @@ struct Reader {
             dissolve(written, rest);
         } else if (keyword == "ke") {
             emission(written, rest);
-        } else if (!is_harmless(keyword)) {
+        } else if (!is_harmless_property(keyword)) {
             note_not_drawn(written);
         }
     }

@@ -12,7 +12,7 @@ namespace crevice {
 namespace {
 
 // Statements that change nothing in what is drawn here: names, groups, display hints.
-bool is_harmless(std::string_view keyword) {
+bool is_harmless_statement(std::string_view keyword) {
     static constexpr std::array<std::string_view, 11> kHarmless = {
         "g",        "o",          "mg",        "lod",    "bevel", "c_interp",
         "d_interp", "shadow_obj", "trace_obj", "maplib", "usemap"};
@@ -184,7 +184,7 @@ struct Scanner {
             use_material(rest);
         } else if (keyword == "mtllib") {
             found.libraries.push_back({std::string(trimmed(rest)), place.line});
-        } else if (!is_harmless(keyword)) {
+        } else if (!is_harmless_statement(keyword)) {
             ignore(written);
         }
     }

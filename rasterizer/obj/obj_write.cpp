@@ -14,7 +14,7 @@ namespace crevice {
 namespace {
 
 // Appends one line after the other.
-struct ObjText {
+struct WrittenObj {
     std::string text;
 
     void begin_line(const char* keyword) { text += keyword; }
@@ -75,7 +75,7 @@ void check_colours(const Mesh& mesh, std::size_t colours) {
                          std::to_string(mesh.positions.size()) + " vertices; give one a vertex");
 }
 
-void add_comment(ObjText& obj, std::string_view comment) {
+void add_comment(WrittenObj& obj, std::string_view comment) {
     while (!comment.empty()) {
         const std::size_t end = std::min(comment.find('\n'), comment.size());
         obj.text += "# ";
@@ -90,7 +90,7 @@ void add_comment(ObjText& obj, std::string_view comment) {
 std::string obj_text(const Mesh& mesh, std::span<const glm::vec3> colours, std::string_view comment,
                      const glm::dvec3& origin) {
     check_colours(mesh, colours.size());
-    ObjText obj;
+    WrittenObj obj;
     add_comment(obj, comment);
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)
         obj.add_vertex(i, mesh.positions[i], origin, colours.empty() ? nullptr : &colours[i]);

@@ -15,7 +15,7 @@ namespace {
 // texcoords.
 constexpr double kTextureLine = 1e-6;
 // A sum of unit directions shorter than this part of its weight has cancelled out.
-constexpr double kCancelled = 1e-6;
+constexpr double kCancelledTangent = 1e-6;
 // Sums of angles that differ by less than this part are equal but for rounding.
 constexpr double kSameAngle = 1e-9;
 
@@ -57,7 +57,7 @@ glm::vec4 tangent_of(const TangentSum& plain, const TangentSum& mirrored, glm::d
     const bool mirror_wins = mirrored.weight_rad > (1 + kSameAngle) * plain.weight_rad;
     const TangentSum& winner = mirror_wins ? mirrored : plain;
     const glm::dvec3 flat = winner.sum - glm::dot(winner.sum, n) * n;
-    if (!(std::sqrt(glm::dot(flat, flat)) > kCancelled * winner.weight_rad)) {
+    if (!(std::sqrt(glm::dot(flat, flat)) > kCancelledTangent * winner.weight_rad)) {
         return glm::vec4(glm::vec3(any_perpendicular(n)), 1);
     }
     return glm::vec4(glm::vec3(unit_or_zero(flat)), mirror_wins ? -1 : 1);

@@ -18,7 +18,7 @@ namespace crevice {
 namespace {
 
 // A sum of unit normals shorter than this part of its weight has cancelled out.
-constexpr double kCancelled = 1e-6;
+constexpr double kCancelledNormal = 1e-6;
 // Triangles of one plane differ in direction by the rounding of their corners; added to the cosine of the
 // crease angle.
 constexpr double kPlanarSlack = 1e-7;
@@ -110,7 +110,7 @@ class MeanNormals {
  private:
     static glm::dvec3 mean(const DirectionSum& of) {
         const double length = std::sqrt(glm::dot(of.sum, of.sum));
-        return length > kCancelled * of.weight ? of.sum / length : glm::dvec3(0);
+        return length > kCancelledNormal * of.weight ? of.sum / length : glm::dvec3(0);
     }
 
     double least_cosine_;

@@ -12,8 +12,6 @@ namespace {
 
 constexpr int kMostCells = 256;  // across and down
 
-double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
-
 // Whether an edge of `a` has all of `b` outside, but for `slack`. An edge's own ends give exactly 0.
 bool separated_by_edge(const FlatCorners& a, const FlatCorners& b, double slack) {
     for (std::size_t i = 0; i < 3; ++i) {

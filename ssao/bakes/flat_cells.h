@@ -10,6 +10,9 @@
 
 namespace crevice {
 
+// Twice the area between two sides of a triangle; above 0 where b lies counter-clockwise of a.
+inline double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
+
 // Corners with cross(b - a, c - a) > 0.
 using FlatCorners = std::array<glm::dvec2, 3>;
 

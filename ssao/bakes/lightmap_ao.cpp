@@ -9,6 +9,7 @@
 #include "rasterizer/base/parallel.h"
 #include "rasterizer/scene/world_mesh.h"
 #include "ssao/bakes/cast_in_pieces.h"
+#include "ssao/bakes/flat_cells.h"
 #include "ssao/bakes/square_clip.h"
 #include "ssao/inputs/random_vectors.h"
 
@@ -28,8 +29,6 @@ MapTriangle in_texels(const LightmapCharts& charts, std::size_t triangle) {
     const double side = charts.texels;
     return {side * glm::dvec2(t[0]), side * glm::dvec2(t[1]), side * glm::dvec2(t[2])};
 }
-
-double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
 
 // The corners' weights at a place in the map, kept off the edges. A triangle without area in the map has its
 // middle everywhere.

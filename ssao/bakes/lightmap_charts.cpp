@@ -170,7 +170,7 @@ LightmapCharts charts_of_meshes(const Scene& scene, const RayScene& rays, const 
     return result;
 }
 
-void require_within(const char* name, int value, int least, int most) {
+void require_whole_within(const char* name, int value, int least, int most) {
     if (value >= least && value <= most) return;
     throw UsageError(std::string(name) + ": must lie in " + std::to_string(least) + ".." +
                      std::to_string(most) + " (" + std::to_string(value) + "); choose another number");
@@ -179,8 +179,8 @@ void require_within(const char* name, int value, int least, int most) {
 }  // namespace
 
 void validate(const ChartSettings& settings) {
-    require_within("texels", settings.texels, kLeastTexels, kMostTexels);
-    require_within("gutter", settings.gutter, kLeastGutter, kMostGutter);
+    require_whole_within("texels", settings.texels, kLeastTexels, kMostTexels);
+    require_whole_within("gutter", settings.gutter, kLeastGutter, kMostGutter);
 }
 
 LightmapCharts lightmap_charts(const Scene& scene, const RayScene& rays, const ChartSettings& settings,

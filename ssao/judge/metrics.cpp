@@ -124,14 +124,14 @@ SsimSum ssim_sum(const Image<float>& a, const Image<float>& b, const Image<std::
 }
 
 // Plain sums over all compared values, row by row.
-struct Sums {
+struct DifferenceSums {
     double difference = 0, absolute = 0, squared = 0;
     Moments moments;
     std::vector<double> magnitudes;  // |a - b| of every compared value
 };
 
-Sums sum_differences(const PlaneList& a, const PlaneList& b, const Image<std::uint8_t>& compared) {
-    Sums sums;
+DifferenceSums sum_differences(const PlaneList& a, const PlaneList& b, const Image<std::uint8_t>& compared) {
+    DifferenceSums sums;
     for (int y = 0; y < compared.size.height; ++y) {
         for (int x = 0; x < compared.size.width; ++x) {
             if (compared.at(x, y) == 0) continue;
@@ -151,7 +151,7 @@ Sums sum_differences(const PlaneList& a, const PlaneList& b, const Image<std::ui
 }
 
 double mean_ssim(const PlaneList& a, const PlaneList& b, const Image<std::uint8_t>& compared,
-                 const Sums& sums) {
+                 const DifferenceSums& sums) {
     SsimSum total;
     for (std::size_t c = 0; c < a.size(); ++c) {
         const SsimSum plane = ssim_sum(*a[c], *b[c], compared);
@@ -180,7 +180,7 @@ ImageError compare_planes(const PlaneList& a, const PlaneList& b) {
         }
     }
     if (error.compared_pixels == 0) return error;
-    Sums sums = sum_differences(a, b, compared);
+    DifferenceSums sums = sum_differences(a, b, compared);
     const double values = static_cast<double>(sums.magnitudes.size());
     error.rmse = std::sqrt(sums.squared / values);
     error.mae = sums.absolute / values;

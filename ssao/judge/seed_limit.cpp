@@ -15,7 +15,7 @@ namespace crevice {
 namespace {
 
 // Sums of one replicate, before the exponent, as the image's pixels.
-using Sums = std::vector<double>;
+using ReplicateSums = std::vector<double>;
 
 float with_exponent(double accessibility, float exponent) {
     return saturate(power(static_cast<float>(accessibility), exponent));
@@ -37,9 +37,9 @@ ReferenceImage seed_limit(const Image<float>& view_depth, float exponent, int se
                          std::to_string(seeds) + "); choose another number");
     const int of_replicate = (seeds + kReplicates - 1) / kReplicates;
     const Size size = view_depth.size;
-    std::array<Sums, kReplicates> sums;
+    std::array<ReplicateSums, kReplicates> sums;
     for (int replicate = 0; replicate < kReplicates; ++replicate) {
-        Sums& sum = sums[static_cast<std::size_t>(replicate)];
+        ReplicateSums& sum = sums[static_cast<std::size_t>(replicate)];
         for (int i = 0; i < of_replicate; ++i) {
             const Image<float> ao =
                 map_of(kFirstLimitSeed + static_cast<std::uint32_t>(replicate * of_replicate + i));
