@@ -131,9 +131,9 @@ Image<float> density(const std::vector<glm::vec3>& directions) {
 
 Image3 as_image(const RandomMap& map) {
     Image3 vectors({kRandomMapSide, kRandomMapSide}, glm::vec3(0));
-    vectors.x.pixels.assign(map.x.begin(), map.x.end());
-    vectors.y.pixels.assign(map.y.begin(), map.y.end());
-    vectors.z.pixels.assign(map.z.begin(), map.z.end());
+    std::copy(map.x.begin(), map.x.end(), vectors.x.pixels.begin());
+    std::copy(map.y.begin(), map.y.end(), vectors.y.pixels.begin());
+    std::copy(map.z.begin(), map.z.end(), vectors.z.pixels.begin());
     return vectors;
 }
 

@@ -47,8 +47,10 @@ def number(value):
 
 
 def elements(vector):
-    """Of a std::vector, as pointers to the first and past the last."""
+    """Of a std::vector or CacheLineArray, as pointers to the first and past the last."""
     fields = [field.name for field in vector.type.strip_typedefs().fields()]
+    if "first_" in fields:  # CacheLineArray
+        return vector["first_"], vector["first_"] + vector["size_"]
     if "__begin_" in fields:  # libc++
         return vector["__begin_"], vector["__end_"]
     return vector["_M_impl"]["_M_start"], vector["_M_impl"]["_M_finish"]

@@ -57,7 +57,12 @@ def number(value):
 
 
 def elements(vector):
-    """Of a std::vector: the addresses of the first and past the last, and the type of one."""
+    """Of a std::vector or CacheLineArray: the addresses of the first and past the last, and the type of one."""
+    if vector.GetChildMemberWithName("first_").IsValid():  # CacheLineArray
+        first = member(vector, "first_")
+        element = first.GetType().GetCanonicalType().GetPointeeType()
+        begin, size = first.GetValueAsUnsigned(), member(vector, "size_").GetValueAsUnsigned()
+        return begin, begin + size * element.GetByteSize(), element
     names = ("__begin_", "__end_") if vector.GetChildMemberWithName("__begin_").IsValid() else (
         "_M_impl._M_start", "_M_impl._M_finish")  # libc++, libstdc++
     first, end = (member(vector, name) for name in names)

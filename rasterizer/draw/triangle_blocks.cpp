@@ -128,7 +128,7 @@ class BlockBuilder {
                                           corner_of<F>(vertex[2], 2)};
         const SetUpTriangles<F> set_up(SetupLanes<F>(corners, filled, setup_.cull_back_faces));
         for (int lane = 0; lane < count; ++lane) {
-            ScreenTriangle& t = block_.triangles.emplace_back();
+            ScreenTriangle& t = block_.triangles.add();
             set_up.write(lane, setup_, t);
             const std::array<std::uint8_t, 3> order = set_up.order(lane);
             for (std::size_t i = 0; i < 3; ++i)
@@ -194,7 +194,8 @@ class BlockBuilder {
     // The corners of the piece were reordered; the submitted triangle keeps its order.
     void add_piece(const BlockSource& source, const std::array<std::uint32_t, 3>& index,
                    const SetUpTriangle& set_up, const ClippedCorners& lambdas) {
-        ScreenTriangle& t = block_.triangles.emplace_back(set_up.triangle);
+        ScreenTriangle& t = block_.triangles.add();
+        t = set_up.triangle;
         t.vertex = index;
         t.clipped = static_cast<std::int32_t>(block_.clipped.size());
         ClippedCorners& reordered = block_.clipped.emplace_back();

@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "rasterizer/base/cache_line_array.h"
 #include "rasterizer/base/image.h"
 #include "rasterizer/base/run.h"
 #include "rasterizer/scene/camera.h"
@@ -79,7 +80,7 @@ struct VertexSettings {
 
 // Their elements hold anything until they are written.
 template <class T>
-using VertexArray = std::vector<T, CacheLineAllocator<T>>;
+using VertexArray = CacheLineArray<T>;
 
 // ProjectedVertex, one array a member: written and read several vertices at a time.
 struct ProjectedVertices {

@@ -8,6 +8,7 @@
 
 #include <glm/vec4.hpp>
 
+#include "rasterizer/base/cache_line_array.h"
 #include "rasterizer/base/run.h"
 #include "rasterizer/textures/image_file.h"
 #include "rasterizer/textures/rgba.h"
@@ -46,7 +47,7 @@ class Texture {
 
  private:
     std::vector<Level> levels_;
-    std::vector<Rgba16, CacheLineAllocator<Rgba16>> texels_;
+    CacheLineArray<Rgba16> texels_;
     bool has_alpha_ = false;
 };
 

@@ -9,8 +9,8 @@
 #pragma once
 
 #include <array>
-#include <vector>
 
+#include "rasterizer/base/cache_line_array.h"
 #include "rasterizer/base/run.h"
 #include "ssao/inputs/pixel_fetch.h"
 
@@ -78,7 +78,7 @@ class DepthPyramid {
     Size size_;
     int top_ = 0;
     std::array<std::int32_t, kPyramidLevels> first_{}, stride_{};
-    std::vector<float, CacheLineAllocator<float>> depths_;
+    CacheLineArray<float> depths_;
     Image<double> in_double_;  // the picture's, where the inputs have it (AoInputs::in_double)
 };
 

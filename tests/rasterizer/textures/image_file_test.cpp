@@ -1,6 +1,7 @@
 #include "rasterizer/textures/image_file.h"
 
 #include <fstream>
+#include <vector>
 
 #include <doctest/doctest.h>
 
