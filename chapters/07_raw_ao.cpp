@@ -241,7 +241,7 @@ book.table({"what the lab does otherwise", "chapter", "undone by as_published=tr
             {"blur taps outside the map do not count", "08", "no"}});
 
 // %% kernel_texel tags=["setup"]
-book.listing("ssao/methods/luna_occlusion.h", "texels_at",
+book.listing("ssao/methods/luna_occlusion.h", "accessibility_at",
              "One texel, or several side by side. `point_at` has its p, n and random vector, `accessibility` goes through the "
              "samples, and the sky gets 1.");
 book.listing("ssao/methods/luna_occlusion.h", "accessibility_of_sum", "The mean of the samples.");

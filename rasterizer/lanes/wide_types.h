@@ -136,6 +136,12 @@ struct WideOf {
     CREVICE_INLINE WideOf() = default;
     CREVICE_INLINE WideOf(T scalar) : v(spread_vector<V>(scalar)) {}
     CREVICE_INLINE explicit WideOf(V vector) : v(vector) {}
+    // Written out, because GCC 12 takes a copy that it writes itself apart into words, on the way through memory.
+    CREVICE_INLINE WideOf(const WideOf& o) : v(o.v) {}
+    CREVICE_INLINE WideOf& operator=(const WideOf& o) {
+        v = o.v;
+        return *this;
+    }
 
     CREVICE_INLINE T operator[](int lane) const { return v[lane]; }
     CREVICE_INLINE friend WideOf operator+(WideOf a, WideOf b) { return WideOf(a.v + b.v); }

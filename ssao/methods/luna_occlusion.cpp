@@ -51,6 +51,20 @@ AoFetch ao_fetch(const LunaSettings& settings, bool point_normals) {
     return {s.depth_source, point_normals, s.ao_scale, s.edge_texels, s.sky_depth, s.border, s.texel_centre};
 }
 
+namespace {
+
+// The contrast of a row of accessibilities. After the samples and not with them: a power is one long chain of operations
+// that wait for each other, and here the processor overlaps those of neighbours.
+template <class F>
+CREVICE_INLINE void store_contrast(const LunaKernel& kernel, float* row, int count) {
+    for (int x = 0; x < count; x += kLanes<F>) {
+        const F access = load<F>(row + x);
+        if (!all(access == F(1))) store(row + x, kernel.stored(access));
+    }
+}
+
+}  // namespace
+
 AoMap luna_occlusion(const AoInputs& inputs, const LunaSettings& settings, const Run& run) {
     validate(settings);
     AoMap map{Image<float>(inputs.size(), 1.0f), ao_tiles(inputs, settings, run)};
@@ -68,8 +82,9 @@ AoMap luna_occlusion(const AoInputs& inputs, const LunaSettings& settings, const
                     if (tiles.tiles.at(x / kAoTile, y / kAoTile) != TileWork::done) continue;
                     const F z = load<F>(inputs.view_depth.row(y) + x);
                     if (skip_background && !any(z < F(std::numeric_limits<float>::infinity()))) continue;
-                    store(ao.row(y) + x, kernel.texels_at<F>(random, x, y, depths));
+                    store(ao.row(y) + x, kernel.accessibility_at<F>(random, x, y, depths));
                 }
+                store_contrast<F>(kernel, ao.row(y), ao.size.width);
             }
         });
     });

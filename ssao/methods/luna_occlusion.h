@@ -231,11 +231,16 @@ struct LunaKernel {
         return stored_as(contrast, settings.format);
     }
 
-    // AO as it is stored, of the texels from (x, y) on; 1 where there is no surface.
+    // Accessibility before its contrast, of the texels from (x, y) on; 1 where there is no surface.
+    template <class F, class Depths>
+    CREVICE_INLINE F accessibility_at(const RandomMap& map, int x, int y, Depths& depths) const {
+        const LunaPoint<F> at = point_at<F>(map, x, y);
+        return select(at.surface, accessibility_from(at.p, at.n, at.random, depths), F(1));
+    }
+    // AO as it is stored; the contrast of 1 is 1.
     template <class F, class Depths>
     CREVICE_INLINE F texels_at(const RandomMap& map, int x, int y, Depths& depths) const {
-        const LunaPoint<F> at = point_at<F>(map, x, y);
-        return select(at.surface, stored(accessibility_from(at.p, at.n, at.random, depths)), F(1));
+        return stored(accessibility_at<F>(map, x, y, depths));
     }
 };
 

@@ -78,6 +78,7 @@ TEST_CASE("several lanes compute the bits of one lane") {
     CHECK_SAME_BITS(a * b);
     CHECK_SAME_BITS(a / b);
     CHECK_SAME_BITS(-a);
+    CHECK_SAME_BITS(absolute(a));
     CHECK_SAME_BITS(square_root(absolute(a)));
     CHECK_SAME_BITS(max_of(a, b));
     CHECK_SAME_BITS(min_of(a, b));
@@ -155,6 +156,17 @@ TEST_CASE("four lanes: gather, any, all and the largest") {
         CHECK(largest_of(select(only, WideInt<4>(11), index)) == 11);
     }
     CHECK(largest_of(index) == 7);
+}
+
+TEST_CASE("absolute changes what is below 0 and nothing else, -0 and NaN included") {
+    for (const float kept : {-0.0f, 0.0f, 2.5f, kInfinity}) {
+        CAPTURE(kept);
+        CHECK(float_bits(absolute(kept)) == float_bits(kept));
+        CHECK(float_bits(absolute(Wide<8>(kept)))[3] == float_bits(kept));
+    }
+    CHECK(absolute(-2.5f) == 2.5f);
+    CHECK(absolute(-kInfinity) == kInfinity);
+    CHECK(absolute(kNan) != absolute(kNan));
 }
 
 TEST_CASE("NaN first gives way to the other operand, and saturate turns it into 0") {
