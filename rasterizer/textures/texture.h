@@ -15,10 +15,12 @@
 
 namespace crevice {
 
+// How far a stored value may be off: half a unit of Rgba16, and what a float rounds where it is brought to units.
+inline constexpr float kTexelError = 0.504f / kTexelOne;
+
 // All levels lie in one block, texel by texel (Rgba16: four times 16 bits). RGB in [0,1], linear light; alpha in
-// [0,1], linear: 0 is not there, 1 is (everywhere if there is none). A value is off by at most half a unit, 1 /
-// 130560, and a float's rounding of it (.504 units in all), and not at all if it is a multiple of 1 / 255 or 1 / 256; what is out of range is clamped, and NaN
-// counts as 0.
+// [0,1], linear: 0 is not there, 1 is (everywhere if there is none). A value is off by at most kTexelError, and not
+// at all if it is a multiple of 1 / 255 or 1 / 256; what is out of range is clamped, and NaN counts as 0.
 class Texture {
  public:
     // Where a level lies in texels(). One column more repeats the first one behind the last, and one row more the

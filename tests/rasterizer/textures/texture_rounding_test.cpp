@@ -17,8 +17,8 @@ using namespace crevice;
 
 namespace {
 
-// Half a unit, and what floats round beside.
-constexpr float kLimit = 0.5f / kTexelOne + 0x1p-21f;
+// Of what a filter makes of stored values: their error, and what floats round beside.
+constexpr float kLimit = kTexelError + 0x1p-22f;
 static_assert(kLimit < 0x1p-16f);
 
 struct Numbers {
@@ -62,7 +62,7 @@ TEST_CASE(
         const glm::vec4 stored = texture.texel(0, code, 0);
         CHECK(stored.x == base.x.at(code, 0));
         CHECK(stored.y == base.y.at(code, 0));
-        CHECK(std::abs(stored.z - base.z.at(code, 0)) <= kLimit);
+        CHECK(std::abs(stored.z - base.z.at(code, 0)) <= kTexelError);
         CHECK(stored.w == 1);
     }
     CHECK(texture.texel(0, 255, 0).x == 1);

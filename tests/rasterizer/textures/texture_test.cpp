@@ -23,9 +23,6 @@ using namespace crevice;
 
 namespace {
 
-// As far as a stored value may be off.
-constexpr float kHalfUnit = 0.5001f / kTexelOne;
-
 void write_bytes(const std::filesystem::path& path, const std::string& bytes) {
     std::ofstream(path, std::ios::binary) << bytes;
 }
@@ -78,9 +75,9 @@ TEST_CASE("build_texture: every level keeps the mean and has the size it should"
             CAPTURE(level);
             const Image3 mip = texture.colour(level);
             CHECK(mip.size() == expected);
-            CHECK(std::abs(mean_of(mip.x) - mean_of(base.x)) < static_cast<double>(kHalfUnit) + 1e-6);
-            CHECK(std::abs(mean_of(mip.y) - mean_of(base.y)) < static_cast<double>(kHalfUnit) + 1e-6);
-            CHECK(std::abs(mean_of(mip.z) - mean_of(base.z)) < static_cast<double>(kHalfUnit) + 1e-6);
+            CHECK(std::abs(mean_of(mip.x) - mean_of(base.x)) < static_cast<double>(kTexelError) + 1e-6);
+            CHECK(std::abs(mean_of(mip.y) - mean_of(base.y)) < static_cast<double>(kTexelError) + 1e-6);
+            CHECK(std::abs(mean_of(mip.z) - mean_of(base.z)) < static_cast<double>(kTexelError) + 1e-6);
             expected = {std::max(1, expected.width / 2), std::max(1, expected.height / 2)};
         }
         CHECK(texture.levels().back().size == Size{1, 1});
@@ -176,7 +173,7 @@ TEST_CASE("load_texture: PNG codes become linear light, row 0 on top") {
             CAPTURE(y);
             const std::uint8_t red = pixels[static_cast<std::size_t>((y * 5 + x) * 3)];
             CHECK(std::abs(texture.colour(0).x.at(x, y) - linear_from_srgb(static_cast<float>(red) / 255)) <=
-                  kHalfUnit);
+                  kTexelError);
         }
     }
 }
@@ -202,7 +199,7 @@ TEST_CASE("load_texture: TGA, plain and run-length coded, and JPEG") {
     write_bytes(scratch / "grey.jpg", grey_jpeg());
     const glm::vec3 colour(1, linear_from_srgb(128.0f / 255), linear_from_srgb(64.0f / 255));
     const auto nearly = [](glm::vec3 a, glm::vec3 b) {
-        return glm::all(glm::lessThanEqual(glm::abs(a - b), glm::vec3(kHalfUnit)));
+        return glm::all(glm::lessThanEqual(glm::abs(a - b), glm::vec3(kTexelError)));
     };
     CHECK(nearly(load_texture(scratch / "plain.tga").colour(0).at(0, 0), colour));
     CHECK(load_texture(scratch / "plain.tga").colour(0).at(1, 0) == glm::vec3(0));
