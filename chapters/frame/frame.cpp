@@ -87,6 +87,96 @@ FrameInputs frame_inputs(const Scene& scene, const Camera& camera, const FrameRe
     return inputs;
 }
 
+// The passes of one frame, each timed, over what it works on. A pass that was kept, or that nobody needs, does not run.
+struct Passes {
+    const Scene& scene;
+    const FrameRequest& request;
+    const AoHistory& last;
+    const FrameInputs& inputs;
+    const KeptPasses& kept;
+    WorkedFrame& worked;
+    Stopwatch stopwatch = {};
+
+    // Of the scene at rest, once for all repeats: what rays are cast through, and what is baked with them.
+    void prepare();
+    void draw();
+    void occlude();
+    // `sky_before` is the lit picture of the frame before, whose sky is kept.
+    void light(const Image3& sky_before);
+
+    template <class Body>
+    void pass(bool runs, const char* name, const Body& body) {
+        if (runs) stopwatch.time(name, body);
+    }
+
+    const FrameSettings& settings = request.settings;
+    const Method& method = *request.method;
+    const Needs& needs = inputs.needs;
+    const Run& run = request.run;
+    Frame& frame = worked.frame;
+    RawAo& raw = worked.raw;
+};
+
+void Passes::prepare() {
+    std::shared_ptr<const RayScene>& rays = worked.rays;
+    const bool casts_rays = needs.ao && method.casts_rays;
+    const bool has_rays = rays && rays->origin == frame.camera.eye;
+    if (casts_rays && has_rays) worked.unchanged.emplace_back("ray_scene");
+    pass(casts_rays && !has_rays, "ray_scene",
+         [&] { rays = std::make_shared<const RayScene>(ray_scene(scene, frame.camera.eye, run)); });
+    pass(needs.ao && method.bake && !kept.bake, "bake",
+         [&] { worked.baked = method.bake(scene, *rays, settings.method.ao, run); });
+}
+
+void Passes::draw() {
+    pass(!kept.normal_depth, "normal_depth", [&] {
+        GeometrySettings geometry_with = geometry_settings(settings.buffers);
+        geometry_with.with_normals = needs.normals;
+        worked.geometry = screen_geometry(scene, frame.camera, request.size, geometry_with, run);
+        frame.gbuffer =
+            normal_depth(scene, worked.geometry, frame.camera.reversed_z, inputs.view.buffers, run);
+    });
+}
+
+void Passes::occlude() {
+    pass(needs.ao && !kept.ao, "ao", [&] {
+        raw = method.ao({scene, frame.camera, frame.gbuffer, worked.rays.get(), worked.baked.get()},
+                        settings.method.ao, run);
+    });
+    pass(needs.ao && inputs.map.has_history, "history", [&] {
+        frame.history = temporal_accumulation(raw.ao, raw.inputs, frame.camera, last, settings.history, run);
+        raw.ao = frame.history.ao;
+    });
+    pass(needs.blur && !kept.blur, "blur", [&] {
+        AoMap blurred = denoised(method, raw, settings.method, run);
+        frame.ao_blurred = std::move(blurred.ao);
+        frame.tiles.blur = std::move(blurred.tiles);
+    });
+    pass(needs.bent_normals && !kept.bent_normals, kBentNormal,
+         [&] { frame.bent_normal = bent_normals(method, raw.inputs, settings.method, run); });
+    pass(looks_up(inputs) && !kept.ao_lookup, "ao_lookup", [&] {
+        worked.at_pixels = looked_up(needs.blur ? frame.ao_blurred : raw.ao, raw.inputs, frame.gbuffer,
+                                     settings.ao_lookup, run);
+    });
+}
+
+void Passes::light(const Image3& sky_before) {
+    pass(needs.shadow && !kept.shadow, "shadow",
+         [&] { worked.shadow = std::make_shared<const ShadowMap>(scene_shadow(scene, run)); });
+    pass(needs.lit && !kept.lit, "lit", [&] {
+        LitImage lit = lit_image(scene, worked.geometry, frame, lit_map(worked), raw.inputs.normal,
+                                 worked.shadow.get(), request);
+        frame.lit = std::move(lit.image);
+        frame.tiles.lit = std::move(lit.tiles);
+    });
+    const bool lit_anew = needs.sky && !kept.lit;
+    if (lit_anew && kept.sky)
+        frame.lit = with_sky(std::move(frame.lit), frame.gbuffer.depth, frame.camera, sky_before, run);
+    pass(lit_anew && !kept.sky, "sky", [&] {
+        frame.lit = with_sky(std::move(frame.lit), frame.gbuffer.depth, frame.camera, *scene.sky_cube, run);
+    });
+}
+
 }  // namespace
 
 Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest& request,
@@ -98,91 +188,37 @@ Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest&
 
 WorkedFrame worked_frame(const Scene& scene, const Camera& camera, const FrameRequest& request,
                          const AoHistory& last, WorkedFrame before) {
-    const FrameSettings& settings = request.settings;
-    const Method& method = *request.method;
     const FrameInputs inputs = frame_inputs(scene, camera, request);
-    const Needs& needs = inputs.needs;
     if (!request.run.leaves_out(Skip::passes)) before = {};
     const KeptPasses kept = before.inputs ? kept_passes(*before.inputs, inputs) : KeptPasses();
     const Image3 sky_before = kept.sky ? std::move(before.frame.lit) : Image3();
     WorkedFrame worked = taken_over(std::move(before), kept);
     Frame& frame = worked.frame;
-    ScreenGeometry& geometry = worked.geometry;
-    RawAo& raw = worked.raw;
-    std::shared_ptr<const RayScene>& rays = worked.rays;
     worked.inputs = inputs;
+    worked.unchanged = names_of(kept, inputs.needs);
     frame.camera = inputs.view.camera;
-    frame.left_out = needs.left_out;
-    worked.unchanged = names_of(kept, needs);
+    frame.left_out = inputs.needs.left_out;
 
-    Stopwatch stopwatch;
-    const auto pass = [&](bool runs, const char* name, const auto& body) {
-        if (runs) stopwatch.time(name, body);
-    };
-    // Of the scene at rest: built once for all repeats.
-    const bool casts_rays = needs.ao && method.casts_rays;
-    const bool has_rays = rays && rays->origin == frame.camera.eye;
-    if (casts_rays && has_rays) worked.unchanged.emplace_back("ray_scene");
-    pass(casts_rays && !has_rays, "ray_scene",
-         [&] { rays = std::make_shared<const RayScene>(ray_scene(scene, frame.camera.eye, request.run)); });
-    pass(needs.ao && method.bake && !kept.bake, "bake",
-         [&] { worked.baked = method.bake(scene, *rays, settings.method.ao, request.run); });
+    Passes passes{scene, request, last, inputs, kept, worked};
+    passes.prepare();
     for (int repeat = 0; repeat < request.repeats; ++repeat) {
-        stopwatch.time("frame", [&] {
-            pass(!kept.normal_depth, "normal_depth", [&] {
-                GeometrySettings geometry_with = geometry_settings(settings.buffers);
-                geometry_with.with_normals = needs.normals;
-                geometry = screen_geometry(scene, frame.camera, request.size, geometry_with, request.run);
-                frame.gbuffer =
-                    normal_depth(scene, geometry, frame.camera.reversed_z, inputs.view.buffers, request.run);
-            });
-            pass(needs.ao && !kept.ao, "ao", [&] {
-                raw = method.ao({scene, frame.camera, frame.gbuffer, rays.get(), worked.baked.get()},
-                                settings.method.ao, request.run);
-            });
-            pass(needs.ao && inputs.map.has_history, "history", [&] {
-                frame.history = temporal_accumulation(raw.ao, raw.inputs, frame.camera, last,
-                                                      settings.history, request.run);
-                raw.ao = frame.history.ao;
-            });
-            pass(needs.blur && !kept.blur, "blur", [&] {
-                AoMap blurred = denoised(method, raw, settings.method, request.run);
-                frame.ao_blurred = std::move(blurred.ao);
-                frame.tiles.blur = std::move(blurred.tiles);
-            });
-            pass(needs.bent_normals && !kept.bent_normals, kBentNormal,
-                 [&] { frame.bent_normal = bent_normals(method, raw.inputs, settings.method, request.run); });
-            pass(looks_up(inputs) && !kept.ao_lookup, "ao_lookup", [&] {
-                worked.at_pixels = looked_up(needs.blur ? frame.ao_blurred : raw.ao, raw.inputs,
-                                             frame.gbuffer, settings.ao_lookup, request.run);
-            });
-            pass(needs.shadow && !kept.shadow, "shadow", [&] {
-                worked.shadow = std::make_shared<const ShadowMap>(scene_shadow(scene, request.run));
-            });
-            pass(needs.lit && !kept.lit, "lit", [&] {
-                LitImage lit = lit_image(scene, geometry, frame, lit_map(worked), raw.inputs.normal,
-                                         worked.shadow.get(), request);
-                frame.lit = std::move(lit.image);
-                frame.tiles.lit = std::move(lit.tiles);
-            });
-            const bool lit_anew = needs.sky && !kept.lit;
-            if (lit_anew && kept.sky)
-                frame.lit = with_sky(std::move(frame.lit), frame.gbuffer.depth, frame.camera, sky_before,
-                                     request.run);
-            pass(lit_anew && !kept.sky, "sky", [&] {
-                frame.lit = with_sky(std::move(frame.lit), frame.gbuffer.depth, frame.camera, *scene.sky_cube,
-                                     request.run);
-            });
+        passes.stopwatch.time("frame", [&] {
+            passes.draw();
+            passes.occlude();
+            passes.light(sky_before);
         });
     }
-    frame.passes = stopwatch.summaries();
+    frame.passes = passes.stopwatch.summaries();
+
     if (!kept.precision) {
-        frame.precision = precision_account(scene, frame.camera, geometry, frame.gbuffer, raw.inputs,
-                                            casts_rays ? rays.get() : nullptr, method, settings, request.run);
+        const bool casts_rays = inputs.needs.ao && request.method->casts_rays;
+        frame.precision = precision_account(scene, frame.camera, worked.geometry, frame.gbuffer,
+                                            worked.raw.inputs, casts_rays ? worked.rays.get() : nullptr,
+                                            *request.method, request.settings, request.run);
     }
-    frame.tiles.ao = raw.tiles;
-    frame.tiles.raster = raster_tiles(geometry, request.run);
-    frame.skipped = skipped_work(geometry, frame.gbuffer, frame.tiles);
+    frame.tiles.ao = worked.raw.tiles;
+    frame.tiles.raster = raster_tiles(worked.geometry, request.run);
+    frame.skipped = skipped_work(worked.geometry, frame.gbuffer, frame.tiles, kept);
     return worked;
 }
 

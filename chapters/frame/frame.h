@@ -30,7 +30,7 @@ struct Frame {
     std::vector<PassTime> passes;     // those that ran, and last the frame
     std::vector<LeftOut> left_out;    // passes and data, with reasons
     FrameTiles tiles;
-    std::vector<SkippedWork> skipped;
+    std::vector<SkippedWork> skipped;  // by the passes that ran
     std::vector<PrecisionLoss> precision;
     AoHistory history;  // for the next frame; empty where the settings ask for none
 };

@@ -12,19 +12,25 @@ TileMap raster_tiles(const ScreenGeometry& geometry, const Run& run) {
 }
 
 std::vector<SkippedWork> skipped_work(const ScreenGeometry& geometry, const GBuffer& gbuffer,
-                                      const FrameTiles& tiles) {
+                                      const FrameTiles& tiles, const KeptPasses& kept) {
+    const ScreenGeometry no_geometry;
+    const ScreenGeometry& drawn = kept.normal_depth ? no_geometry : geometry;
     std::size_t hidden = 0, entries = 0;
-    for (const TileRecord& record : gbuffer.tiles) {
-        hidden += record.hidden;
-        entries += record.triangles;
+    if (!kept.normal_depth) {
+        for (const TileRecord& record : gbuffer.tiles) {
+            hidden += record.hidden;
+            entries += record.triangles;
+        }
     }
+    const TileMap no_tiles;
+    const TileMap &raster = kept.normal_depth ? no_tiles : tiles.raster, &ao = kept.ao ? no_tiles : tiles.ao,
+                  &blur = kept.blur ? no_tiles : tiles.blur, &lit = kept.lit ? no_tiles : tiles.lit;
     const auto counted = [](Skip skip, std::size_t count, std::size_t of, const char* unit) {
         return SkippedWork{skip, count, of, unit};
     };
-    const TileMap &raster = tiles.raster, &ao = tiles.ao, &blur = tiles.blur, &lit = tiles.lit;
     return {
-        counted(Skip::off_screen_clusters, geometry.off_screen_clusters, geometry.clusters, "clusters"),
-        counted(Skip::off_screen_triangles, geometry.off_screen_triangles(), geometry.submitted_triangles,
+        counted(Skip::off_screen_clusters, drawn.off_screen_clusters, drawn.clusters, "clusters"),
+        counted(Skip::off_screen_triangles, drawn.off_screen_triangles(), drawn.submitted_triangles,
                 "triangles"),
         counted(Skip::hidden_triangles, hidden, entries, "triangles of tiles"),
         counted(Skip::empty_tiles, raster.count(TileWork::background), raster.count(), "tiles"),

@@ -26,8 +26,8 @@ struct WorkedFrame {
 };
 
 // The frame that render_frame() returns, before that lets go of the rest. `before` is another frame of the same scene, its
-// lights aside: what would be found again is taken over from it, and WorkedFrame::unchanged says what that was. It is the same as
-// without, to the last bit.
+// lights aside: what would be found again is taken over from it, and WorkedFrame::unchanged says what that was. Every image is
+// the same as without, to the last bit; Frame::passes and ::skipped tell of the passes that ran.
 WorkedFrame worked_frame(const Scene& scene, const Camera& camera, const FrameRequest& request,
                          const AoHistory& last = {}, WorkedFrame before = {});
 // Of a frame before another one, what that may take over; all else is empty, but the rays, which know their eye.

@@ -1,6 +1,7 @@
 // What a frame takes over from the one before it: the passes whose inputs are the same, and every bit.
 #include "chapters/frame/kept_passes.h"
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <set>
@@ -46,7 +47,7 @@ FrameRequest request_for(const char* method, Size size) {
     return request;
 }
 
-// All that can be seen of a frame, but the times.
+// All that can be seen of a frame, but what is told of the passes that ran: their times and what they left out.
 std::string shown_by(const Frame& frame) {
     std::string all;
     const auto add = [&](const std::string& text) { all += text + "\n"; };
@@ -61,12 +62,47 @@ std::string shown_by(const Frame& frame) {
     for (const LeftOut& item : frame.left_out) add(item.what + ": " + item.why);
     for (const PrecisionLoss& loss : frame.precision)
         add(loss.name + (" " + std::to_string(loss.count)) + loss.warning);
-    for (const SkippedWork& work : frame.skipped)
-        add(skip_name(work.skip) + (" " + std::to_string(work.count)) + " of " + std::to_string(work.of));
     return all;
 }
 
+std::string told_of(const SkippedWork& work) {
+    return skip_name(work.skip) + (" " + std::to_string(work.count)) + " of " + std::to_string(work.of);
+}
+
 Names unchanged(const WorkedFrame& worked) { return {worked.unchanged.begin(), worked.unchanged.end()}; }
+
+// What each kind of work is left out by.
+Names passes_of(Skip skip) {
+    switch (skip) {
+        case Skip::background_pixels: return {"ao"};
+        case Skip::open_tiles: return {"ao", "blur"};
+        case Skip::second_drawing: return {"lit"};
+        default: return {"normal_depth"};
+    }
+}
+
+// Passes that were kept count nothing, and those that ran what they count in a frame drawn from scratch.
+void check_skipped(const WorkedFrame& worked, const Frame& fresh) {
+    REQUIRE(worked.frame.skipped.size() == fresh.skipped.size());
+    for (std::size_t i = 0; i < fresh.skipped.size(); ++i) {
+        const SkippedWork& work = worked.frame.skipped[i];
+        const Names passes = passes_of(work.skip);
+        const auto kept = std::count_if(passes.begin(), passes.end(), [&](const std::string& pass) {
+            return unchanged(worked).contains(pass);
+        });
+        CAPTURE(told_of(work));
+        if (kept == 0) {
+            CHECK(told_of(work) == told_of(fresh.skipped[i]));
+        } else if (kept == static_cast<std::ptrdiff_t>(passes.size())) {
+            CHECK(work.count == 0);
+            CHECK(work.of == 0);
+        } else {
+            // The AO map was kept, and its blur ran.
+            CHECK(work.count == fresh.tiles.blur.count(TileWork::open));
+            CHECK(work.of == fresh.tiles.blur.count());
+        }
+    }
+}
 
 // A scene, its camera and what is asked for, in which one thing after the other changes.
 struct Walk {
@@ -167,8 +203,9 @@ TEST_CASE("kept passes: whatever changes from frame to frame, each has the bits 
             worked = worked_frame(walk.scene, walk.camera, walk.request, last, std::move(worked));
             for (const std::string& pass : worked.unchanged) ever_kept.insert(pass);
             show(worked, walk.request);
-            REQUIRE(shown_by(worked.frame) ==
-                    shown_by(render_frame(walk.scene, walk.camera, walk.request, last)));
+            const Frame fresh = render_frame(walk.scene, walk.camera, walk.request, last);
+            REQUIRE(shown_by(worked.frame) == shown_by(fresh));
+            check_skipped(worked, fresh);
             last = worked.frame.history;
         }
     }
@@ -224,4 +261,23 @@ TEST_CASE("kept passes: what reads a change is computed again, and what comes be
         for (const PassTime& pass : worked.frame.passes) timed.insert(pass.name);
         for (const std::string& pass : all) CHECK(timed.contains(pass) != expected.contains(pass));
     }
+}
+
+TEST_CASE(
+    "kept passes: a frame of which every pass was kept left out those passes, and counts nothing beside") {
+    const Scene scene = full_scene();
+    const FrameRequest request = request_for("xjun", {40, 24});
+    WorkedFrame worked = worked_frame(scene, scene.camera, request);
+    const auto counted = [&] {
+        std::size_t total = 0;
+        for (const SkippedWork& work : worked.frame.skipped) total += work.of;
+        return total;
+    };
+    CHECK(counted() > 0);
+    const std::size_t tiles = worked.frame.tiles.raster.count();
+    worked = worked_frame(scene, scene.camera, request, {}, std::move(worked));
+    CHECK(worked.frame.skipped.size() == kSkipCount - 2);
+    CHECK(counted() == 0);
+    // What its pictures are made of can still be shown.
+    CHECK(worked.frame.tiles.raster.count() == tiles);
 }
