@@ -158,7 +158,7 @@ PreparedRender prepared_render(const RenderOptions& options) {
              [&] { argument.scene.lights = lights_at(argument.scene, options.time_s); });
     const Camera camera = chosen_camera(argument, options.camera);
     request.settings = settings_for(argument, options.scene, *request.method, options.params);
-    for (const std::string& warning : scene_warnings(argument, options.scene)) std::cerr << warning << "\n";
+    for (const std::string& line : scene_warnings(argument, options.scene)) warn_on_stderr(line);
     return {std::move(argument), camera, std::move(request)};
 }
 

@@ -50,7 +50,10 @@ void require_fit(const Scene& scene, const std::string& name, const Method& meth
 
 }  // namespace
 
-SceneArgument load_scene(const std::string& name_or_path, const WantedOfScene& wanted) {
+void warn_on_stderr(const std::string& line) { std::cerr << line << "\n"; }
+
+SceneArgument load_scene(const std::string& name_or_path, const WantedOfScene& wanted,
+                         const WarningSink& warn) {
     if (const BuiltinScene* builtin = find_builtin_scene(name_or_path)) {
         const auto start = std::chrono::steady_clock::now();
         const SceneDetail detail = wanted.surfaces ? SceneDetail::surfaces : SceneDetail::shapes;
@@ -72,7 +75,7 @@ SceneArgument load_scene(const std::string& name_or_path, const WantedOfScene& w
     options.outside_files = wanted.outside_files;
     LoadedObj loaded = load_obj(name_or_path, options, wanted.run);
     require_within_reach(name_or_path, world_bounds(loaded.scene));
-    for (const std::string& warning : loaded.report.warnings) std::cerr << warning << "\n";
+    for (const std::string& warning : loaded.report.warnings) warn(warning);
     add_clusters(loaded.scene, wanted.run);
     return {std::move(loaded.scene), true, std::move(loaded.steps)};
 }

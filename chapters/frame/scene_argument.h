@@ -1,6 +1,7 @@
 // SCENE on the command line: the name of a built-in scene, or the path of an OBJ file.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,9 +26,14 @@ struct WantedOfScene {
     Run run = {};                   // with which a built-in scene is made, and an OBJ is read
 };
 
-// Warnings of the OBJ loader go to stderr. Throws UsageError for a word that names nothing, InputError for a file that cannot
-// be read and for coordinates beyond 1e29, which no camera can frame.
-SceneArgument load_scene(const std::string& name_or_path, const WantedOfScene& wanted = {});
+// Takes what is to be said while a scene is loaded, a line at a time, without its end.
+using WarningSink = std::function<void(const std::string& line)>;
+void warn_on_stderr(const std::string& line);
+
+// `warn` takes the warnings of the OBJ loader. Throws UsageError for a word that names nothing, InputError for a file that
+// cannot be read and for coordinates beyond 1e29, which no camera can frame.
+SceneArgument load_scene(const std::string& name_or_path, const WantedOfScene& wanted = {},
+                         const WarningSink& warn = warn_on_stderr);
 
 // A point of world space in the scene's own coordinates, those that its author and --eye use.
 glm::dvec3 own_coordinates(const SceneArgument& argument, const glm::dvec3& p_world);

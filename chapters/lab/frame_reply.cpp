@@ -1,7 +1,5 @@
 #include "chapters/lab/frame_reply.h"
 
-#include <iostream>
-#include <sstream>
 #include <utility>
 
 #include "chapters/frame/frame_json.h"
@@ -16,21 +14,6 @@ namespace crevice {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// What body() prints on stderr, line by line.
-template <class Body>
-std::vector<std::string> stderr_lines(const Body& body) {
-    std::ostringstream told;
-    struct Redirected {
-        std::streambuf* before;
-        ~Redirected() { std::cerr.rdbuf(before); }
-    } const redirected{std::cerr.rdbuf(told.rdbuf())};
-    body();
-    std::vector<std::string> lines;
-    std::istringstream in(told.str());
-    for (std::string line; std::getline(in, line);) lines.push_back(line);
-    return lines;
-}
 
 const Method& method_of(const LabWords& words) {
     return *named_as({{"method", "--ao"}}, [&] { return &find_method(words.ao); });
@@ -93,10 +76,9 @@ bool wants_surfaces(const LabWords& words) {
 
 LoadedScene loaded_scene(const std::string& name, bool surfaces, const Run& run) {
     LoadedScene loaded{name, surfaces, {}, {}};
-    loaded.warnings =
-        stderr_lines([&] { loaded.argument = load_scene(name, {.surfaces = surfaces, .run = run}); });
-    for (std::string& warning : scene_warnings(loaded.argument, name))
-        loaded.warnings.push_back(std::move(warning));
+    const auto warn = [&](const std::string& line) { loaded.warnings.push_back(line); };
+    loaded.argument = load_scene(name, {.surfaces = surfaces, .run = run}, warn);
+    for (const std::string& line : scene_warnings(loaded.argument, name)) warn(line);
     return loaded;
 }
 

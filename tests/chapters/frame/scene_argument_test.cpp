@@ -1,6 +1,8 @@
 #include "chapters/frame/scene_argument.h"
 
 #include <fstream>
+#include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
@@ -38,6 +40,18 @@ TEST_CASE("scenes: files outside the OBJ's directory are read where that is aske
     const std::string path = (scratch / "models/a.obj").string();
     CHECK(load_scene(path).scene.materials[0].diffuse == glm::vec3(0.8f));
     CHECK(load_scene(path, {.outside_files = true}).scene.materials[0].diffuse == glm::vec3(1, 0, 0));
+}
+
+TEST_CASE("scenes: what is wrong with an OBJ is told to the sink that is given") {
+    const ScratchDirectory scratch;
+    const std::string path = (scratch / "a.obj").string();
+    std::ofstream(path) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 9\n";
+    std::vector<std::string> told;
+    const SceneArgument argument =
+        load_scene(path, {}, [&](const std::string& line) { told.push_back(line); });
+    CHECK(triangle_count(argument.scene) == 1);
+    REQUIRE(told.size() == 1);
+    CHECK(told[0].starts_with(path + ":5: "));
 }
 
 TEST_CASE(
