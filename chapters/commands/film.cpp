@@ -1,10 +1,13 @@
 #include "chapters/commands/film.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <ostream>
 #include <vector>
 
 #include "chapters/frame/demo_view.h"
+#include "chapters/frame/frame_buffers.h"
 #include "chapters/frame/worked_frame.h"
 #include "chapters/notebook/animated_webp.h"
 #include "chapters/terminal/output_directory.h"
@@ -17,15 +20,17 @@ namespace crevice {
 
 namespace {
 
-// The buffer that is shown: the lit picture if it is wanted, else the first there is.
+// The lit picture if it is wanted, else that of the first wanted buffer of this list.
 Picture shown_picture(const Frame& frame, const WantedBuffers& wanted, bool inset) {
     if (wanted.contains("lit")) return demo_view(frame, inset);
-    if (wanted.contains("ao_blurred")) return ao_picture(frame.ao_blurred);
-    if (wanted.contains("ao_raw")) return ao_picture(frame.ao_raw);
-    if (wanted.contains(kBentNormal)) return normal_picture(frame.bent_normal);
-    if (wanted.contains("normal")) return normal_picture(frame.gbuffer.normal);
-    if (wanted.contains("view_depth")) return view_depth_picture(frame.gbuffer.view_depth);
-    return ndc_depth_picture(ndc_depth(frame.gbuffer.depth), frame.camera.reversed_z);
+    const std::string names[] = {"ao_blurred", "ao_raw", kBentNormal, "normal", "view_depth", "ndc_depth"};
+    const std::string& shown = *std::find_if(std::begin(names), std::end(names),
+                                             [&](const std::string& name) { return wanted.contains(name); });
+    Picture picture;
+    for_each_buffer(
+        frame, ndc_depth(frame.gbuffer.depth), {shown},
+        [&](const char* name, const auto& buffer) { picture = buffer_picture(name, buffer, frame.camera); });
+    return picture;
 }
 
 std::string frame_name(int frame) {

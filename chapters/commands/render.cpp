@@ -9,6 +9,7 @@
 #include "chapters/bench/savings.h"
 #include "chapters/frame/buffer_writer.h"
 #include "chapters/frame/demo_view.h"
+#include "chapters/frame/frame_buffers.h"
 #include "chapters/frame/frame_json.h"
 #include "chapters/frame/kept_passes.h"
 #include "chapters/frame/view_json.h"
@@ -28,21 +29,13 @@ Json described_buffers(const Frame& frame, const RenderOptions& options, const F
                        const std::filesystem::path& out, std::ostream& told) {
     BufferWriter writer(out, options.files, told);
     Image<float> depth;
-    const auto wanted = [&](const char* name) { return request.wanted.contains(name); };
-    const GBuffer& g = frame.gbuffer;
-    if (wanted("normal")) writer.add("normal", g.normal, [&] { return normal_picture(g.normal); });
-    if (wanted("view_depth"))
-        writer.add("view_depth", g.view_depth, [&] { return view_depth_picture(g.view_depth); });
-    if (wanted("ndc_depth")) {
-        depth = ndc_depth(g.depth, request.run);
-        writer.add("ndc_depth", depth, [&] { return ndc_depth_picture(depth, frame.camera.reversed_z); });
-    }
-    if (wanted("ao_raw")) writer.add("ao_raw", frame.ao_raw, [&] { return ao_picture(frame.ao_raw); });
-    if (wanted("ao_blurred"))
-        writer.add("ao_blurred", frame.ao_blurred, [&] { return ao_picture(frame.ao_blurred); });
-    if (wanted(kBentNormal))
-        writer.add(kBentNormal, frame.bent_normal, [&] { return normal_picture(frame.bent_normal); });
-    if (wanted("lit")) writer.add("lit", frame.lit, [&] { return demo_view(frame, options.inset); });
+    if (request.wanted.contains("ndc_depth")) depth = ndc_depth(frame.gbuffer.depth, request.run);
+    for_each_buffer(frame, depth, request.wanted, [&](const std::string& name, const auto& buffer) {
+        writer.add(name, buffer, [&, name] {
+            return name == "lit" ? demo_view(frame, options.inset)
+                                 : buffer_picture(name, buffer, frame.camera);
+        });
+    });
     writer.finish(request.run);
     Json described = writer.described();
     for (const auto& [name, buffer] : described.items())

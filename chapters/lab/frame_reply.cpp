@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "chapters/frame/frame_buffers.h"
 #include "chapters/frame/frame_json.h"
 #include "chapters/frame/view_json.h"
 #include "chapters/probe/pixel_probe.h"
@@ -32,18 +33,11 @@ Json lab_camera_json(const SceneArgument& scene, const Camera& camera, Size size
 }
 
 Json buffers_json(const DrawnFrame& drawn) {
-    const Frame& frame = drawn.frame();
     Json buffers = Json::object();
-    const auto tell = [&](const char* name, const auto& buffer) {
-        if (drawn.request.wanted.contains(name)) buffers[name] = buffer_json(buffer, drawn.words.hashes);
-    };
-    tell("normal", frame.gbuffer.normal);
-    tell("view_depth", frame.gbuffer.view_depth);
-    tell("ndc_depth", drawn.ndc_depth);
-    tell("ao_raw", frame.ao_raw);
-    tell("ao_blurred", frame.ao_blurred);
-    tell(kBentNormal, frame.bent_normal);
-    tell("lit", frame.lit);
+    for_each_buffer(drawn.frame(), drawn.ndc_depth, drawn.request.wanted,
+                    [&](const char* name, const auto& buffer) {
+                        buffers[name] = buffer_json(buffer, drawn.words.hashes);
+                    });
     return buffers;
 }
 

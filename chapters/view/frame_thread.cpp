@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "chapters/frame/frame_buffers.h"
 #include "chapters/frame/parameter_words.h"
 #include "chapters/lab/render_words.h"
 #include "chapters/probe/probe_text.h"
@@ -20,31 +21,12 @@ WantedBuffers wanted_for(const std::vector<std::string>& shown) {
     return wanted;
 }
 
-Picture picture_of(const DrawnFrame& drawn, const std::string& buffer) {
-    const Frame& frame = drawn.frame();
-    if (buffer == "normal") return normal_picture(frame.gbuffer.normal);
-    if (buffer == "view_depth") return view_depth_picture(frame.gbuffer.view_depth);
-    if (buffer == "ndc_depth") return ndc_depth_picture(drawn.ndc_depth, frame.camera.reversed_z);
-    if (buffer == "ao_raw") return ao_picture(frame.ao_raw);
-    if (buffer == kBentNormal) return normal_picture(frame.bent_normal);
-    if (buffer == "lit") {
-        // With its values, which a picture on a page does without.
-        Picture lit = lit_picture(frame.lit);
-        lit.values = {frame.lit.x, frame.lit.y, frame.lit.z};
-        return lit;
-    }
-    return ao_picture(frame.ao_blurred);
-}
-
-std::string hash_of(const DrawnFrame& drawn, const std::string& buffer) {
-    const Frame& frame = drawn.frame();
-    if (buffer == "normal") return content_hash(frame.gbuffer.normal);
-    if (buffer == "view_depth") return content_hash(frame.gbuffer.view_depth);
-    if (buffer == "ndc_depth") return content_hash(drawn.ndc_depth);
-    if (buffer == "ao_raw") return content_hash(frame.ao_raw);
-    if (buffer == kBentNormal) return content_hash(frame.bent_normal);
-    if (buffer == "lit") return content_hash(frame.lit);
-    return content_hash(frame.ao_blurred);
+// With its values, which a picture on a page does without where the bytes say as much.
+template <class Buffer>
+Picture measurable_picture(const char* name, const Buffer& buffer, const Camera& camera) {
+    Picture picture = buffer_picture(name, buffer, camera);
+    if (picture.values.empty()) picture.values = planes_of(buffer);
+    return picture;
 }
 
 void tell(const LoadedScene& scene, const DrawnFrame& drawn, ViewFrame& told) {
@@ -69,10 +51,10 @@ void tell(const LoadedScene& scene, const DrawnFrame& drawn, ViewFrame& told) {
     }
     told.pictures.clear();
     told.hashes.clear();
-    for (const std::string& buffer : drawn.words.only) {
-        told.pictures.emplace_back(buffer, picture_of(drawn, buffer));
-        told.hashes.emplace_back(buffer, hash_of(drawn, buffer));
-    }
+    for_each_buffer(frame, drawn.ndc_depth, drawn.words.only, [&](const char* name, const auto& buffer) {
+        told.pictures.emplace_back(name, measurable_picture(name, buffer, frame.camera));
+        told.hashes.emplace_back(name, content_hash(buffer));
+    });
     told.parameters.clear();
     for (const Parameter<FrameSettings>& p : frame_parameters(*drawn.request.method))
         told.parameters.emplace_back(p.name, word_of(p, drawn.request.settings));

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "chapters/frame/frame.h"
+#include "chapters/frame/frame_buffers.h"
 #include "chapters/frame/scene_argument.h"
 #include "chapters/terminal/parse.h"
 #include "rasterizer/base/error.h"
@@ -25,15 +25,10 @@ void print_figures(const std::vector<std::string>& words) {
     if (words.size() > 4) request.repeats = static_cast<int>(parse_whole("REPEATS", words[4], 1, 1000));
     validate(request.run);
     const Frame frame = render_frame(scene, scene.camera, request);
-    const auto print = [](const char* name, const std::string& hash) {
-        std::printf("%-12s %s\n", name, hash.c_str());
-    };
-    print("normal", content_hash(frame.gbuffer.normal));
-    print("view_depth", content_hash(frame.gbuffer.view_depth));
-    print("ndc_depth", content_hash(ndc_depth(frame.gbuffer.depth)));
-    print("ao_raw", content_hash(frame.ao_raw));
-    print("ao_blurred", content_hash(frame.ao_blurred));
-    print("lit", content_hash(frame.lit));
+    for_each_buffer(frame, ndc_depth(frame.gbuffer.depth), request.wanted,
+                    [](const char* name, const auto& buffer) {
+                        std::printf("%-12s %s\n", name, content_hash(buffer).c_str());
+                    });
     for (const PassTime& pass : frame.passes) {
         std::printf("%-12s %.2f ms, median of %d, %d lanes, %d threads\n", pass.name.c_str(), pass.wall_ms,
                     pass.runs, lane_count(request.run), thread_count(request.run));

@@ -4,7 +4,7 @@
 
 #include "chapters/compare/difference_page.h"
 #include "chapters/frame/camera_path.h"
-#include "chapters/frame/frame.h"
+#include "chapters/frame/frame_buffers.h"
 #include "chapters/frame/presets.h"
 #include "chapters/study/references.h"
 #include "rasterizer/base/error.h"
@@ -41,13 +41,10 @@ Frame frame_of(const Scene& scene, Size size, const std::string& method,
 }
 
 Planes planes_named(const Frame& frame, const std::string& buffer) {
-    if (buffer == "normal") return planes_of(frame.gbuffer.normal);
-    if (buffer == "view_depth") return planes_of(frame.gbuffer.view_depth);
-    if (buffer == "ndc_depth") return planes_of(ndc_depth(frame.gbuffer.depth));
-    if (buffer == "ao_raw") return planes_of(frame.ao_raw);
-    if (buffer == "ao_blurred") return planes_of(frame.ao_blurred);
-    if (buffer == kBentNormal) return planes_of(frame.bent_normal);
-    return planes_of(frame.lit);
+    Planes planes;
+    for_each_buffer(frame, ndc_depth(frame.gbuffer.depth), {buffer},
+                    [&](const char*, const auto& image) { planes = planes_of(image); });
+    return planes;
 }
 
 std::vector<GoldenBuffer> rendered_scenes() {

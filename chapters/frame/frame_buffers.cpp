@@ -1,0 +1,15 @@
+#include "chapters/frame/frame_buffers.h"
+
+namespace crevice {
+
+Picture buffer_picture(const std::string& name, const Image<float>& image, const Camera& camera) {
+    if (name == "view_depth") return view_depth_picture(image);
+    if (name == "ndc_depth") return ndc_depth_picture(image, camera.reversed_z);
+    return ao_picture(image);
+}
+
+Picture buffer_picture(const std::string& name, const Image3& image, const Camera&) {
+    return name == "lit" ? lit_picture(image) : normal_picture(image);
+}
+
+}  // namespace crevice
