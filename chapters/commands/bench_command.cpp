@@ -13,6 +13,7 @@
 #include "chapters/bench/scale.h"
 #include "chapters/commands/commands.h"
 #include "chapters/commands/run_flags.h"
+#include "chapters/frame/scene_argument.h"
 #include "chapters/terminal/output_directory.h"
 #include "chapters/terminal/parse.h"
 #include "rasterizer/base/error.h"
@@ -68,6 +69,10 @@ int peers(const BenchWords& words) {
     options.run = run_of(words);
     options.out = directory_of(words);
     validate(options);
+    // Before anything is printed, for a quick answer to a wrong word.
+    for (const PeerSubject& subject : options.subjects)
+        chosen_camera(load_scene(subject.scene, {.surfaces = false}, [](const std::string&) {}),
+                      options.camera);
     if (words.preset || words.ao) return bench_peers(options, std::cout);
     RayPeersOptions rays;
     if (words.scene) rays.scenes = {*words.scene};

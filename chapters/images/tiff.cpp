@@ -118,6 +118,7 @@ Layout layout_of(TIFF* tiff) {
     if (!whole && !real)
         throw InputError("its samples are of " + std::to_string(l.bits) + " bits, format " +
                          std::to_string(l.format));
+    if (l.photometric == PHOTOMETRIC_MINISWHITE) throw InputError("its 0 is white, not black: photometric 0");
     if (l.photometric != PHOTOMETRIC_MINISBLACK && l.photometric != PHOTOMETRIC_RGB)
         throw InputError("it is neither grey nor RGB: photometric " + std::to_string(l.photometric));
     return l;

@@ -42,6 +42,8 @@ TEST_CASE("a wrong word is refused with exit code 2 and a line that names it") {
         {{"--peers", "--scale"}, "one at a time"},
         {{"--peers", "columns"}, "SCENE"},
         {{"--peers", "--quick"}, "--quick"},
+        {{"--peers", "--scene", "no_such_scene"}, "no_such_scene"},
+        {{"--peers", "--eye", "1"}, "--eye"},
         {{"--peers", "--preset", "moon"}, "moon"},
         {{"--peers", "--preset", "luna", "--scene", "columns"}, "--preset"},
         {{"--peers", "--preset", "luna", "--ao", "luna"}, "--preset"},

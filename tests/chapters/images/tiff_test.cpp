@@ -120,7 +120,7 @@ TEST_CASE("tiff: what cannot be compared is named in one line") {
     CHECK(contains(refusal(tiff_by_hand(2, 2, 32, 1, kWhole, std::string(16, '\1'))), "32 bits, format 1"));
     constexpr std::uint32_t kPhotometric = 262, kWhiteIsZero = 0;
     CHECK(contains(refusal(tiff_by_hand(2, 2, 8, 1, kWhole, pixels, {{kPhotometric, kWhiteIsZero}})),
-                   "photometric 0"));
+                   "its 0 is white, not black: photometric 0"));
     constexpr std::uint16_t kCompression = 259, kOrientation = 274;
     CHECK(contains(refusal(tiff_by_hand(2, 2, 8, 1, kWhole, pixels, {{kOrientation, 4}})), "orientation 4"));
     constexpr std::uint32_t kFirstDirectory = 8;
