@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "chapters/terminal/json_file.h"
+#include "rasterizer/base/image.h"
 
 namespace crevice {
 

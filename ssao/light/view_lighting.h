@@ -6,6 +6,7 @@
 
 #include <glm/common.hpp>
 
+#include "rasterizer/draw/normal_depth.h"
 #include "rasterizer/draw/surface_textures.h"
 #include "rasterizer/draw/vertex_colours.h"
 #include "ssao/light/light_tile.h"

@@ -11,6 +11,7 @@
 
 #include "rasterizer/lanes/approx_math.h"
 #include "scenes/cube_sphere.h"
+#include "ssao/rays/surface_points.h"
 #include "tests/tools/ray_checks.h"
 
 namespace crevice {
