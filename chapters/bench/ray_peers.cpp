@@ -20,7 +20,7 @@ namespace crevice {
 
 namespace {
 
-using Answer = nlohmann::json;
+using PeerLine = nlohmann::json;
 
 // How many times as fast as each of Embree's ways ours is meant to be.
 constexpr double kRayAim = 1;
@@ -38,11 +38,11 @@ struct Traced {
     double million_rays_a_second() const { return rays / median_interval(ms).median * 1e-3; }
 };
 
-std::string length_text(const Answer& length) {
+std::string length_text(const PeerLine& length) {
     return length.is_string() ? length.get<std::string>() : significant_text(length.get<double>(), 6);
 }
 
-Traced traced(const Answer& line) {
+Traced traced(const PeerLine& line) {
     return {length_text(line.at("length")),
             line.at("tracer").get<std::string>(),
             line.at("threads").get<int>(),
@@ -114,7 +114,7 @@ Table threads_table(const std::string& scene, const std::vector<Traced>& all) {
     return table;
 }
 
-std::vector<TableValue> build_row(const std::string& scene, const Answer& line) {
+std::vector<TableValue> build_row(const std::string& scene, const PeerLine& line) {
     const auto ours = line.at("ours_ms").get<std::vector<double>>(),
                embree = line.at("embree_ms").get<std::vector<double>>();
     std::vector<TableValue> row = {scene, TableValue(line.at("threads").get<int>(), 0),
@@ -124,7 +124,7 @@ std::vector<TableValue> build_row(const std::string& scene, const Answer& line) 
     return row;
 }
 
-std::vector<TableValue> agreement_row(const std::string& scene, const Answer& line) {
+std::vector<TableValue> agreement_row(const std::string& scene, const PeerLine& line) {
     const auto number = [&](const char* name) { return line.at(name).get<double>(); };
     const double same_rays = number("same_rays_errors"), own_rays = number("own_rays_errors");
     const bool same = std::abs(same_rays) < kMostErrors && std::abs(own_rays) < kMostErrors;
@@ -179,12 +179,12 @@ Answers answers_of(const std::string& scene, const std::vector<std::string>& lin
     Answers answers;
     for (const std::string& text : lines) {
         try {
-            const Answer line = Answer::parse(text);
+            const PeerLine line = PeerLine::parse(text);
             const auto kind = line.at("kind").get<std::string>();
             if (kind == "trace") answers.traces.push_back(traced(line));
             if (kind == "build") answers.builds.rows.push_back(build_row(scene, line));
             if (kind == "agreement") answers.agreement.rows.push_back(agreement_row(scene, line));
-        } catch (const Answer::exception&) {
+        } catch (const PeerLine::exception&) {
             throw InputError("embree_peer: not an answer (" + text.substr(0, 60) +
                              "); build both programs anew");
         }

@@ -12,7 +12,7 @@ namespace crevice {
 
 namespace {
 
-using Words = std::vector<CommandLine::CommandWords>;
+using AllWords = std::vector<CommandLine::CommandWords>;
 
 std::string joined(const std::vector<std::string>& words) {
     std::string text;
@@ -37,7 +37,7 @@ std::vector<std::string> preset_names() {
 }
 
 // Files are what bash offers where nothing of ours fits.
-std::string bash_script(const Words& words) {
+std::string bash_script(const AllWords& words) {
     std::vector<std::string> commands;
     std::string cases;
     for (std::size_t i = 1; i < words.size(); ++i) {
@@ -72,11 +72,11 @@ std::string bash_script(const Words& words) {
            "complete -o default -F _crevice crevice\n";
 }
 
-std::string zsh_script(const Words& words) {
+std::string zsh_script(const AllWords& words) {
     return "#compdef crevice\nautoload -U +X bashcompinit && bashcompinit\n" + bash_script(words);
 }
 
-std::string fish_script(const Words& words) {
+std::string fish_script(const AllWords& words) {
     std::string script;
     for (std::size_t i = 1; i < words.size(); ++i) {
         const std::string seen =
@@ -99,7 +99,7 @@ Command add_completion_command(CommandLine& program) {
     CommandLine command = program.subcommand("completion", "Print a script that completes words in a shell");
     command.required("SHELL", *shell, "bash, zsh or fish");
     return {command, [shell, program] {
-                using Script = std::string (*)(const Words&);
+                using Script = std::string (*)(const AllWords&);
                 const auto script = parse_choice<Script>(
                     "SHELL", *shell, {{"bash", bash_script}, {"zsh", zsh_script}, {"fish", fish_script}});
                 std::cout << script(program.all_words());

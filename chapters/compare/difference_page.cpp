@@ -176,20 +176,20 @@ std::string first_pixels(const DifferenceEntry& entry, const DifferenceLabels& l
     return html + "</table></div></div>\n";
 }
 
-struct Judged {
+struct JudgedEntry {
     const DifferenceEntry* entry = nullptr;
     std::optional<ImageError> error;  // none: the two cannot be compared
 
     bool differs() const { return !error || !error->identical(); }
 };
 
-Judged judge(const DifferenceEntry& entry) {
+JudgedEntry judge(const DifferenceEntry& entry) {
     const Planes &a = entry.a, &b = entry.b;
     const bool comparable = !a.empty() && a.size() == b.size() && !a[0].empty() && a[0].size == b[0].size;
     return {&entry, comparable ? std::optional(compare_images(a, b)) : std::nullopt};
 }
 
-std::string section(const Judged& judged, const DifferenceLabels& labels) {
+std::string section(const JudgedEntry& judged, const DifferenceLabels& labels) {
     const DifferenceEntry& entry = *judged.entry;
     std::string html = "<section>\n<h2>" + escape_html(entry.title()) + " ";
     html += judged.differs() ? "<span class=\"bad\">✗ differs</span></h2>\n"
@@ -220,14 +220,15 @@ std::vector<std::pair<std::string, std::string>> error_rows(const ImageError& er
 }
 
 std::string difference_page(std::span<const DifferenceEntry> entries, const DifferenceLabels& labels) {
-    std::vector<Judged> judged;
+    std::vector<JudgedEntry> judged;
     for (const DifferenceEntry& entry : entries) judged.push_back(judge(entry));
-    std::stable_partition(judged.begin(), judged.end(), [](const Judged& pair) { return pair.differs(); });
+    std::stable_partition(judged.begin(), judged.end(),
+                          [](const JudgedEntry& pair) { return pair.differs(); });
     const auto differing =
-        std::count_if(judged.begin(), judged.end(), [](const Judged& pair) { return pair.differs(); });
+        std::count_if(judged.begin(), judged.end(), [](const JudgedEntry& pair) { return pair.differs(); });
     std::string body = "<main>\n<h1>" + escape_html(labels.title) + "</h1>\n<p>" + std::to_string(differing) +
                        " of " + std::to_string(judged.size()) + " differ.</p>\n";
-    for (const Judged& pair : judged) body += section(pair, labels);
+    for (const JudgedEntry& pair : judged) body += section(pair, labels);
     return html_page(labels.title, body + "</main>\n");
 }
 

@@ -52,10 +52,10 @@ float mean_kept_when_open(const std::vector<SliceHorizons>& slices) {
 }
 
 std::vector<std::vector<std::string>> gtao_parameter_rows() {
-    struct Parameter {
+    struct ParameterRow {
         const char *name, *symbol, *meaning;
     };
-    constexpr Parameter kParameters[] = {
+    constexpr ParameterRow kParameters[] = {
         {"samples", "2NK", "slices times steps, to two sides"},
         {"radius", "R", "scene units; what is further away does not occlude"},
         {"radius_multiplier", "m", "samples are looked for up to m R"},

@@ -15,15 +15,15 @@ namespace crevice {
 namespace {
 
 // The pixels of one axis that a pixel of the next level covers, and the part of it that each fills.
-struct Footprint {
+struct CoveredPixels {
     int first = 0;
     std::array<float, 3> weights{};  // sum 1; at most three are in use
     int count = 0;
 };
 
 // Level pixel `i` of `to` covers the stretch [i, i + 1) * from / to of the level above.
-Footprint footprint(int i, int from, int to) {
-    Footprint result;
+CoveredPixels covered_pixels(int i, int from, int to) {
+    CoveredPixels result;
     const std::int64_t low = std::int64_t{i} * from, high = low + from;  // in units of 1 / to
     result.first = static_cast<int>(low / to);
     for (std::int64_t pixel = result.first; pixel * to < high; ++pixel) {
@@ -41,7 +41,7 @@ class HalfSize {
  public:
     explicit HalfSize(const Image<float>& above) : above_(above), below_(half_of(above.size), 0.0f) {
         for (int x = 0; x < below_.size.width; ++x)
-            columns_.push_back(footprint(x, above.size.width, below_.size.width));
+            columns_.push_back(covered_pixels(x, above.size.width, below_.size.width));
     }
 
     Image<float> made(const Run& run) {
@@ -63,7 +63,7 @@ class HalfSize {
  private:
     template <class F>
     CREVICE_INLINE void mix_rows(int y, float* mean) const {
-        const Footprint rows = footprint(y, above_.size.height, below_.size.height);
+        const CoveredPixels rows = covered_pixels(y, above_.size.height, below_.size.height);
         for (int x = 0; x < above_.stride; x += kLanes<F>) {
             F sum(0);
             for (int k = 0; k < rows.count; ++k) {
@@ -81,7 +81,7 @@ class HalfSize {
         }
     }
     void mix_columns(const float* mean, float* row) const {
-        for (const Footprint& column : columns_) {
+        for (const CoveredPixels& column : columns_) {
             float sum = 0;
             for (std::size_t k = 0; k < static_cast<std::size_t>(column.count); ++k)
                 sum += column.weights[k] * mean[static_cast<std::size_t>(column.first) + k];
@@ -91,7 +91,7 @@ class HalfSize {
 
     const Image<float>& above_;
     Image<float> below_;
-    std::vector<Footprint> columns_;
+    std::vector<CoveredPixels> columns_;
 };
 
 // From a row to the next, in texels: an odd number of cache lines, so that rows do not all fall into the same few

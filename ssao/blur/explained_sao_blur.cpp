@@ -34,7 +34,7 @@ ExplainedPass explained_quad(const Image<float>& map, const Image<float>& depth,
 
 // The pass along x or y of a map whose values `value_at(x, y)` gives.
 template <class ValueAt>
-ExplainedPass explained_pass(const BlurPass& pass, const ValueAt& value_at, const Image<float>& depth,
+ExplainedPass explained_pass(const SaoBlurPass& pass, const ValueAt& value_at, const Image<float>& depth,
                              float inverse_depth, int x, int y, int along_x) {
     ExplainedPass result;
     result.last_step = "sum / total, at most 1";
@@ -91,7 +91,7 @@ std::vector<ExplainedPass> explain_sao_blur(const Image<float>& ao, const AoInpu
             explained_quad(evened_across(ao, depth, quad_limit, x, y), depth, quad_limit, x, y, 0));
         even_out_quads(map, depth, quad_limit, {});
     }
-    const auto both_ways = [&](const BlurPass& pass, const std::string& name) {
+    const auto both_ways = [&](const SaoBlurPass& pass, const std::string& name) {
         const auto before = [&](int at_x, int at_y) { return map.at(at_x, at_y); };
         const auto across = [&](int at_x, int at_y) {
             return explained_pass(pass, before, depth, inverse, at_x, at_y, 1).value;

@@ -30,8 +30,8 @@ class ApronedRow {
     std::vector<float> texels_;
 };
 
-void blur_across(const BlurPass& pass, const Image<float>& ao, const Image<float>& depth, float inverse_depth,
-                 Image<float>& result, const Run& run) {
+void blur_across(const SaoBlurPass& pass, const Image<float>& ao, const Image<float>& depth,
+                 float inverse_depth, Image<float>& result, const Run& run) {
     const int width = ao.size.width;
     parallel_rows(ao.size.height, run, [&](int first_row, int end_row) {
         ApronedRow ao_row(width), depth_row(width);
@@ -52,8 +52,8 @@ void blur_across(const BlurPass& pass, const Image<float>& ao, const Image<float
     });
 }
 
-void blur_down(const BlurPass& pass, const Image<float>& ao, const Image<float>& depth, float inverse_depth,
-               Image<float>& result, const Run& run) {
+void blur_down(const SaoBlurPass& pass, const Image<float>& ao, const Image<float>& depth,
+               float inverse_depth, Image<float>& result, const Run& run) {
     const Size size = ao.size;
     parallel_rows(size.height, run, [&](int first_row, int end_row) {
         run_kernel(run, [&]<class F>(Lanes<F>) {
@@ -103,7 +103,7 @@ AoMap sao_blur(const Image<float>& ao, const AoInputs& inputs, const SaoBlurSett
     if (settings.iterations > 0 && settings.quads)
         even_out_quads(blurred.ao, inputs.view_depth, kQuadShare * settings.depth, run);
     Image<float> across(ao.size, 1.0f);
-    const auto both_ways = [&](const BlurPass& pass) {
+    const auto both_ways = [&](const SaoBlurPass& pass) {
         blur_across(pass, blurred.ao, inputs.view_depth, inverse_depth, across, run);
         blur_down(pass, across, inputs.view_depth, inverse_depth, blurred.ao, run);
     };

@@ -12,17 +12,17 @@
 namespace crevice {
 
 // The weights of a pass: the texel's own, then those of its neighbours at equal distances to each side.
-struct BlurPass {
+struct SaoBlurPass {
     int step;  // texels from one neighbour to the next
     int taps;  // to each side
     float weights[5];
 };
 
 // The published Gaussian, which adds .3 to the weight of each neighbour.
-inline constexpr BlurPass kPublished{
+inline constexpr SaoBlurPass kPublished{
     2, 4, {0.153170f, 0.3f + 0.144893f, 0.3f + 0.122649f, 0.3f + 0.092902f, 0.3f + 0.062970f}};
 // What alternates from texel to texel becomes its mean.
-inline constexpr BlurPass kFine{1, 1, {0.5f, 0.25f}};
+inline constexpr SaoBlurPass kFine{1, 1, {0.5f, 0.25f}};
 
 // The texels of a square of four must agree better than the blur's: .02 m of its .15 m.
 inline constexpr float kQuadShare = 0.02f / 0.15f;

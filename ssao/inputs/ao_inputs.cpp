@@ -123,7 +123,7 @@ AoInputs ao_inputs(const GBuffer& gbuffer, const Camera& camera, const AoFetch& 
             for (int y = first_row; y < end_row; ++y) {
                 const TexelRow row(pixels, columns, rows, y);
                 for (int x = 0; x < inputs.view_depth.stride; x += kLanes<F>) {
-                    const Texel<F> texel = row.template fetch<F>(inputs, x, skip_background);
+                    const FetchedTexel<F> texel = row.template fetch<F>(inputs, x, skip_background);
                     store(inputs.normal.x.row(y) + x, texel.normal.x);
                     store(inputs.normal.y.row(y) + x, texel.normal.y);
                     store(inputs.normal.z.row(y) + x, texel.normal.z);

@@ -34,7 +34,7 @@ TexelAxis<T> texel_axis(int texels, int pixels, const ViewRays& rays, T Vec3<T>:
 }
 
 template <class F>
-struct Texel {
+struct FetchedTexel {
     Vec3<F> normal;  // view space; background 0
     F view_depth;    // scene units; background +inf
 };
@@ -55,7 +55,7 @@ class TexelRow {
     // The texels from x on. A group of texels that sees nothing but background is done at once where
     // `skip_background` says so.
     template <class F>
-    CREVICE_INLINE Texel<F> fetch(const AoInputs& inputs, int x, bool skip_background) const {
+    CREVICE_INLINE FetchedTexel<F> fetch(const AoInputs& inputs, int x, bool skip_background) const {
         const ColumnPair<F> columns = columns_at<F>(inputs, x);
         TexelFetch<F> texel(inputs, load_rays<F>(columns_.texel_rays.data() + x), F(rows_.texel_rays[y_]));
         texel.read_depths(pixels_, columns, row0_, 0);

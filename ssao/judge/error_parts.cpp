@@ -11,8 +11,6 @@ namespace crevice {
 
 namespace {
 
-using PixelMask = Image<std::uint8_t>;
-
 const Image<float>& second_half(const ChainImage& image) {
     return image.second.empty() ? image.first : image.second;
 }
@@ -54,20 +52,20 @@ Change change_at(const ChainImage& before, const ChainImage& after, int x, int y
 
 // A sum over pixels and the sum of their magnitudes. Rows are summed first, so that rounding grows with the
 // picture's sides and not with its area.
-struct Sum {
+struct CheckedSum {
     double value = 0, magnitude = 0;
 
     void add(double term) {
         value += term;
         magnitude += std::fabs(term);
     }
-    void add(const Sum& row) {
+    void add(const CheckedSum& row) {
         value += row.value;
         magnitude += row.magnitude;
     }
 };
 struct PartSums {
-    Sum bias, square, share;
+    CheckedSum bias, square, share;
 
     void add(const PartSums& row) {
         bias.add(row.bias);
@@ -77,7 +75,7 @@ struct PartSums {
 };
 
 PartSums sums_of(const ChainImage& before, const ChainImage& after, std::span<const ChainImage> chain,
-                 const PixelMask& counted) {
+                 const Image<std::uint8_t>& counted) {
     PartSums sums;
     for (int y = 0; y < counted.size.height; ++y) {
         PartSums row;
@@ -108,7 +106,7 @@ Image<float> difference_of(const ChainImage& before, const ChainImage& after) {
     return difference;
 }
 
-void check_adds_up(const char* what, const Sum& parts, const Sum& total) {
+void check_adds_up(const char* what, const CheckedSum& parts, const CheckedSum& total) {
     const double off = std::fabs(parts.value - total.value);
     if (off <= 1e-12 * (parts.magnitude + total.magnitude)) return;
     throw std::logic_error(std::string("the parts of an error do not add up to it (") + what + " off by " +
@@ -117,7 +115,7 @@ void check_adds_up(const char* what, const Sum& parts, const Sum& total) {
 
 }  // namespace
 
-ErrorParts error_parts(std::span<const ChainImage> chain, const PixelMask& counted) {
+ErrorParts error_parts(std::span<const ChainImage> chain, const Image<std::uint8_t>& counted) {
     check_chain(chain);
     if (counted.size != chain[0].first.size)
         throw InputError("a mask of another size than the chain's images; make it for these images");
@@ -145,7 +143,7 @@ ErrorParts error_parts(std::span<const ChainImage> chain, const PixelMask& count
 
 ErrorParts error_parts(std::span<const ChainImage> chain) {
     check_chain(chain);
-    return error_parts(chain, PixelMask(chain[0].first.size, 1));
+    return error_parts(chain, Image<std::uint8_t>(chain[0].first.size, 1));
 }
 
 }  // namespace crevice

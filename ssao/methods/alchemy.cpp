@@ -28,15 +28,15 @@ NoiseTile turn(std::uint32_t seed, double SineCosine::*part) {
 }
 
 // What one tap of all texels has in common.
-struct Tap {
+struct SharedTap {
     float x, y;    // its direction before the texel's turn, unit
     float height;  // [0, 1); of a point of the sphere, before the texel's shift
 };
 
 // Each a golden angle further than the one before: whatever their number, they lie evenly around.
-std::vector<Tap> taps_of(int samples, std::uint32_t seed) {
+std::vector<SharedTap> taps_of(int samples, std::uint32_t seed) {
     constexpr double kGoldenAngle = 2.39996322972865332;
-    std::vector<Tap> taps;
+    std::vector<SharedTap> taps;
     for (int i = 0; i < samples; ++i) {
         const SineCosine at = sine_cosine(kGoldenAngle * i);
         taps.push_back({static_cast<float>(at.cosine), static_cast<float>(at.sine),
@@ -48,7 +48,7 @@ std::vector<Tap> taps_of(int samples, std::uint32_t seed) {
 struct AlchemyKernel {
     const AoInputs& inputs;
     const AlchemySettings settings;
-    const std::vector<Tap> taps;
+    const std::vector<SharedTap> taps;
     const NoiseTile cosine, sine,
         shift;               // of the texel's turn; how far its taps lie into their rings, [0, 1)
     const float scale, cap;  // 2 sigma, scene units; epsilon, squared scene units
@@ -101,7 +101,7 @@ struct AlchemyKernel {
 
     template <class F>
     CREVICE_INLINE Tapped<F> tapped(const TexelPoint<F>& texel, const Pattern<F>& pattern, int i) const {
-        const Tap& base = taps[static_cast<std::size_t>(i)];
+        const SharedTap& base = taps[static_cast<std::size_t>(i)];
         const Screen2<F> direction{F(base.x) * pattern.cosine - F(base.y) * pattern.sine,
                                    F(base.x) * pattern.sine + F(base.y) * pattern.cosine};
         if (settings.taps == AlchemyTaps::disk) {

@@ -28,7 +28,7 @@ struct HbaoKernel {
 
     // One direction over the screen: where it goes, how its tangent plane lies, and how high things stand so far.
     template <class F>
-    struct Ray {
+    struct ScreenRay {
         F x, y;          // on the screen, y down
         Vec3<F> v;       // the zenith
         F cosine, sine;  // of the angle from v to the normal's part in the plane of v and the direction
@@ -44,7 +44,7 @@ struct HbaoKernel {
     }
 
     template <class F>
-    CREVICE_INLINE Ray<F> ray_along(const TexelPoint<F>& texel, Vec3<F> v, F x, F y) const {
+    CREVICE_INLINE ScreenRay<F> ray_along(const TexelPoint<F>& texel, Vec3<F> v, F x, F y) const {
         const F zero(0), one(1);
         const F along_v = x * v.x + y * v.y;
         const Vec3<F> t = normalize_or<F>(Vec3<F>{x, y, zero} - along_v * v, {one, zero, zero});
@@ -52,8 +52,8 @@ struct HbaoKernel {
         const F squared = n_t * n_t + n_v * n_v;
         const auto usable = squared > F(1e-12f);
         const F inverse = one / square_root(select(usable, squared, one));
-        Ray<F> ray{x,  zero - y, v, select(usable, n_v * inverse, one), select(usable, n_t * inverse, zero),
-                   one};
+        ScreenRay<F> ray{
+            x, zero - y, v, select(usable, n_v * inverse, one), select(usable, n_t * inverse, zero), one};
         // The tangent has the elevation -angle; `bias` above it nothing counts, beyond the zenith there is nothing.
         const F b_cosine = F(static_cast<float>(bias.cosine)), b_sine = F(static_cast<float>(bias.sine));
         const auto below_zenith = ray.cosine * b_cosine + ray.sine * b_sine > zero;
@@ -62,7 +62,7 @@ struct HbaoKernel {
     }
 
     template <class F, class Witness>
-    CREVICE_INLINE SampleFacts<F> sample(const TexelPoint<F>& texel, Ray<F>& ray, Screen2<F> at,
+    CREVICE_INLINE SampleFacts<F> sample(const TexelPoint<F>& texel, ScreenRay<F>& ray, Screen2<F> at,
                                          const Witness& witness) const {
         const FetchedPixel<F> pixel = fetch_pixel(inputs, at);
         const F zero(0), one(1), reach_squared = F(settings.radius) * F(settings.radius);
@@ -92,7 +92,7 @@ struct HbaoKernel {
         int number = 0;
         for (const glm::vec2& direction : directions) {
             const F x = F(direction.x), y = F(direction.y);
-            Ray<F> ray = ray_along(texel, v, x * cosine - y * sine, x * sine + y * cosine);
+            ScreenRay<F> ray = ray_along(texel, v, x * cosine - y * sine, x * sine + y * cosine);
             for (int step = 0; step < settings.steps; ++step) {
                 const F along = ray_distance_px(step, settings.steps, shift, radius_px);
                 witness.tell("direction", Int<F>(number));

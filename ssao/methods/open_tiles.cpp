@@ -179,7 +179,7 @@ Window inner_tiles(const AoInputs& inputs, const Window& in_map) {
 }
 
 // One tile that may be open, and what decides it.
-struct Candidate {
+struct PerhapsOpenTile {
     int column, row;
     Window in_map;
 };
@@ -200,7 +200,7 @@ TileMap ao_tiles(const AoInputs& inputs, const LunaSettings& settings, const Run
 
     const int block_rows = (inputs.depth_map.size.height + kBlock - 1) / kBlock;
     std::vector<char> wanted(static_cast<std::size_t>(block_rows), 0);
-    std::vector<Candidate> candidates;
+    std::vector<PerhapsOpenTile> candidates;
     for (int row = 0; row < tiles.height; ++row) {
         for (int column = 0; column < tiles.width; ++column) {
             const Range& surface = surfaces.at(column, row);
@@ -231,7 +231,7 @@ TileMap ao_tiles(const AoInputs& inputs, const LunaSettings& settings, const Run
     }
     if (candidates.empty()) return map;
     const Image<Range> blocks = cell_ranges(inputs.depth_map, kBlock, wanted, run);
-    for (const Candidate& candidate : candidates) {
+    for (const PerhapsOpenTile& candidate : candidates) {
         const double nearest = nearest_filtered(inputs, range_over(blocks, kBlock, candidate.in_map));
         if (surfaces.at(candidate.column, candidate.row).farthest - nearest <= settings.epsilon)
             map.tiles.at(candidate.column, candidate.row) = TileWork::open;

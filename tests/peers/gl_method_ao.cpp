@@ -116,7 +116,7 @@ class GlSao final : public GlMethodAo {
             blur_into(program, *from, *to);
             std::swap(from, to);
         };
-        const auto both_ways = [&](const BlurPass& by) {
+        const auto both_ways = [&](const SaoBlurPass& by) {
             blur_.set("weights", std::span<const float>(by.weights));
             blur_.set("taps", static_cast<float>(by.taps));
             blur_.set("step_texels", static_cast<float>(by.step));
