@@ -19,8 +19,8 @@ struct SurfaceMaps {
     Image<float> height;  // what the normals are of, in widths of the texture; texel centres
 };
 
-// All are square, `side` texels, painted on all threads; a side out of [kSmallestTextureSide, kLargestTextureSide] is a UsageError.
-// They are functions of the position alone, so another side gives the same surface sampled otherwise.
+// All are square, `side` texels, painted on all threads; a side out of [kSmallestTextureSide, kLargestTextureSide] is a
+// UsageError. They are functions of the position alone, so another side gives the same surface sampled otherwise.
 
 // Four by four glazed clay tiles with rounded rims, each of its own shade, and rough grout between them.
 SurfaceMaps floor_tile_textures(int side = kTextureSide, const Run& run = {});

@@ -25,8 +25,8 @@ struct PeerVertex {
 // What else a vertex has where a scene has textures.
 struct PeerSurfaceVertex {
     glm::vec2 uv = glm::vec2(0);  // v = 0 at the top row
-    glm::vec4 tangent_world =
-        glm::vec4(0);  // of any length; w: handedness, as in rasterizer/scene/tangents.h
+    // Of any length; w: handedness, as in rasterizer/scene/tangents.h.
+    glm::vec4 tangent_world = glm::vec4(0);
 };
 
 inline constexpr std::int32_t kNoPeerTexture = -1;
@@ -93,8 +93,8 @@ struct PeerFrame {
 
 // A texture with its mip levels.
 struct PeerTexture {
-    std::int32_t width = 0, height = 0,
-                 levels = 0;                  // of the full size; each level max(1, half) of the one before
+    std::int32_t width = 0, height = 0;       // of the full size
+    std::int32_t levels = 0;                  // each max(1, half) of the one before
     std::int32_t probes = 1;                  // of an anisotropic filter; 1: trilinear
     std::int32_t clamps_u = 0, clamps_v = 0;  // 0: wraps
     std::vector<float> texels;                // RGBA, level by level, row by row, the top one first
@@ -104,11 +104,11 @@ struct PeerScene {
     PeerFrame frame;
     std::vector<PeerNumber> numbers;  // of the AO pass and its blur
     std::vector<float> blur_weights;  // of taps beside each other; empty: the blur has its own
-    std::vector<glm::vec3>
-        samples;                   // what all texels have in common of them; what that is, the AO pass knows
+    // Of the AO pass, what all texels have in common: directions or offsets, as its method has them.
+    std::vector<glm::vec3> samples;
     std::vector<glm::vec4> noise;  // a tile of noise_side^2 texels, what differs from texel to texel
-    std::vector<std::uint8_t>
-        random_map;  // of PeerMethod::luna: kRandomMapSide^2 texels of RGBA, [-1,1] as 0..255
+    // Of PeerMethod::luna: kRandomMapSide^2 texels of RGBA, [-1,1] as 0..255.
+    std::vector<std::uint8_t> random_map;
     std::vector<PeerVertex> vertices;
     std::vector<PeerSurfaceVertex> surface_vertices;  // one a vertex; empty where nothing has a texture
     std::vector<std::uint32_t> indices;

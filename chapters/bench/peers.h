@@ -54,8 +54,9 @@ struct PeersOptions {
     double patience_s = 120;  // for one answer of the peer
 };
 
-// Prints and writes the tables, and the peer's buffers as OUT/NAME_peer/BUFFER.npy, its lit picture as .png, too. Returns 0, or 1 when the two
-// sides did not draw the same picture. Throws UsageError, InputError (no peer, or what it did wrong), OutputError.
+// Prints and writes the tables, and the peer's buffers as OUT/NAME_peer/BUFFER.npy, its lit picture as .png, too.
+// Returns 0, or 1 when the two sides did not draw the same picture. Throws UsageError, InputError (no peer, or what it
+// did wrong), OutputError.
 int bench_peers(const PeersOptions& options, std::ostream& out);
 
 // Throws UsageError for options out of range, as bench_peers() does.

@@ -8,8 +8,9 @@
 
 namespace crevice {
 
-// Calls take(name, image) for each of the wanted buffers, an Image<float> or an Image3 of the frame, in the order of kBufferNames
-// but with bent normals before the lit image. `ndc_depth` is what ndc_depth() makes of the frame's depth, where that is wanted.
+// Calls take(name, image) for each of the wanted buffers, an Image<float> or an Image3 of the frame, in the order of
+// kBufferNames but with bent normals before the lit image. `ndc_depth` is what ndc_depth() makes of the frame's depth,
+// where that is wanted.
 template <class Take>
 void for_each_buffer(const Frame& frame, const Image<float>& ndc_depth, const WantedBuffers& wanted,
                      const Take& take) {

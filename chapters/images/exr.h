@@ -28,9 +28,9 @@ std::string exr_bytes(std::span<const ExrChannel> channels);
 
 // One buffer of a file.
 struct ExrLayer {
-    std::string
-        name;       // "normal"; "" of bare R, G, B; "ao_raw" of ao.raw, whose last part is no single letter
-    Planes planes;  // R, G, B or X, Y, Z or U, V, those that there are, or one of another name
+    // "normal"; "" of bare R, G, B; "ao_raw" of ao.raw, whose last part is no single letter.
+    std::string name;
+    Planes planes;        // R, G, B or X, Y, Z or U, V, those that there are, or one of another name
     Image<float> alpha;   // of A; empty: it has none
     bool colour = false;  // R, G and B: light, by the format's rule linear
 };

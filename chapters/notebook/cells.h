@@ -32,8 +32,8 @@ struct NotebookPicture {
     std::string png;   // the file's bytes
     BookText caption;  // Markdown, one sentence or two; may be empty
     BookText about;    // plain text: its mapping and statistics
-    std::string
-        command;  // `crevice render` or `crevice probe` that shows it, too; pages lead from it into the lab; or empty
+    // `crevice render` or `crevice probe` that shows it, too; pages lead from it into the lab; or empty.
+    std::string command;
 };
 struct PictureOutput {
     enum class Layout {

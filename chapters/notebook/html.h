@@ -21,8 +21,8 @@ std::string base64(std::string_view bytes);
 // The address of the lab, beside a page, that shows what a `crevice render` or `crevice probe` command does.
 std::string lab_address(std::string_view command);
 
-// An <img> with the file inside, a PNG or another `type`, at a whole multiple of its size that is at least kMinShownWidth wide; `alt`
-// and `classes` are plain text.
+// An <img> with the file inside, a PNG or another `type`, at a whole multiple of its size that is at least
+// kMinShownWidth wide; `alt` and `classes` are plain text.
 inline constexpr int kMinShownWidth = 640;
 std::string image_element(std::string_view file, Size size, std::string_view alt,
                           std::string_view classes = "", std::string_view type = "image/png");

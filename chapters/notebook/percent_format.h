@@ -26,8 +26,8 @@ struct SourceCell {
 void drop_empty_lines_around(std::string& text);
 
 // The cells of a whole file, in order. Without any line that begins a cell, the file is one code cell named "all".
-// Throws UsageError, naming file and line: text before the first cell, a cell that is indented, a name that is missing, malformed or there
-// twice, an unknown tag, a line of a prose cell that is no comment.
+// Throws UsageError, naming file and line: text before the first cell, a cell that is indented, a name that is missing,
+// malformed or there twice, an unknown tag, a line of a prose cell that is no comment.
 std::vector<SourceCell> percent_cells(std::string_view source, const std::string& file);
 
 }  // namespace crevice

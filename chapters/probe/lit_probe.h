@@ -16,8 +16,8 @@ struct ReadTexel {
 
 struct LitProbe {
     LitExplanation explanation;
-    std::vector<ReadTexel>
-        texels;  // around the pixel; none without an AO map, or with another lookup than the linear one
+    // Around the pixel; none without an AO map, or with another lookup than the linear one.
+    std::vector<ReadTexel> texels;
 };
 
 LitProbe probe_lit(const Scene& scene, const FrameRequest& request, const WorkedFrame& worked, int x, int y);

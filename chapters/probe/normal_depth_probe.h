@@ -25,8 +25,8 @@ struct NormalDepthProbe {
     bool surface = false;  // false: background, and the rest is unset
     float view_depth = 0;  // scene units, as the buffer holds it
     glm::vec3 n_view{0};   // as the buffer holds it
-    std::vector<DepthInFormat>
-        formats;  // D16, D24, D32F, reversed D32F; another that the frame has, after them
+    // D16, D24, D32F, reversed D32F; another that the frame has, after them.
+    std::vector<DepthInFormat> formats;
     // Rebuilt in float from the pixel's centre, view space: the ray through it times view depth; and its ndc position
     // through the inverse of the projection.
     glm::vec3 p_by_ray{0}, p_by_unprojection{0};

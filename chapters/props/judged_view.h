@@ -27,8 +27,8 @@ struct MethodMap {
     RawAo raw;
     Image<float> denoised;  // AO map size
     Image<float> picture;   // the same at picture size, as the lit pass reads it
-    std::string
-        rendered;  // the `crevice render` command of this frame; empty where the scene is none of the built-in ones
+    // The `crevice render` command of this frame; empty where the scene is none of the built-in ones.
+    std::string rendered;
 
     // The command that draws one of its buffers, such as "ao_raw"; or empty.
     std::string command(const std::string& buffer) const {

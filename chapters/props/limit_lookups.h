@@ -11,8 +11,8 @@ struct MisplacedFloor {
 };
 MisplacedFloor misplaced_floor();
 
-// An AO map of the house's eaves as the lit pass reads it at v, and at v - 1 as X_Jun's vertex shader has it: (y + w) * -0.5 / w
-// instead of (y - w) * -0.5 / w.
+// An AO map of the house's eaves as the lit pass reads it at v, and at v - 1 as X_Jun's vertex shader has it:
+// (y + w) * -0.5 / w instead of (y - w) * -0.5 / w.
 struct ShiftedRows {
     Image<float> wrap, wrap_off, clamp_off;
     float apart = 0;           // the largest difference of the first two

@@ -33,8 +33,8 @@ struct Contest {
 Contest least_error(const std::vector<Contestant>& all);
 // Of those that keep the budget.
 Contest least_error_within(std::vector<Contestant> all, double budget_ms);
-// By time, of those with no larger RMSE. Ties: the ratio lies within that of a setting timed twice (A/A), or the intervals of the
-// two times meet.
+// By time, of those with no larger RMSE. Ties: the ratio lies within that of a setting timed twice (A/A), or the
+// intervals of the two times meet.
 Contest least_time_to(std::vector<Contestant> all, double rmse, const std::optional<BarFigure>& same_again);
 
 }  // namespace crevice

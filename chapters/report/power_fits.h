@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "chapters/sweep/sweep_figures.h"
 #include "chapters/study/statistics.h"
+#include "chapters/sweep/sweep_figures.h"
 
 namespace crevice {
 
@@ -35,8 +35,9 @@ inline constexpr CostVariable kCostVariables[] = {{"pixels", "pixels of the pict
                                                   {"samples", "samples a pixel"},
                                                   {"threads", "threads"}};
 
-// Median ms against one of kCostVariables while all else that the plan sets stays the same (triangles: the scene with its camera
-// changes). Of each method the series with the most different x, the first of equals; only those with at least two.
+// Median ms against one of kCostVariables while all else that the plan sets stays the same (triangles: the scene with
+// its camera changes). Of each method the series with the most different x, the first of equals; only those with at
+// least two.
 std::vector<FittedSeries> cost_series(std::span<const ViewFigures> views, const CostVariable& variable);
 
 // "-0.482 ± 0.021"; without its error where two points leave none, "-" where there is no law.

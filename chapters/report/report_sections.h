@@ -14,8 +14,8 @@ struct ReportBlock {
     std::string heading = "";  // plain text; may be empty
     std::string prose = "";    // Markdown; may be empty
     std::vector<Output> outputs = {};
-    std::vector<std::string> choices =
-        {};               // where the outputs show one thing in several ways, their names; one is shown
+    // Where the outputs show one thing in several ways, their names; one is shown.
+    std::vector<std::string> choices = {};
     bool folded = false;  // long, and behind its heading
     int threads = 0;      // 0: for any number of them
 };

@@ -5,8 +5,8 @@
 
 #include "chapters/notebook/cells.h"
 #include "chapters/report/power_fits.h"
-#include "chapters/sweep/sweep_figures.h"
 #include "chapters/study/error_points.h"
+#include "chapters/sweep/sweep_figures.h"
 
 namespace crevice {
 
@@ -23,12 +23,12 @@ TableOutput passes_table(const ViewFigures& view);
 // The exponents of RMSE against samples.
 TableOutput convergence_table(std::span<const FittedSeries> series);
 
-// Between which bounds lies what more samples would leave of each method's error, and which term makes it; what each term has alone,
-// and its share in the error of the frame.
+// Between which bounds lies what more samples would leave of each method's error, and which term makes it; what each
+// term has alone, and its share in the error of the frame.
 TableOutput floors_table(const ViewFigures& view);
 
-// One row a method, one column a variable of kCostVariables: the exponent, and along what; "not varied by this plan" where the plan
-// holds it still.
+// One row a method, one column a variable of kCostVariables: the exponent, and along what; "not varied by this plan"
+// where the plan holds it still.
 TableOutput cost_table(std::span<const ViewFigures> views, std::span<const std::string> methods);
 
 }  // namespace crevice

@@ -19,12 +19,12 @@ struct ReferenceRequest {
     Size size{1280, 720};            // of the picture, and of every reference
     const Method* method = nullptr;  // one that computes AO
     MethodSettings settings;         // scene units; what the question follows from, and `limit`
-    RayAoSettings
-        rays;  // of all rays, rounded up to kReplicates; the fade of `soft` and `screen` is the question's
+    // Of all rays, rounded up to kReplicates; the fade of `soft` and `screen` is the question's.
+    RayAoSettings rays;
     double wanted_error = 0;  // > 0: rays are doubled until the mean standard error is at most this
     int limit_seeds = 256;    // rounded up to kReplicates; 0: no `limit`
     bool wants_screen = true;
-    bool shows_progress = true;  // a bar for each image that is made
+    bool shows_progress = true;                  // a bar for each image that is made
     std::optional<std::filesystem::path> cache;  // the directory; none: nothing is kept or looked up
     Run run;
 };

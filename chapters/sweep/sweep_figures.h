@@ -1,5 +1,5 @@
-// A sweep's results as its tables and its report read them: what belongs to one view stands together, and the errors of a setting, over its
-// seeds, beside its times.
+// A sweep's results as its tables and its report read them: what belongs to one view stands together, and the errors of
+// a setting, over its seeds, beside its times.
 // Errors: against soft truth, that is with the method's own fade, unless another is named; of the seeds that did not fail
 // Times:  of AO and blur together, median wall time of the rounds
 #pragma once
@@ -22,7 +22,7 @@ inline constexpr double kErrors95 = 1.96;
 
 struct SettingErrors {
     int seeds = 0;
-    // Root of the mean square over seeds; two standard errors, of pixels and reference, on both sides. 0 where it is below
+    // Root of the mean square over seeds; kErrors95 standard errors, of pixels and reference, on both sides. 0 where it is below
     // the noise of the reference.
     BarFigure rmse, hard_rmse;
     BarFigure bias, p99, flip;  // mean, lowest and highest of the seeds
@@ -40,8 +40,8 @@ struct SettingTime {
     int threads = 1;
     BarFigure ms;  // median and its 95 % interval
     const SweepTimeResult* result = nullptr;
-    std::string point =
-        "";  // its name in the page: VIEW-ROW, counted from 0, of the view's table of all settings
+    // Its name in the page: VIEW-ROW, counted from 0, of the view's table of all settings.
+    std::string point = "";
 };
 
 struct SettingFigures {

@@ -36,7 +36,8 @@ struct SweepJob {
 };
 
 // All of them, in the plan's order: error jobs, then time jobs. Loads the scenes. `instructions`: time jobs count them.
-// Throws UsageError "PLAN:LINE: ..." for cameras and settings that are out of range and for over 100,000 error jobs; else as load_scene().
+// Throws UsageError "PLAN:LINE: ..." for cameras and settings that are out of range and for over 100,000 error jobs;
+// else as load_scene().
 std::vector<SweepJob> sweep_jobs(const SweepPlan& plan, bool instructions, const Run& run);
 
 }  // namespace crevice

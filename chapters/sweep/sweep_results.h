@@ -96,8 +96,8 @@ struct SweepTimeResult {
     SweepSetting setting;
     int threads = 1, rounds = 0;
     std::vector<SweepPassTime> passes;
-    std::optional<MedianInterval>
-        same_again;    // A/A: ratio of kWholePass, one of the setting's twins over the other
+    // A/A: ratio of kWholePass, one of the setting's twins over the other.
+    std::optional<MedianInterval> same_again;
     std::string hash;  // of the AO image, taken from inside the timed loop
     std::string command;
 };

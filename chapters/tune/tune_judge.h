@@ -48,8 +48,8 @@ class TuneJudging {
 struct HeldOutGain {
     double standard_error = 0, error = 0;  // RMSE
     MedianInterval error_ratio;            // the defaults' over the setting's, image by image; > 1 is a gain
-    bool error_beyond_noise =
-        false;  // the interval leaves out 1, and the images differ by more than the truth's noise
+    // The interval leaves out 1, and the images differ by more than the truth's noise.
+    bool error_beyond_noise = false;
     MedianInterval standard_ms, ms;
     MedianInterval time_ratio;  // the defaults' over the setting's, turn by turn; > 1 is a gain
     bool time_beyond_noise = false;

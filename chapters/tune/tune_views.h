@@ -29,8 +29,8 @@ struct TuneViews {
 };
 
 struct TuneViewsRequest {
-    std::vector<std::string>
-        scenes;  // names or paths; the last of several is held out, of one its second view
+    // Names or paths; the last of several is held out, of one its second view.
+    std::vector<std::string> scenes;
     const Method* method = nullptr;
     Size size;
     TuneTruth truth = TuneTruth::hard;

@@ -49,8 +49,8 @@ struct ViewFrame {
     LabWords words;  // that give the same bits again, camera and all
     Camera camera;
     std::vector<std::pair<std::string, Picture>> pictures;  // of wish.shown, but for truth
-    std::vector<std::pair<std::string, std::string>>
-        hashes;  // of the same buffers, as `crevice render` tells them
+    // Of the same buffers, as `crevice render` tells them: names, and hashes.
+    std::vector<std::pair<std::string, std::string>> hashes;
     std::vector<std::pair<std::string, std::string>> parameters;  // names, and words for their values
     std::vector<PassTime> passes;
     std::vector<std::string> unchanged;           // passes: WorkedFrame::unchanged

@@ -8,7 +8,7 @@
 namespace crevice {
 
 enum class Skip {
-    passes,                // that nothing asked for reads, or whose finding the frame before has left
+    passes,                // whose result nobody asked for, or the frame before has left
     off_screen_clusters,   // meshes, or clusters of their triangles, beyond one side of the view
     off_screen_triangles,  // whole triangles beyond one side of the view
     hidden_triangles,      // behind everything a part of a tile already shows

@@ -20,8 +20,8 @@ struct GBuffer {
     BufferFormat format = BufferFormat::float32;  // normal and view_depth hold only values this format can
 
     // For the lit pass, so that it need not draw the scene again (shade.h).
-    Image<std::int32_t> material =
-        {};  // index into Scene::materials; background: kNoTriangle; empty: not asked for
+    // Index into Scene::materials; background: kNoTriangle; empty: not asked for.
+    Image<std::int32_t> material = {};
     Image<std::int32_t> triangle = {};   // Visibility::triangle
     std::vector<TileRecord> tiles = {};  // Visibility::tiles
 };

@@ -30,8 +30,8 @@ struct PixelFragment {
     ScreenTriangle triangle;
     std::int32_t number = kNoTriangle;  // ScreenGeometry::triangle(); none for what faces away
     std::int64_t mesh_triangle = -1;    // which of its instance's mesh
-    std::array<std::int64_t, 3>
-        edge{};                         // E_i at the pixel's centre, in 1/256 x 1/256 pixel; inside where > 0
+    // E_i at the pixel's centre, in 1/256 x 1/256 pixel; inside where > 0.
+    std::array<std::int64_t, 3> edge{};
     std::array<bool, 3> top_or_left{};  // which edges own the centres that lie on them
     int outside_edge = -1;    // the first edge that the centre lies beyond; -1: the centre is covered
     float z_ndc = 0;          // of the plane at the centre, without the bias; where covered, as the next two

@@ -23,8 +23,8 @@ struct TriangleBlock {
     VertexArray<ScreenTriangle> triangles;
     std::vector<ClippedCorners> clipped;
     std::size_t off_screen = 0;  // triangles beyond one side of the view, left out
-    std::vector<std::uint32_t>
-        first_of_tile;  // one a tile and one more: where its list starts in triangle_of_tile
+    // One a tile and one more: where its list starts in triangle_of_tile.
+    std::vector<std::uint32_t> first_of_tile;
     std::vector<std::uint32_t> triangle_of_tile;  // indices into `triangles`
 
     // Null for a whole triangle.

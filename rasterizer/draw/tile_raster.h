@@ -26,8 +26,8 @@ struct Drawing {
     std::optional<std::int32_t> clear_code;  // of tiles before their first triangle; none: depths are kept
     Image<std::int32_t>* triangle;           // to be written; null: not asked for
     const Holes& holes;
-    std::vector<std::int32_t>* hidden =
-        nullptr;  // numbers of what is left out as a whole; null: not asked for
+    // Numbers of what is left out as a whole; null: not asked for.
+    std::vector<std::int32_t>* hidden = nullptr;
 };
 
 // One tile while it is drawn. Without kAsksHoles the drawing has none.

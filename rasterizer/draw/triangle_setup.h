@@ -26,8 +26,8 @@ struct ScreenTriangle {
     // cab.
     std::array<std::int32_t, 3> x, y;  // in 1/256 pixel
     std::array<float, 3> inverse_w;
-    std::array<std::uint32_t, 3>
-        vertex;                    // of the triangle as submitted, in this order; into TransformedVertices
+    // Of the triangle as submitted, in this order; into TransformedVertices.
+    std::array<std::uint32_t, 3> vertex;
     float z0, z_per_e1, z_per_e2;  // z_ndc = z0 + E_1 * z_per_e1 + E_2 * z_per_e2
     float doubled_area;            // E_0 + E_1 + E_2 > 0
     float z_low, z_high;           // bounds of z_ndc at every pixel it covers, rounding included

@@ -27,7 +27,7 @@ CREVICE_INLINE Square<float> gather_square(const float* base, int stride, std::i
     const float *upper = base + index, *lower = upper + stride;
     return {upper[0], upper[1], lower[0], lower[1]};
 }
-// The even and the odd ones of as many pairs as there are lanes.
+// at[0], at[2], at[4] ... and at[1], at[3], at[5] ...: as many of each as there are lanes.
 template <class F>
 requires(kLanes<F> == 1) CREVICE_INLINE Pair<float> load_pairs(const float* at) { return {at[0], at[1]}; }
 

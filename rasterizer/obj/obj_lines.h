@@ -24,8 +24,8 @@ struct LogicalLines {
 
     std::string_view rest;
     std::size_t next_line;
-    std::size_t to_feed =
-        0;               // length of the rest with its first LF, or 1 more than its own; 0: not looked for
+    // Length of the rest with its first LF, or 1 more than its own; 0: not looked for.
+    std::size_t to_feed = 0;
     std::string joined;  // backs `text` where lines were joined
 };
 

@@ -27,8 +27,8 @@ struct ObjOptions {
     double crease_angle_rad = kSmoothEverywhere_rad;
     bool want_textures = true;   // false: of texture files only those that cut out are read
     bool outside_files = false;  // MTL and texture files outside the OBJ's directory are read, too
-    bool want_unused_texcoords =
-        true;  // false: no texture coordinates unless a texture that was read needs them
+    // False: no texture coordinates unless a texture that was read needs them.
+    bool want_unused_texcoords = true;
     // At least 1; the text is read in pieces of about this length. It changes nothing in what is read.
     std::size_t piece_bytes = std::size_t{1} << 18;
 };

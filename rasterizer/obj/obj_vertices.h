@@ -16,8 +16,8 @@ namespace crevice {
 struct ObjFaces;
 
 struct ObjVertices {
-    std::vector<glm::vec3>
-        positions;                   // file space (right-handed), less `origin`; may hold NaN and infinities
+    // File space (right-handed), less `origin`; may hold NaN and infinities.
+    std::vector<glm::vec3> positions;
     std::vector<glm::vec3> colours;  // one a position, linear, [0,1]; empty: the file has none
     // What positions were moved by, so that float holds them (obj_origin.h); mostly 0.
     glm::dvec3 origin = glm::dvec3(0);

@@ -16,7 +16,7 @@ struct Camera {
     glm::dvec3 target = glm::dvec3(0, 0, 0);  // world space, a point in the middle of the picture
     glm::dvec3 up = glm::dvec3(0, 1, 0);      // world space, not parallel to target - eye
     Projection projection = Projection::perspective;
-    double fov_y_rad = 1.0471975511965976;  // (0, pi); vertical field of view, perspective only
+    double fov_y_rad = 1.0471975511965976;  // (0, pi), here pi / 3; vertical field of view, perspective only
     double ortho_height = 10;               // > 0, scene units the picture is high, orthographic only
     double near_plane = 1;                  // > 0, scene units
     double far_plane = 1000;                // > near_plane, scene units

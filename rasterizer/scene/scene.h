@@ -1,5 +1,5 @@
 // What is drawn: meshes, where they stand, what they are made of, and the light on them. All in the
-// tutorial's left-handed world (see spaces.h); lengths in scene units.
+// left-handed world of spaces.h; lengths in scene units.
 #pragma once
 
 #include <array>
@@ -35,8 +35,8 @@ struct TriangleCluster {
 inline constexpr std::uint32_t kVertexBlock = 64;
 struct MeshClusters {
     std::vector<TriangleCluster> clusters;  // cover all triangles in order
-    std::vector<std::uint32_t>
-        vertex_blocks;  // of one cluster after the other, those that its corners lie in
+    // Of one cluster after the other, those that its corners lie in.
+    std::vector<std::uint32_t> vertex_blocks;
 };
 
 // Triangles are clockwise seen from their front (the D3D rule). Every vertex has a position and a unit
@@ -45,8 +45,8 @@ struct Mesh {
     std::vector<glm::vec3> positions;  // object space
     std::vector<glm::vec3> normals;    // object space, unit, one a position
     std::vector<glm::vec2> texcoords;  // one a position, v = 0 at the top row; empty: untextured
-    std::vector<glm::vec4>
-        tangents;  // object space, one a position (tangents.h); empty: normal maps do nothing
+    // Object space, one a position (tangents.h); empty: normal maps do nothing.
+    std::vector<glm::vec4> tangents;
     std::vector<std::array<std::uint32_t, 3>> triangles;  // indices into all of the above
     std::vector<MeshPart> parts;                          // cover all triangles in order
     std::vector<glm::vec3> colours = {};  // one a position, linear, multiply the material's; empty: white

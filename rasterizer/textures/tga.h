@@ -21,9 +21,8 @@ struct RgbaPixels {
 struct TgaHeader {
     bool valid = false;  // false: these bytes are no TGA
     Size size;
-    bool has_alpha =
-        false;  // the fourth byte of a pixel is alpha only where the header counts its bits: many
-                // writers leave it 0
+    // The fourth byte of a pixel is alpha only where the header counts its bits: many writers leave it 0.
+    bool has_alpha = false;
 };
 TgaHeader tga_header(std::string_view bytes);
 

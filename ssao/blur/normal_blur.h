@@ -23,8 +23,8 @@ inline constexpr std::array<float, 4> kNormalBlurWeights = {.37004405286f, .3171
 struct NormalBlurSettings {
     int iterations = 1;  // [0, 64] times horizontal + vertical; 0 leaves the map as it is
     int step = 1;        // [1, 8] texels from one tap to the next; from 2 on it leaves gaps, which show
-    float normal_threshold =
-        0.8f;  // [0, 1]; a tap counts smoothly more from this cosine of the normals' angle to 1
+    // In [0, 1]; a tap counts smoothly more from this cosine of the normals' angle to 1.
+    float normal_threshold = 0.8f;
 };
 
 // Throws UsageError naming the first member out of its range.

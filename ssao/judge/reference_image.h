@@ -10,8 +10,8 @@ namespace crevice {
 struct ReferenceImage {
     Image<float> mean;
     Image<float> error;  // standard error of the mean, of each pixel
-    std::array<Image<float>, 2>
-        half;  // means of half the replicates each: unbiased, independent of each other
+    // Means of half the replicates each: unbiased, independent of each other.
+    std::array<Image<float>, 2> half;
 };
 
 }  // namespace crevice

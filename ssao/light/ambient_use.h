@@ -21,8 +21,8 @@ enum class SpecularOcclusion {
 
 struct AmbientSettings {
     MultiBounce multi_bounce = MultiBounce::none;
-    SpecularOcclusion specular_occlusion =
-        SpecularOcclusion::none;  // of blinn_schlick surfaces under a sky cube
+    // Only blinn_schlick surfaces under a sky cube mirror anything.
+    SpecularOcclusion specular_occlusion = SpecularOcclusion::none;
     bool operator==(const AmbientSettings&) const = default;
 };
 

@@ -25,8 +25,8 @@ struct ExplainedLight {
 
 struct LitExplanation {
     bool surface = false;  // false: the sky, whose one term is its colour; what follows is unset
-    std::int32_t triangle =
-        kNoTriangle;  // that is lit, ScreenGeometry::triangle(): the last one of equal depths
+    // The one that is lit, as ScreenGeometry::triangle() takes its number: the last one of equal depths.
+    std::int32_t triangle = kNoTriangle;
     std::int32_t material = kNoTriangle;  // index into Scene::materials
     glm::vec3 n_view{0};                  // that is lit: with the normal map, where there is one
     glm::vec3 texture{1};                 // of texture and vertex colours

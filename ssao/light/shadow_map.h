@@ -43,8 +43,8 @@ struct ShadowSettings {
     // Moves what casts away from the light, against acne; too much, and shadows part from what casts them.
     // 100000 steps of D24 are 0.006 of far - near: 0.21 units in Luna's scene, 0.24 in X_Jun's.
     DepthBias bias = {100000, 1.0f};
-    float shader_bias =
-        0;  // ndc depth, taken from the depth of what is lit: the same cure, on the other side
+    // Subtracted from the ndc depth of what is lit: the same cure, on the other side.
+    float shader_bias = 0;
     // What lit means: the depth of the point LESS_EQUAL or LESS that in the map. No other is taken.
     DepthFunction comparison = DepthFunction::less_equal;
     bool cull_back_faces = true;  // where the scene does; else back faces cast too

@@ -49,8 +49,8 @@ struct AlchemyKernel {
     const AoInputs& inputs;
     const AlchemySettings settings;
     const std::vector<SharedTap> taps;
-    const NoiseTile cosine, sine,
-        shift;               // of the texel's turn; how far its taps lie into their rings, [0, 1)
+    // Of the texel's turn; how far its taps lie into their rings, [0, 1).
+    const NoiseTile cosine, sine, shift;
     const float scale, cap;  // 2 sigma, scene units; epsilon, squared scene units
 
     AlchemyKernel(const AoInputs& ao_inputs, const AlchemySettings& alchemy)

@@ -23,8 +23,8 @@ struct LunaSettings {
     int samples = 14;         // [1, 14]; fewer is faster and noisier
     float radius = 0.5f;      // [0, inf) scene units; how far from p the samples lie
     float fade_start = 0.2f;  // [0, inf) scene units; occluders up to this far in front of p count fully
-    float fade_end =
-        2.0f;  // [fade_start, inf) scene units; occluders further in front of p than this do not count
+    // [fade_start, inf) scene units; occluders further in front of p than this do not count.
+    float fade_end = 2.0f;
     float epsilon = 0.05f;      // [0, inf) scene units; occluders less than this in front of p do not count
     float exponent = 4;         // [0, 64]; contrast: accessibility is raised to it
     std::uint32_t seed = 1;     // of the offset lengths and the random map

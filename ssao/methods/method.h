@@ -30,8 +30,8 @@ struct AoView {
     const Camera& camera;
     const GBuffer& gbuffer;          // drawn of both
     const RayScene* rays = nullptr;  // for methods that cast rays: the scene, its origin the eye
-    const VertexAo* baked =
-        nullptr;  // for methods that bake: what bake() made of it; null: they make it themselves
+    // For methods that bake: what bake() made of it; null: they make it themselves.
+    const VertexAo* baked = nullptr;
     // For ao_in_double(): what the pixels show; null: what the G-buffer's floats say.
     const DoubleGBuffer* in_double = nullptr;
 };
@@ -105,8 +105,8 @@ struct Method {
         validate;                     // throws UsageError naming the first member out of range
     std::vector<int> samples_to_try;  // from the cheapest to the dearest, for error against time
 
-    bool reads_normals =
-        true;  // of the G-buffer, beside its depth; the first pass leaves out what nobody reads
+    // Of the G-buffer, beside its depth; the first pass leaves out what nobody reads.
+    bool reads_normals = true;
     // Pixels of the picture. A G-buffer pixel that is further than this from the centre of a texel, in x or in y,
     // changes nothing of it, where all that is shown around there is no nearer than view_depth.
     std::function<double(const AoInputs&, const AnySettings&, double view_depth)> reach_px;

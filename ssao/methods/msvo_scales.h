@@ -60,8 +60,8 @@ class DepthGrid {
 
  private:
     Size map_;
-    int cell_, right_,
-        lower_;  // texels of the map; the last two from a cell's upper left one to that which is kept
+    // Texels of the map; the last two from a cell's upper left one to that which is kept.
+    int cell_, right_, lower_;
     Image<float> depth_;
     Image<double> in_double_;
 };

@@ -25,8 +25,8 @@ struct UnityKernel {
     const UnitySettings settings;  // spelt out
     const std::vector<glm::vec3> points;
     const TurnTile turns;
-    const float bias,
-        range;  // scene units; the bias is infinite for radius 0: then q = p, which nothing occludes
+    // Scene units; the bias is infinite for radius 0: then q = p, which nothing occludes.
+    const float bias, range;
     const float shrink;
 
     UnityKernel(const AoInputs& ao_inputs, const UnitySettings& unity)

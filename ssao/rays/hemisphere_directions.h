@@ -87,8 +87,8 @@ class SquarePoints {
 
     int count_;
     RaySequence sequence_;
-    std::vector<std::uint32_t>
-        second_;  // Sobol's second coordinates, bits reversed (the first are 0, 1, 2 ...)
+    // Sobol's second coordinates, bits reversed (the first are 0, 1, 2 ...).
+    std::vector<std::uint32_t> second_;
 };
 
 // sin and cos of 2 pi u for u in [0, 1]; absolute error below 2e-7.

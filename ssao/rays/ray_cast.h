@@ -94,8 +94,8 @@ struct ClosestHits {
     std::size_t refused = 0;
 };
 
-// On all threads; of occluded() those together that follow each other and start in the same point. Throws UsageError for a max_distance
-// that is not above 0 and for a `run` that is not valid.
+// On all threads; of occluded() those together that follow each other and start in the same point. Throws UsageError
+// for a max_distance that is not above 0 and for a `run` that is not valid.
 OccludedRays occluded(const RayScene& scene, std::span<const Ray> rays, float max_distance,
                       const Run& run = {});
 ClosestHits closest_hits(const RayScene& scene, std::span<const Ray> rays, float max_distance,
