@@ -61,7 +61,9 @@ std::array<DirectionalLight, 3> lights() {
 
 Scene columns_luna_scene(SceneDetail detail, const Run& run) {
     const bool dressed = detail == SceneDetail::surfaces;
-    const Dress worn = dress(detail, run);
+    Dress worn;
+    Mesh head_mesh;
+    at_once(run, {[&] { head_mesh = carved_head_mesh(run); }, [&] { worn = dress(detail, run); }});
     Scene scene;
     scene.name = "columns_luna";
     scene.materials = materials(worn);
@@ -84,7 +86,7 @@ Scene columns_luna_scene(SceneDetail detail, const Run& run) {
     };
     const int floor = add(grid_mesh(20, 30, 60, 40, {8, 8}), kTile, {1, 1});
     const int box = add(box_mesh(glm::dvec3(1), 8), kBricks, {1, 0.5f});
-    const int head = add_mesh(scene, with_material(carved_head_mesh(run), kSkull));
+    const int head = add_mesh(scene, with_material(std::move(head_mesh), kSkull));
     const int column = add(cylinder_mesh(0.5, 0.3, 3, 20, 20), kBricks, {1.5f, 2});
     const int sphere = add_mesh(scene, with_material(sphere_mesh(0.5, 20, 20), kMirror));
     scene.instances = {placed(floor, {0, 0, 0}), placed(box, {0, 0.5f, 0}, {2, 1, 2}),

@@ -22,16 +22,17 @@ CREVICE_INLINE D length(Vec3<D> a) {
     return square_root(dot(a, a));
 }
 template <class D>
-CREVICE_INLINE Vec3<D> over(Vec3<D> a, const glm::dvec3& b) {
-    return {a.x / D(b.x), a.y / D(b.y), a.z / D(b.z)};
+CREVICE_INLINE Vec3<D> times(Vec3<D> a, const glm::dvec3& b) {
+    return {a.x * D(b.x), a.y * D(b.y), a.z * D(b.z)};
 }
 
 // Exact on the surface, a good estimate near it.
 template <class F>
 CREVICE_INLINE Double<F> ellipsoid(Point<F> p, const glm::dvec3& centre, const glm::dvec3& radii) {
     using D = Double<F>;
-    const Point<F> q = over(p - at_all<F>(centre), radii);
-    const D scale = length(q), slope = length(over(q, radii));
+    const glm::dvec3 per_radius = 1.0 / radii;  // a product takes a tenth of a division's time
+    const Point<F> q = times(p - at_all<F>(centre), per_radius);
+    const D scale = length(q), slope = length(times(q, per_radius));
     return scale * (scale - D(1)) / (slope + D(1e-12));
 }
 
@@ -42,7 +43,7 @@ CREVICE_INLINE Double<F> limb(Point<F> p, const glm::dvec3& a, const glm::dvec3&
     using D = Double<F>;
     const glm::dvec3 axis = b - a;
     const Point<F> from_a = p - at_all<F>(a), along_axis = at_all<F>(axis);
-    const D along = saturate(dot(from_a, along_axis) / D(glm::dot(axis, axis)));
+    const D along = saturate(dot(from_a, along_axis) * D(1 / glm::dot(axis, axis)));
     return length(from_a - along * along_axis) - (D(radius_a) + along * D(radius_b - radius_a));
 }
 
@@ -50,7 +51,7 @@ CREVICE_INLINE Double<F> limb(Point<F> p, const glm::dvec3& a, const glm::dvec3&
 template <class D>
 CREVICE_INLINE D joined(D a, D b, double width) {
     const D overlap = max_of(D(width) - absolute(a - b), D(0));
-    return min_of(a, b) - overlap * overlap / D(4 * width);
+    return min_of(a, b) - overlap * overlap * D(0.25 / width);
 }
 
 // `a` without `b`, the rim rounded over about `width`.
@@ -139,9 +140,10 @@ Distances head_distances(const PointGroup& points, const Run& run) {
     }
     Distances distances;
     run_kernel(run, [&]<class F>(Lanes<F>) {
-        for (int i = 0; i < kMostLanes; i += kLanes<F>) {
-            const Point<F> p{load_doubles<F>(x + i), load_doubles<F>(y + i), load_doubles<F>(z + i)};
-            store(distances.data() + i, head<F>(p));
+        using D = DoubleLanes<F>;
+        for (int i = 0; i < kMostLanes; i += kLanes<D>) {
+            const Point<D> p{load_doubles<D>(x + i), load_doubles<D>(y + i), load_doubles<D>(z + i)};
+            store(distances.data() + i, head<D>(p));
         }
     });
     return distances;

@@ -27,6 +27,7 @@ std::uint32_t hash_of(int x, int y, std::uint32_t seed) { return hash_bits(x, y,
 glm::dvec2 two_numbers(std::uint32_t hash) { return glm::dvec2(hash >> 16, hash & 0xffff) / 65535.0; }
 
 int wrapped(int i, int period) {
+    if (i >= 0 && i < period) return i;  // the usual case, which saves a division
     const int rest = i % period;
     return rest < 0 ? rest + period : rest;
 }
@@ -58,7 +59,7 @@ double periodic_noise(double x, double y, int period, std::uint32_t seed) {
     const auto corners =
         hash_bits(Ints(Ints::V{left, right, left, right}), Ints(Ints::V{top, top, bottom, bottom}), seed);
     const auto component = [](Ints sixteen_bits) __attribute__((always_inline)) {
-        return Doubles(2) * (to_double(sixteen_bits) / Doubles(65535)) - Doubles(1);
+        return to_double(sixteen_bits) * Doubles(2 / 65535.0) - Doubles(1);
     };
     const Doubles dx(Doubles::V{fx, fx - 1, fx, fx - 1}), dy(Doubles::V{fy, fy, fy - 1, fy - 1});
     const Doubles slope = component(corners.upper(16)) * dx + component(corners.lower_16()) * dy;

@@ -80,7 +80,7 @@ void render_film(const RenderOptions& options, const FilmOptions& film, std::ost
         const std::string name = frame_name(i);
         pictures.push_back(options.out / (name + ".png"));
         const Picture picture = shown_picture(frame, request.wanted, options.inset);
-        write_picture(pictures.back(), picture);
+        write_picture(pictures.back(), picture, request.run);
         webp.add(picture);
         if (film.buffers) write_frame(options, prepared, options.out / name, frame, worked.unchanged);
         history = std::move(frame.history);

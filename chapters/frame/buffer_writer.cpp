@@ -39,25 +39,29 @@ void BufferWriter::add(const std::string& name, const Image3& buffer, std::funct
                       [&buffer] { return content_hash(buffer); }, std::move(picture)});
 }
 
-BufferWriter::Said BufferWriter::written(const Added& buffer) const {
+BufferWriter::Said BufferWriter::written(const Added& buffer, const Run& run) const {
     const Picture picture = buffer.picture();
     if (files_ == BufferFiles::npy) {
         buffer.write_npy(out_ / (buffer.name + ".npy"));
-        write_picture(out_ / (buffer.name + ".png"), picture);
+        write_picture(out_ / (buffer.name + ".png"), picture, run);
     }
-    Said said{picture.mapping,
-              statistics_json(picture.size, static_cast<int>(buffer.channels.size()), picture.statistics)};
-    said.description["hash"] = buffer.hash();
-    return said;
+    return {picture.mapping,
+            statistics_json(picture.size, static_cast<int>(buffer.channels.size()), picture.statistics)};
 }
 
 void BufferWriter::finish(const Run& run) {
     std::vector<Said> said(added_.size());
+    std::vector<std::string> hashes(added_.size());
     std::vector<std::exception_ptr> failures(added_.size());
-    parallel_for(static_cast<int>(added_.size()), run, [&](int i) {
-        const auto at = static_cast<std::size_t>(i);
+    // A buffer's hash takes about as long as its files, and no two threads can share it.
+    parallel_for(static_cast<int>(2 * added_.size()), run, [&](int i) {
+        const auto at = static_cast<std::size_t>(i) / 2;
+        if (i % 2 == 0) {
+            hashes[at] = added_[at].hash();
+            return;
+        }
         try {
-            said[at] = written(added_[at]);
+            said[at] = written(added_[at], run);
         } catch (...) {
             failures[at] = std::current_exception();
         }
@@ -67,6 +71,7 @@ void BufferWriter::finish(const Run& run) {
         if (failures[i]) std::rethrow_exception(failures[i]);
         const std::string& name = added_[i].name;
         described_[name] = std::move(said[i].description);
+        described_[name]["hash"] = hashes[i];
         channels.insert(channels.end(), added_[i].channels.begin(), added_[i].channels.end());
         if (files_ == BufferFiles::npy)
             told_ << (out_ / (name + ".png")).string() << ": " << said[i].mapping << "\n";

@@ -30,7 +30,7 @@ class BufferWriter {
     void add(const std::string& name, const Image<float>& buffer, std::function<Picture()> picture);
     void add(const std::string& name, const Image3& buffer, std::function<Picture()> picture);
     // To be called last, and once: makes the pictures and writes the files, a buffer a thread, and tells the pictures'
-    // mappings in the order of adding. Throws OutputError.
+    // mappings in the order of adding. No thread holds more than one picture at a time. Throws OutputError.
     void finish(const Run& run);
 
     // After finish(): "NAME": {"shape", "min", "max", "mean", "nan", "inf", "hash"}, in the order of adding.
@@ -49,7 +49,7 @@ class BufferWriter {
         std::function<std::string()> hash;
         std::function<Picture()> picture;
     };
-    Said written(const Added& buffer) const;
+    Said written(const Added& buffer, const Run& run) const;
 
     std::filesystem::path out_;
     BufferFiles files_;

@@ -11,7 +11,7 @@ Picture demo_view(const Frame& frame, bool inset) {
     const Image<float>& map = !frame.ao_blurred.empty() ? frame.ao_blurred
                               : !frame.ao_raw.empty()   ? frame.ao_raw
                                                         : open;
-    const Picture ao = ao_picture(map);
+    const Picture ao = ao_picture(map, PictureValues::left);
     const Size quad{std::max(view.size.width / 2, 1), std::max(view.size.height / 2, 1)};
     const int left = view.size.width - quad.width, top = view.size.height - quad.height;
     for (int y = 0; y < quad.height; ++y) {

@@ -26,7 +26,7 @@ void for_each_buffer(const Frame& frame, const Image<float>& ndc_depth, const Wa
     offer("lit", frame.lit);
 }
 
-// The picture of a buffer that was drawn with `camera`.
+// The picture of a buffer that was drawn with `camera`, without its values.
 Picture buffer_picture(const std::string& name, const Image<float>& image, const Camera& camera);
 Picture buffer_picture(const std::string& name, const Image3& image, const Camera& camera);
 

@@ -8,6 +8,7 @@
 
 #include "chapters/terminal/number_text.h"
 #include "rasterizer/base/image_io.h"
+#include "rasterizer/base/run.h"
 #include "rasterizer/lanes/approx_math.h"
 
 namespace crevice {
@@ -25,24 +26,35 @@ std::uint8_t byte_of(float value) {
     return static_cast<std::uint8_t>(clamped * 255 + 0.5f);
 }
 
-// colour_at(x, y) for every pixel.
-template <class ColourAt>
-Picture rgb_picture(Size size, std::string mapping, const BufferStatistics& statistics, ColourAt colour_at) {
+// paint_row(y, row) gives the colours of each row.
+template <class PaintRow>
+Picture picture_of_rows(Size size, std::string mapping, const BufferStatistics& statistics,
+                        PaintRow paint_row) {
     Picture picture{size, 3, {}, std::move(mapping), statistics, {}};
     picture.pixels.reserve(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) * 3);
+    std::vector<Rgb> row(static_cast<std::size_t>(size.width));
     for (int y = 0; y < size.height; ++y) {
-        for (int x = 0; x < size.width; ++x) {
-            for (const float channel : colour_at(x, y)) picture.pixels.push_back(byte_of(channel));
+        paint_row(y, row);
+        for (const Rgb& colour : row) {
+            for (const float channel : colour) picture.pixels.push_back(byte_of(channel));
         }
     }
     return picture;
 }
 
+// colour_at(x, y) for every pixel.
+template <class ColourAt>
+Picture rgb_picture(Size size, std::string mapping, const BufferStatistics& statistics, ColourAt colour_at) {
+    return picture_of_rows(size, std::move(mapping), statistics, [&](int y, std::vector<Rgb>& row) {
+        for (std::size_t x = 0; x < row.size(); ++x) row[x] = colour_at(static_cast<int>(x), y);
+    });
+}
+
 // grey_of(value) for every pixel; with a NaN anywhere an RGB picture where it is magenta.
 template <class GreyOf>
-Picture grey_or_magenta(const Image<float>& image, std::string mapping, GreyOf grey_of) {
+Picture grey_or_magenta(const Image<float>& image, const BufferStatistics& statistics, std::string mapping,
+                        GreyOf grey_of, PictureValues values = PictureValues::kept) {
     const Size size = image.size;
-    const BufferStatistics statistics = buffer_statistics(image);
     if (statistics.nan > 0) {
         mapping += "; NaN magenta";
         Picture picture = rgb_picture(size, std::move(mapping), statistics, [&](int x, int y) {
@@ -50,10 +62,11 @@ Picture grey_or_magenta(const Image<float>& image, std::string mapping, GreyOf g
             const float grey = std::isnan(value) ? 0 : grey_of(value);
             return std::isnan(value) ? kMagenta : Rgb{grey, grey, grey};
         });
-        picture.values = planes_of(image);
+        if (values == PictureValues::kept) picture.values = planes_of(image);
         return picture;
     }
-    Picture picture{size, 1, {}, std::move(mapping), statistics, planes_of(image)};
+    Picture picture{size, 1, {}, std::move(mapping), statistics, {}};
+    if (values == PictureValues::kept) picture.values = planes_of(image);
     picture.pixels.reserve(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
     for (int y = 0; y < size.height; ++y) {
         for (int x = 0; x < size.width; ++x) picture.pixels.push_back(byte_of(grey_of(image.at(x, y))));
@@ -78,7 +91,7 @@ std::string difference_mapping(float scale, const char* which) {
 
 }  // namespace
 
-Picture normal_picture(const Image3& normals) {
+Picture normal_picture(const Image3& normals, PictureValues values) {
     const std::string mapping = "normal: RGB = n / 2 + 1/2; background black";
     Picture picture = rgb_picture(normals.size(), mapping, buffer_statistics(normals), [&](int x, int y) {
         const glm::vec3 n = normals.at(x, y);
@@ -86,50 +99,64 @@ Picture normal_picture(const Image3& normals) {
         if (n == glm::vec3(0)) return Rgb{0, 0, 0};
         return Rgb{n.x * 0.5f + 0.5f, n.y * 0.5f + 0.5f, n.z * 0.5f + 0.5f};
     });
-    picture.values = planes_of(normals);
+    if (values == PictureValues::kept) picture.values = planes_of(normals);
     return picture;
 }
 
-Picture view_depth_picture(const Image<float>& view_depth) {
+Picture view_depth_picture(const Image<float>& view_depth, PictureValues values) {
     const BufferStatistics range = buffer_statistics(view_depth);
     const float extent = range.max > range.min ? range.max - range.min : 1.0f;
-    return grey_or_magenta(view_depth,
-                           "view depth: affine from " + exact_text(range.min) + " (nearest, white) to " +
-                               exact_text(range.max) + " (farthest, dark); background black",
-                           [&](float depth) {
-                               if (std::isinf(depth)) return 0.0f;
-                               return 1 - (1 - kFarthestGrey) * ((depth - range.min) / extent);
-                           });
+    return grey_or_magenta(
+        view_depth, range,
+        "view depth: affine from " + exact_text(range.min) + " (nearest, white) to " + exact_text(range.max) +
+            " (farthest, dark); background black",
+        [&](float depth) {
+            if (std::isinf(depth)) return 0.0f;
+            return 1 - (1 - kFarthestGrey) * ((depth - range.min) / extent);
+        },
+        values);
 }
 
-Picture ndc_depth_picture(const Image<float>& ndc_depth, bool reversed_z) {
+Picture ndc_depth_picture(const Image<float>& ndc_depth, bool reversed_z, PictureValues values) {
     const BufferStatistics range = buffer_statistics(ndc_depth);
     if (reversed_z) {
         const float nearest = range.max > 0 ? range.max : 1.0f;
-        return grey_or_magenta(ndc_depth,
-                               "reversed ndc depth, not linear in distance: 0 (background, black) to " +
-                                   exact_text(nearest) + " (nearest, white)",
-                               [nearest](float depth) { return depth / nearest; });
+        return grey_or_magenta(
+            ndc_depth, range,
+            "reversed ndc depth, not linear in distance: 0 (background, black) to " + exact_text(nearest) +
+                " (nearest, white)",
+            [nearest](float depth) { return depth / nearest; }, values);
     }
     const float nearest = range.min < 1 ? range.min : 0.0f;
-    return grey_or_magenta(ndc_depth,
-                           "ndc depth, not linear in distance: " + exact_text(nearest) +
-                               " (nearest, white) to 1 (background, black)",
-                           [nearest](float depth) { return (1 - depth) / (1 - nearest); });
+    return grey_or_magenta(
+        ndc_depth, range,
+        "ndc depth, not linear in distance: " + exact_text(nearest) +
+            " (nearest, white) to 1 (background, black)",
+        [nearest](float depth) { return (1 - depth) / (1 - nearest); }, values);
 }
 
-Picture ao_picture(const Image<float>& ao) {
-    return grey_or_magenta(ao, "accessibility: 0 (closed) black to 1 (open) white, linear",
-                           [](float value) { return value; });
+Picture ao_picture(const Image<float>& ao, PictureValues values) {
+    return grey_or_magenta(
+        ao, buffer_statistics(ao), "accessibility: 0 (closed) black to 1 (open) white, linear",
+        [](float value) { return value; }, values);
 }
 
 Picture lit_picture(const Image3& lit) {
     const std::string mapping = "lit: linear light clamped to [0,1], then the sRGB curve";
-    return rgb_picture(lit.size(), mapping, buffer_statistics(lit), [&](int x, int y) {
-        const glm::vec3 light = lit.at(x, y);
-        if (any_nan(light)) return kMagenta;
-        const auto encode = [](float v) { return srgb_from_linear(v > 0 ? (v < 1 ? v : 1.0f) : 0.0f); };
-        return Rgb{encode(light.x), encode(light.y), encode(light.z)};
+    const Image<float>* const planes[] = {&lit.x, &lit.y, &lit.z};
+    const Run run;
+    std::vector<float> encoded(static_cast<std::size_t>(lit.x.stride));
+    return picture_of_rows(lit.size(), mapping, buffer_statistics(lit), [&](int y, std::vector<Rgb>& row) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            run_kernel(run, [&]<class F>(Lanes<F>) {
+                for (int x = 0; x < lit.x.stride; x += kLanes<F>)
+                    store(encoded.data() + x, srgb_from_linear(saturate(load<F>(planes[c]->row(y) + x))));
+            });
+            for (std::size_t x = 0; x < row.size(); ++x) row[x][c] = encoded[x];
+        }
+        for (std::size_t x = 0; x < row.size(); ++x) {
+            if (any_nan(lit.at(static_cast<int>(x), y))) row[x] = kMagenta;
+        }
     });
 }
 
@@ -166,7 +193,7 @@ Picture difference_picture(const Image3& difference, float scale) {
 }
 
 Picture mask_picture(const Image<float>& mask) {
-    return grey_or_magenta(mask, "mask: 0 black, everything else white",
+    return grey_or_magenta(mask, buffer_statistics(mask), "mask: 0 black, everything else white",
                            [](float value) { return value == 0 ? 0.0f : 1.0f; });
 }
 
@@ -179,7 +206,7 @@ Picture mask_picture(const Image<std::uint8_t>& mask) {
 }
 
 Picture grey_picture(const Image<float>& values, float low, float high) {
-    return grey_or_magenta(values,
+    return grey_or_magenta(values, buffer_statistics(values),
                            "values: " + exact_text(low) + " black to " + exact_text(high) + " white, affine",
                            [low, high](float value) { return (value - low) / (high - low); });
 }
@@ -215,8 +242,8 @@ std::string values_png(const Planes& values) {
     return png_bytes({size.width, height}, 1, bytes);
 }
 
-void write_picture(const std::filesystem::path& path, const Picture& picture) {
-    write_png(path, picture.size, picture.channels, picture.pixels);
+void write_picture(const std::filesystem::path& path, const Picture& picture, const Run& run) {
+    write_png(path, picture.size, picture.channels, picture.pixels, run);
 }
 
 }  // namespace crevice

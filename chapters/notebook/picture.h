@@ -12,6 +12,7 @@
 #include "rasterizer/base/image.h"
 #include "rasterizer/base/image_io.h"
 #include "rasterizer/base/image_summary.h"
+#include "rasterizer/base/run.h"
 
 namespace crevice {
 
@@ -24,18 +25,22 @@ struct Picture {
     Planes values;                     // those values; none where the bytes say as much: lit images, colours
 };
 
+// Whether a picture holds its values, for pages that show them, or only its bytes, for files.
+enum class PictureValues { kept, left };
+
 // The scale that all signed differences of AO share, so that pictures of different methods can be compared.
 inline constexpr float kDifferenceScale = 0.25f;
 
 // Unit normals: RGB = n / 2 + 1/2; the background, where n = 0, black.
-Picture normal_picture(const Image3& normals);
+Picture normal_picture(const Image3& normals, PictureValues values = PictureValues::kept);
 // View depth: affine from white at the nearest to dark grey at the farthest finite depth; infinity is black.
-Picture view_depth_picture(const Image<float>& view_depth);
+Picture view_depth_picture(const Image<float>& view_depth, PictureValues values = PictureValues::kept);
 // Ndc depth, not linear in distance: the nearest white, as in view depth; [nearest, 1) from white to black, background 1
 // black. Reversed z: (0, nearest] from black to white, background 0 black.
-Picture ndc_depth_picture(const Image<float>& ndc_depth, bool reversed_z = false);
+Picture ndc_depth_picture(const Image<float>& ndc_depth, bool reversed_z = false,
+                          PictureValues values = PictureValues::kept);
 // Accessibility: black 0 (closed) to white 1 (open), linear.
-Picture ao_picture(const Image<float>& ao);
+Picture ao_picture(const Image<float>& ao, PictureValues values = PictureValues::kept);
 // Linear light in [0,1], encoded with the sRGB curve.
 Picture lit_picture(const Image3& lit);
 // Colours in [0,1] that are meant for display already, as they are.
@@ -57,6 +62,6 @@ std::string statistics_text(const BufferStatistics& statistics);
 std::string values_png(const Planes& values);
 
 // Writes a PNG. Throws OutputError when the size does not fit a PNG or the file cannot be written.
-void write_picture(const std::filesystem::path& path, const Picture& picture);
+void write_picture(const std::filesystem::path& path, const Picture& picture, const Run& run = {});
 
 }  // namespace crevice

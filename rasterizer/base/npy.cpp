@@ -26,18 +26,22 @@ using PlaneList = std::vector<const Image<float>*>;
 PlaneList list(const Image<float>& image) { return {&image}; }
 PlaneList list(const Image3& image) { return {&image.x, &image.y, &image.z}; }
 
-// The values of one row in file order, x0 y0 z0 x1 ...
-std::vector<float> row_values(const PlaneList& planes, int y) {
-    std::vector<float> values;
-    values.reserve(static_cast<std::size_t>(planes[0]->size.width) * planes.size());
-    for (int x = 0; x < planes[0]->size.width; ++x) {
-        for (const Image<float>* plane : planes) values.push_back(plane->at(x, y));
-    }
-    return values;
+std::string_view bytes_of(const float* values, std::size_t count) {
+    return {reinterpret_cast<const char*>(values), count * sizeof(float)};
 }
 
-std::string_view bytes_of(const std::vector<float>& values) {
-    return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)};
+// Hands on the values row by row in file order: x0 y0 z0 x1 ...
+void hand_on_rows(const PlaneList& planes, const PieceSink& sink) {
+    const Size size = planes[0]->size;
+    const std::size_t width = static_cast<std::size_t>(size.width), components = planes.size();
+    std::vector<float> values(width * components);
+    for (int y = 0; y < size.height; ++y) {
+        for (std::size_t c = 0; c < components; ++c) {
+            const float* const row = planes[c]->row(y);
+            for (std::size_t x = 0; x < width; ++x) values[x * components + c] = row[x];
+        }
+        sink(bytes_of(values.data(), values.size()));
+    }
 }
 
 void check_extent(Size size, int components) {
@@ -48,7 +52,8 @@ void check_extent(Size size, int components) {
                       " cannot be stored; give it at least one pixel and fewer than 2^30 values");
 }
 
-std::string npy_of(const PlaneList& planes) {
+// What stands before the values. Throws OutputError where they cannot be stored.
+std::string npy_head(const PlaneList& planes) {
     const Size size = planes[0]->size;
     check_extent(size, static_cast<int>(planes.size()));
     std::string header = "{'descr': '<f4', 'fortran_order': False, 'shape': (" + std::to_string(size.height) +
@@ -59,9 +64,24 @@ std::string npy_of(const PlaneList& planes) {
     header += '\n';
     std::string bytes(kMagic);
     bytes += {'\1', '\0', static_cast<char>(header.size() & 0xff), static_cast<char>(header.size() >> 8)};
-    bytes += header;
-    for (int y = 0; y < size.height; ++y) bytes += bytes_of(row_values(planes, y));
+    return bytes + header;
+}
+
+std::string npy_of(const PlaneList& planes) {
+    const Size size = planes[0]->size;
+    std::string bytes = npy_head(planes);
+    bytes.reserve(bytes.size() + sizeof(float) * planes.size() * static_cast<std::size_t>(size.width) *
+                                     static_cast<std::size_t>(size.height));
+    hand_on_rows(planes, [&bytes](std::string_view row) { bytes += row; });
     return bytes;
+}
+
+void write_rows(const std::filesystem::path& path, const PlaneList& planes) {
+    const std::string head = npy_head(planes);
+    write_file_atomically(path, [&](const PieceSink& sink) {
+        sink(head);
+        hand_on_rows(planes, sink);
+    });
 }
 
 // The text after 'key': in a .npy header, up to the comma that ends it (commas inside brackets do not).
@@ -240,11 +260,9 @@ std::string npy_bytes(const Planes& planes) {
 }
 
 void write_npy(const std::filesystem::path& path, const Image<float>& image) {
-    write_file_atomically(path, npy_bytes(image));
+    write_rows(path, list(image));
 }
-void write_npy(const std::filesystem::path& path, const Image3& image) {
-    write_file_atomically(path, npy_bytes(image));
-}
+void write_npy(const std::filesystem::path& path, const Image3& image) { write_rows(path, list(image)); }
 
 NpyImage npy_image(std::string_view bytes, const std::string& name) {
     const NpyReader reader(

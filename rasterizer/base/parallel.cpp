@@ -1,6 +1,7 @@
 #include "rasterizer/base/parallel.h"
 
 #include <algorithm>
+#include <utility>
 
 #if CREVICE_TBB && defined(__SANITIZE_THREAD__)
 #include <atomic>
@@ -41,19 +42,41 @@ void on_threads(int threads, int count, const std::function<void(int)>& body) {
 }  // namespace
 #elif CREVICE_TBB
 namespace {
+// Says, while it lives, that this thread is at an item of a loop: loops may lie in each other.
+class AtItem {
+ public:
+    AtItem() : before_(std::exchange(here, true)) {}
+    ~AtItem() { here = before_; }
+    AtItem(const AtItem&) = delete;
+    AtItem& operator=(const AtItem&) = delete;
+
+    static thread_local bool here;
+
+ private:
+    bool before_;
+};
+thread_local bool AtItem::here = false;
+
+void in_this_arena(int count, const std::function<void(int)>& body) {
+    tbb::parallel_for(
+        tbb::blocked_range<int>(0, count, 1),
+        [&](const tbb::blocked_range<int>& items) {
+            const AtItem at_item;
+            for (int i = items.begin(); i < items.end(); ++i) body(i);
+        },
+        tbb::simple_partitioner());
+}
+
 void on_threads(int threads, int count, const std::function<void(int)>& body) {
+    if (AtItem::here && tbb::this_task_arena::max_concurrency() == threads) {
+        // Threads that are done with the outer loop help here; who waits here does not begin another item of that one.
+        return tbb::this_task_arena::isolate([&] { in_this_arena(count, body); });
+    }
     // The arena is limited to the machine's cores unless the limit is raised while it works.
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(threads));
     tbb::task_arena arena(threads);
-    arena.execute([&] {
-        tbb::parallel_for(
-            tbb::blocked_range<int>(0, count, 1),
-            [&](const tbb::blocked_range<int>& items) {
-                for (int i = items.begin(); i < items.end(); ++i) body(i);
-            },
-            tbb::simple_partitioner());
-    });
+    arena.execute([&] { in_this_arena(count, body); });
 }
 }  // namespace
 #endif

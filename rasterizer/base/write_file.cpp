@@ -6,6 +6,8 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
+#include <functional>
+#include <memory>
 #include <string>
 #include <system_error>
 
@@ -27,67 +29,79 @@ std::string reason(int error_number) { return std::generic_category().message(er
 // The names of the partial files there are now. A signal handler finds them here, and nothing else does.
 std::array<std::atomic<const char*>, 16> partial_names;
 
-// Lists a partial file while it is written; where more than there is room for are written at once, not all.
-class ListedPartial {
+// A partial file: listed while it is written (where more than there is room for are written at once, not all are), and removed
+// unless it is kept.
+class Partial {
  public:
-    explicit ListedPartial(const char* name) {
+    explicit Partial(const fs::path& path) : path_(path) {
         for (std::atomic<const char*>& place : partial_names) {
             const char* none = nullptr;
-            if (!place.compare_exchange_strong(none, name)) continue;
+            if (!place.compare_exchange_strong(none, path_.c_str())) continue;
             place_ = &place;
             return;
         }
     }
-    ~ListedPartial() {
+    ~Partial() {
+        std::error_code ignored;
+        if (!kept_) fs::remove(path_, ignored);
         if (place_ != nullptr) *place_ = nullptr;
     }
-    ListedPartial(const ListedPartial&) = delete;
-    ListedPartial& operator=(const ListedPartial&) = delete;
+    Partial(const Partial&) = delete;
+    Partial& operator=(const Partial&) = delete;
+
+    void keep_as(const fs::path& target, std::error_code& error) {
+        fs::rename(path_, target, error);
+        kept_ = !error;
+    }
 
  private:
+    const fs::path& path_;
     std::atomic<const char*>* place_ = nullptr;
+    bool kept_ = false;
 };
 
+using WritePieces = std::function<void(const PieceSink&)>;
+
 // fwrite only fills a buffer: a full disk shows at fflush or fclose, so all three count. Returns 0 or errno.
-int write_all(const fs::path& path, std::string_view bytes) {
+int write_all(const fs::path& path, const WritePieces& write_pieces) {
     errno = 0;
-    std::FILE* file = std::fopen(path.c_str(), "wb");
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "wb"), std::fclose);
     if (file == nullptr) return errno;
     int error_number = 0;
     const auto note = [&error_number](bool failed) {
         if (failed && error_number == 0) error_number = errno != 0 ? errno : EIO;
     };
-    note(std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size());
-    note(std::fflush(file) != 0);
-    note(std::fclose(file) != 0);
+    write_pieces([&](std::string_view bytes) {
+        if (error_number == 0) note(std::fwrite(bytes.data(), 1, bytes.size(), file.get()) != bytes.size());
+    });
+    note(std::fflush(file.get()) != 0);
+    note(std::fclose(file.release()) != 0);
     return error_number;
 }
 
 }  // namespace
 
 void write_file_atomically(const fs::path& path, std::string_view bytes) {
+    write_file_atomically(path, [bytes](const PieceSink& sink) { sink(bytes); });
+}
+
+void write_file_atomically(const fs::path& path, const WritePieces& write_pieces) {
     std::error_code error;
     const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
     const fs::file_status status = fs::status(target, error);
     if (fs::is_directory(status)) refuse(path, "it is a directory");
     if (fs::exists(status) && !fs::is_regular_file(status)) {
-        if (const int failed = write_all(target, bytes)) refuse(path, reason(failed));
+        if (const int failed = write_all(target, write_pieces)) refuse(path, reason(failed));
         return;
     }
-    fs::path partial = target;
-    partial += ".partial";
-    if (fs::is_directory(partial, error)) refuse(path, partial.filename().string() + " is a directory");
-    const ListedPartial listed(partial.c_str());
-    if (const int failed = write_all(partial, bytes)) {
-        fs::remove(partial, error);
-        refuse(path, reason(failed));
-    }
-    fs::rename(partial, target, error);
-    if (error) {
-        const std::string why = error.message();
-        fs::remove(partial, error);
-        refuse(path, why);
-    }
+    fs::path partial_path = target;
+    partial_path += ".partial";
+    if (fs::is_directory(partial_path, error))
+        refuse(path, partial_path.filename().string() + " is a directory");
+    Partial partial(partial_path);
+    if (const int failed = write_all(partial_path, write_pieces)) refuse(path, reason(failed));
+    partial.keep_as(target, error);
+    if (error) refuse(path, error.message());
 }
 
 void remove_partial_files() noexcept {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string_view>
 
 namespace crevice {
@@ -11,6 +12,12 @@ namespace crevice {
 // regular file (a pipe, /dev/stdout) is written to directly; a directory is refused. Throws OutputError
 // naming the path and the system's reason; nothing of the new file is left behind then.
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
+
+// The same of bytes that are not all in memory at once: `write_pieces` hands them on one after another. Nothing of the new
+// file is left behind when it throws, either.
+using PieceSink = std::function<void(std::string_view)>;
+void write_file_atomically(const std::filesystem::path& path,
+                           const std::function<void(const PieceSink&)>& write_pieces);
 
 // Removes what write_file_atomically() has begun, in any thread, and not finished: for the handler of a signal that
 // ends the program, which may call this at any time.

@@ -82,6 +82,22 @@ TEST_CASE("a file that cannot be written completely is an error and leaves nothi
     CHECK(scratch.empty());
 }
 
+TEST_CASE("a file of pieces is their sum, and nothing where making them fails: what was there stays") {
+    const ScratchDirectory scratch;
+    write_file_atomically(scratch / "a", [](const PieceSink& sink) {
+        for (const char* piece : {"one, ", "", "two, ", "three"}) sink(piece);
+    });
+    CHECK(bytes_in(scratch / "a") == "one, two, three");
+    CHECK_THROWS_AS(write_file_atomically(scratch / "a",
+                                          [](const PieceSink& sink) {
+                                              sink(std::string(100000, 'x'));
+                                              throw InputError("no more");
+                                          }),
+                    InputError);
+    CHECK(bytes_in(scratch / "a") == "one, two, three");
+    CHECK(std::distance(fs::directory_iterator(scratch.path()), fs::directory_iterator()) == 1);
+}
+
 TEST_CASE("a file is replaced whole, its partial form is gone, and a symbolic link is followed") {
     const ScratchDirectory scratch;
     write_file_atomically(scratch / "a", "a longer first text");
