@@ -11,10 +11,10 @@ namespace {
 // The functions below give distances. The head is folded at x = 0, so a shape is given once, for x >= 0. In double,
 // several points at a time.
 template <class F>
-using Point = Vec3<Double<F>>;
+using Point = Vec3<Doubles<F>>;
 template <class F>
 CREVICE_INLINE Point<F> at_all(const glm::dvec3& p) {
-    return {Double<F>(p.x), Double<F>(p.y), Double<F>(p.z)};
+    return {Doubles<F>(p.x), Doubles<F>(p.y), Doubles<F>(p.z)};
 }
 
 template <class D>
@@ -28,8 +28,8 @@ CREVICE_INLINE Vec3<D> times(Vec3<D> a, const glm::dvec3& b) {
 
 // Exact on the surface, a good estimate near it.
 template <class F>
-CREVICE_INLINE Double<F> ellipsoid(Point<F> p, const glm::dvec3& centre, const glm::dvec3& radii) {
-    using D = Double<F>;
+CREVICE_INLINE Doubles<F> ellipsoid(Point<F> p, const glm::dvec3& centre, const glm::dvec3& radii) {
+    using D = Doubles<F>;
     const glm::dvec3 per_radius = 1.0 / radii;  // a product takes a tenth of a division's time
     const Point<F> q = times(p - at_all<F>(centre), per_radius);
     const D scale = length(q), slope = length(times(q, per_radius));
@@ -38,57 +38,59 @@ CREVICE_INLINE Double<F> ellipsoid(Point<F> p, const glm::dvec3& centre, const g
 
 // A round bar from a to b whose radius runs from radius_a to radius_b.
 template <class F>
-CREVICE_INLINE Double<F> limb(Point<F> p, const glm::dvec3& a, const glm::dvec3& b, double radius_a,
-                              double radius_b) {
-    using D = Double<F>;
+CREVICE_INLINE Doubles<F> limb(Point<F> p, const glm::dvec3& a, const glm::dvec3& b, double radius_a,
+                               double radius_b) {
+    using D = Doubles<F>;
     const glm::dvec3 axis = b - a;
     const Point<F> from_a = p - at_all<F>(a), along_axis = at_all<F>(axis);
-    const D along = saturate(dot(from_a, along_axis) * D(1 / glm::dot(axis, axis)));
+    const D share = dot(from_a, along_axis) * D(1 / glm::dot(axis, axis));
+    const D along = smaller<F>(larger<F>(share, D(0)), D(1));
     return length(from_a - along * along_axis) - (D(radius_a) + along * D(radius_b - radius_a));
 }
 
 // Union with a fillet of about `width`.
-template <class D>
-CREVICE_INLINE D joined(D a, D b, double width) {
-    const D overlap = max_of(D(width) - absolute(a - b), D(0));
-    return min_of(a, b) - overlap * overlap * D(0.25 / width);
+template <class F>
+CREVICE_INLINE Doubles<F> joined(Doubles<F> a, Doubles<F> b, double width) {
+    using D = Doubles<F>;
+    const D apart = larger<F>(a - b, b - a), overlap = larger<F>(D(width) - apart, D(0));
+    return smaller<F>(a, b) - overlap * overlap * D(0.25 / width);
 }
 
 // `a` without `b`, the rim rounded over about `width`.
-template <class D>
-CREVICE_INLINE D carved(D a, D b, double width) {
-    return -joined(-a, b, width);
+template <class F>
+CREVICE_INLINE Doubles<F> carved(Doubles<F> a, Doubles<F> b, double width) {
+    return -joined<F>(-a, b, width);
 }
 
 template <class F>
-CREVICE_INLINE Double<F> cranium(Point<F> p) {
-    Double<F> d = ellipsoid<F>(p, {0, 4.25, 1.15}, {2.9, 2.55, 3.95});
-    d = joined(d, ellipsoid<F>(p, {0, 4.6, -1.0}, {2.2, 1.95, 2.1}), 0.8);       // forehead
-    d = joined(d, ellipsoid<F>(p, {1.5, 4.1, 2.2}, {1.6, 1.7, 2.0}), 0.8);       // widest behind the ears
-    d = joined(d, ellipsoid<F>(p, {0, 2.7, 1.2}, {1.9, 1.2, 2.6}), 0.9);         // base
-    return carved(d, ellipsoid<F>(p, {2.95, 3.6, -1.6}, {0.8, 1.1, 1.2}), 0.6);  // temple
+CREVICE_INLINE Doubles<F> cranium(Point<F> p) {
+    Doubles<F> d = ellipsoid<F>(p, {0, 4.25, 1.15}, {2.9, 2.55, 3.95});
+    d = joined<F>(d, ellipsoid<F>(p, {0, 4.6, -1.0}, {2.2, 1.95, 2.1}), 0.8);       // forehead
+    d = joined<F>(d, ellipsoid<F>(p, {1.5, 4.1, 2.2}, {1.6, 1.7, 2.0}), 0.8);       // widest behind the ears
+    d = joined<F>(d, ellipsoid<F>(p, {0, 2.7, 1.2}, {1.9, 1.2, 2.6}), 0.9);         // base
+    return carved<F>(d, ellipsoid<F>(p, {2.95, 3.6, -1.6}, {0.8, 1.1, 1.2}), 0.6);  // temple
 }
 
 template <class F>
-CREVICE_INLINE Double<F> face(Point<F> p) {
-    Double<F> d = ellipsoid<F>(p, {0, 2.7, -1.9}, {1.8, 1.6, 1.45});
-    d = joined(d, ellipsoid<F>(p, {0, 1.45, -2.3}, {1.2, 0.85, 1.1}), 0.5);              // upper jaw
-    d = joined(d, limb<F>(p, {0.35, 3.8, -3.12}, {1.2, 3.98, -2.95}, 0.32, 0.34), 0.3);  // brow ridge
-    d = joined(d, limb<F>(p, {1.2, 3.98, -2.95}, {1.95, 3.65, -2.4}, 0.34, 0.28), 0.3);
-    d = joined(d, limb<F>(p, {1.95, 3.65, -2.4}, {2.05, 2.65, -2.15}, 0.26, 0.30), 0.25);  // outer rim
-    d = joined(d, limb<F>(p, {1.0, 2.0, -2.85}, {2.0, 2.3, -2.25}, 0.36, 0.42), 0.3);      // cheek bone
-    d = joined(d, limb<F>(p, {2.0, 2.35, -2.2}, {2.7, 2.6, 0.1}, 0.34, 0.26), 0.35);       // its arch
-    return joined(d, limb<F>(p, {0, 3.65, -3.1}, {0, 2.8, -3.45}, 0.26, 0.24), 0.25);      // nose bridge
+CREVICE_INLINE Doubles<F> face(Point<F> p) {
+    Doubles<F> d = ellipsoid<F>(p, {0, 2.7, -1.9}, {1.8, 1.6, 1.45});
+    d = joined<F>(d, ellipsoid<F>(p, {0, 1.45, -2.3}, {1.2, 0.85, 1.1}), 0.5);              // upper jaw
+    d = joined<F>(d, limb<F>(p, {0.35, 3.8, -3.12}, {1.2, 3.98, -2.95}, 0.32, 0.34), 0.3);  // brow ridge
+    d = joined<F>(d, limb<F>(p, {1.2, 3.98, -2.95}, {1.95, 3.65, -2.4}, 0.34, 0.28), 0.3);
+    d = joined<F>(d, limb<F>(p, {1.95, 3.65, -2.4}, {2.05, 2.65, -2.15}, 0.26, 0.30), 0.25);  // outer rim
+    d = joined<F>(d, limb<F>(p, {1.0, 2.0, -2.85}, {2.0, 2.3, -2.25}, 0.36, 0.42), 0.3);      // cheek bone
+    d = joined<F>(d, limb<F>(p, {2.0, 2.35, -2.2}, {2.7, 2.6, 0.1}, 0.34, 0.26), 0.35);       // its arch
+    return joined<F>(d, limb<F>(p, {0, 3.65, -3.1}, {0, 2.8, -3.45}, 0.26, 0.24), 0.25);      // nose bridge
 }
 
 template <class F>
-CREVICE_INLINE Double<F> jaw(Point<F> p) {
-    Double<F> d = ellipsoid<F>(p, {0, 0.42, -2.65}, {0.95, 0.5, 0.75});                // chin
-    d = joined(d, limb<F>(p, {0.6, 0.42, -2.6}, {2.0, 0.85, -0.7}, 0.42, 0.36), 0.3);  // body
-    d = joined(d, limb<F>(p, {2.0, 0.85, -0.7}, {2.3, 2.5, -0.15}, 0.36, 0.3), 0.3);   // ramus
-    d = joined(d, ellipsoid<F>(p, {1.45, 1.6, -1.05}, {0.85, 1.2, 1.15}), 0.4);  // fills what no ray reaches
-    d = joined(d, ellipsoid<F>(p, {0, 1.5, -0.6}, {1.6, 1.0, 1.1}), 0.4);        // the throat, likewise
-    return joined(d, ellipsoid<F>(p, {0, 0.95, -1.6}, {1.4, 0.7, 1.3}), 0.4);
+CREVICE_INLINE Doubles<F> jaw(Point<F> p) {
+    Doubles<F> d = ellipsoid<F>(p, {0, 0.42, -2.65}, {0.95, 0.5, 0.75});                  // chin
+    d = joined<F>(d, limb<F>(p, {0.6, 0.42, -2.6}, {2.0, 0.85, -0.7}, 0.42, 0.36), 0.3);  // body
+    d = joined<F>(d, limb<F>(p, {2.0, 0.85, -0.7}, {2.3, 2.5, -0.15}, 0.36, 0.3), 0.3);   // ramus
+    d = joined<F>(d, ellipsoid<F>(p, {1.45, 1.6, -1.05}, {0.85, 1.2, 1.15}), 0.4);  // where no ray reaches
+    d = joined<F>(d, ellipsoid<F>(p, {0, 1.5, -0.6}, {1.6, 1.0, 1.1}), 0.4);        // the throat, likewise
+    return joined<F>(d, ellipsoid<F>(p, {0, 0.95, -1.6}, {1.4, 0.7, 1.3}), 0.4);
 }
 
 // Half a row of teeth, from the middle to the side: x, z and radius.
@@ -100,32 +102,32 @@ constexpr std::array<glm::dvec3, 5> kTeeth = {{{0.19, -3.46, 0.185},
 
 // Two rows of teeth, each tooth a limb from the gum to its edge.
 template <class F>
-CREVICE_INLINE Double<F> teeth(Point<F> p) {
-    using D = Double<F>;
+CREVICE_INLINE Doubles<F> teeth(Point<F> p) {
+    using D = Doubles<F>;
     D d(9);
-    const Mask<F> near = (p.z <= D(-1.9)) & (p.y <= D(2.2));  // elsewhere they are too far away to matter
+    const auto near = (p.z <= D(-1.9)) & (p.y <= D(2.2));  // elsewhere they are too far away to matter
     if (!any(near)) return d;
     for (const glm::dvec3& tooth : kTeeth) {
         const auto at = [&](double y) { return glm::dvec3(tooth.x, y, tooth.y); };
-        d = joined(d, limb<F>(p, at(1.55), at(1.15), 0.85 * tooth.z, tooth.z), 0.07);
-        d = joined(d, limb<F>(p, at(0.86), at(0.55), 0.93 * tooth.z, 0.8 * tooth.z), 0.07);
+        d = joined<F>(d, limb<F>(p, at(1.55), at(1.15), 0.85 * tooth.z, tooth.z), 0.07);
+        d = joined<F>(d, limb<F>(p, at(0.86), at(0.55), 0.93 * tooth.z, 0.8 * tooth.z), 0.07);
     }
     return select(near, d, D(9));
 }
 
 template <class F>
-CREVICE_INLINE Double<F> head(Point<F> p) {
-    using D = Double<F>;
-    p.x = absolute(p.x);
+CREVICE_INLINE Doubles<F> head(Point<F> p) {
+    using D = Doubles<F>;
+    p.x = larger<F>(p.x, -p.x);
     const D back = cranium<F>(p);
-    const Mask<F> in_front = p.z <= D(1.2);  // behind there is nothing else
+    const auto in_front = p.z <= D(1.2);  // behind there is nothing else
     if (!any(in_front)) return back;
-    D d = joined(back, face<F>(p), 0.5);
-    d = joined(d, jaw<F>(p), 0.3);
-    d = joined(d, teeth<F>(p), 0.14);
-    d = carved(d, limb<F>(p, {1.16, 3.03, -3.0}, {0.92, 3.02, -1.7}, 0.8, 0.42), 0.15);  // eye socket
-    d = carved(d, limb<F>(p, {0, 2.6, -3.25}, {0, 2.15, -3.0}, 0.22, 0.45), 0.2);        // nose aperture
-    d = joined(d, limb<F>(p, {0, 2.7, -3.05}, {0, 1.85, -2.95}, 0.07, 0.09), 0.12);      // its septum
+    D d = joined<F>(back, face<F>(p), 0.5);
+    d = joined<F>(d, jaw<F>(p), 0.3);
+    d = joined<F>(d, teeth<F>(p), 0.14);
+    d = carved<F>(d, limb<F>(p, {1.16, 3.03, -3.0}, {0.92, 3.02, -1.7}, 0.8, 0.42), 0.15);  // eye socket
+    d = carved<F>(d, limb<F>(p, {0, 2.6, -3.25}, {0, 2.15, -3.0}, 0.22, 0.45), 0.2);        // nose aperture
+    d = joined<F>(d, limb<F>(p, {0, 2.7, -3.05}, {0, 1.85, -2.95}, 0.07, 0.09), 0.12);      // its septum
     return select(in_front, d, back);
 }
 
@@ -140,10 +142,9 @@ Distances head_distances(const PointGroup& points, const Run& run) {
     }
     Distances distances;
     run_kernel(run, [&]<class F>(Lanes<F>) {
-        using D = DoubleLanes<F>;
-        for (int i = 0; i < kMostLanes; i += kLanes<D>) {
-            const Point<D> p{load_doubles<D>(x + i), load_doubles<D>(y + i), load_doubles<D>(z + i)};
-            store(distances.data() + i, head<D>(p));
+        for (int i = 0; i < kMostLanes; i += kDoubles<F>) {
+            const Point<F> p{load_doubles<F>(x + i), load_doubles<F>(y + i), load_doubles<F>(z + i)};
+            store(distances.data() + i, head<F>(p));
         }
     });
     return distances;
