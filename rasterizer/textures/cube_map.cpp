@@ -32,12 +32,12 @@ CubeMap empty_cube_map(int side) {
         cube.level_side.push_back(level_side);
         texels += kCubeFaces * (level_side + 2) * (level_side + 2);
     }
-    for (std::vector<float>& plane : cube.rgb) plane.assign(static_cast<std::size_t>(texels), 0.0f);
+    cube.rgba.assign(4 * static_cast<std::size_t>(texels), 0.0f);
     return cube;
 }
 
 void set_texel(CubeMap& cube, std::size_t at, glm::vec3 colour) {
-    for (std::size_t c = 0; c < 3; ++c) cube.rgb[c][at] = colour[static_cast<int>(c)];
+    for (std::size_t c = 0; c < 3; ++c) cube.rgba[4 * at + c] = colour[static_cast<int>(c)];
 }
 
 double texel_centre(int i, int side) { return (2.0 * i + 1) / side - 1; }
@@ -125,8 +125,9 @@ CubeMap paint_cube_map(int side, const std::function<void(const CubeRow& row)>& 
                     towards[c][static_cast<std::size_t>(x)] = direction[static_cast<int>(c)];
             }
             paint(row);
-            const auto at = static_cast<std::ptrdiff_t>(cube.texel_index(0, face, 0, y));
-            for (std::size_t c = 0; c < 3; ++c) std::copy_n(row.rgb[c], side, cube.rgb[c].begin() + at);
+            for (int x = 0; x < side; ++x)
+                set_texel(cube, cube.texel_index(0, face, x, y),
+                          {row.rgb[0][x], row.rgb[1][x], row.rgb[2][x]});
         }
     });
     for (int level = 0; level < cube.levels(); ++level) {

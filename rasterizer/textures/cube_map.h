@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -16,6 +17,7 @@
 
 #include "rasterizer/base/run.h"
 #include "rasterizer/lanes/vec3.h"
+#include "rasterizer/lanes/wide_fours.h"
 
 namespace crevice {
 
@@ -28,7 +30,7 @@ struct CubeMap {
     int side = 0;                           // texels, of level 0; a power of two
     std::vector<std::int32_t> level_start;  // texel index of each level's first
     std::vector<std::int32_t> level_side;   // texels, of a face without its rim
-    std::array<std::vector<float>, 3> rgb;  // one plane a channel
+    std::vector<float> rgba;                // four numbers a texel, of which the last is 0
 
     int levels() const { return static_cast<int>(level_start.size()); }
     // Column and row from -1 to the level's side; both of these are the rim.
@@ -40,7 +42,7 @@ struct CubeMap {
     }
     glm::vec3 texel(int level, int face, int column, int row) const {
         const std::size_t at = texel_index(level, face, column, row);
-        return {rgb[0][at], rgb[1][at], rgb[2][at]};
+        return {rgba[4 * at], rgba[4 * at + 1], rgba[4 * at + 2]};
     }
 };
 
@@ -95,14 +97,22 @@ CREVICE_INLINE Vec3<F> sample_cube_level(const CubeMap& cube, CubePoint<F> at, I
     const I x0 = to_int(x), y0 = to_int(y);
     const F fx = x - F(to_float(x0)), fy = y - F(to_float(y0));
     const I top = gather(cube.level_start.data(), level) + (at.face * stride + y0) * stride + x0;
-    const I bottom = top + stride;
-    const auto channel = [&](std::size_t c) __attribute__((always_inline)) {
-        const float* const texels = cube.rgb[c].data();
-        const F above = mix(gather(texels, top), gather(texels, top + I(1)), fx);
-        const F below = mix(gather(texels, bottom), gather(texels, bottom + I(1)), fx);
-        return mix(above, below, fy);
-    };
-    return {channel(0), channel(1), channel(2)};
+    // In memory, because texels are fetched lane by lane.
+    std::int32_t upper_left[kLanes<F>], lower_left[kLanes<F>];
+    store(upper_left, top * I(4));
+    store(lower_left, (top + stride) * I(4));
+    Fours<F> right_share[kFours<F>], lower_share[kFours<F>], mixed[kFours<F>];
+    spread_to_fours(fx, right_share);
+    spread_to_fours(fy, lower_share);
+    const float* const texels = cube.rgba.data();
+    for (int k = 0; k < kFours<F>; ++k) {
+        const auto row = [&](const std::int32_t* left) __attribute__((always_inline)) {
+            return mix(gather_fours<F>(texels, left), gather_fours<F>(texels + 4, left), right_share[k]);
+        };
+        mixed[k] = mix(row(upper_left + k), row(lower_left + k), lower_share[k]);
+    }
+    const std::array<F, 4> colour = sorted(mixed);
+    return {colour[0], colour[1], colour[2]};
 }
 
 // Trilinear colour in a direction of any length; level 0 is the finest. Levels outside the map give its

@@ -1,11 +1,12 @@
-// Texels as they lie in memory, the four channels side by side: a filter mixes them without sorting them by
-// channel first, since all four take the same arithmetic.
+// Texels of textures: in memory the four channels lie side by side, and filters mix them as they lie.
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <cstring>
 
 #include "rasterizer/lanes/vec3.h"
+#include "rasterizer/lanes/wide_fours.h"
 
 namespace crevice {
 
@@ -14,26 +15,9 @@ namespace crevice {
 using Rgba16 = std::array<std::uint16_t, 4>;
 inline constexpr float kTexelOne = 255 * 256;
 
-// RGBA of one pixel (F = float or Wide<4>), or of two pixels (Wide<8>): of lane i in the lower half and of lane
-// i + 4 in the upper one. So four lanes and eight are four of these, and one lane is one.
 template <class F>
-struct Rgba {
-    using V = Wide<4>::V;
-    V v;
-};
-template <>
-struct Rgba<Wide<8>> {
-    using V = Wide<8>::V;
-    V v;
-};
-template <class F>
-inline constexpr int kRgbas = kLanes<F> == 1 ? 1 : 4;
+using Rgba = Fours<F>;
 
-// As mix of wide.h, channel by channel.
-template <class F>
-CREVICE_INLINE Rgba<F> mix(Rgba<F> a, Rgba<F> b, Rgba<F> t) {
-    return {a.v + t.v * (b.v - a.v)};
-}
 // a where `where` is above 0, else b.
 template <class F>
 CREVICE_INLINE Rgba<F> chosen(Rgba<F> where, Rgba<F> a, Rgba<F> b) {
@@ -98,55 +82,16 @@ CREVICE_INLINE TexelPair<F> gather_pair(const Rgba16* base, const std::int32_t* 
     }
 }
 
-// A value of each lane, on all four of its channels.
-CREVICE_INLINE void spread_to_channels(float value, Rgba<float> (&spread)[1]) {
-    spread[0].v = Rgba<float>::V{value, value, value, value};
-}
-CREVICE_INLINE void spread_to_channels(Wide<4> value, Rgba<Wide<4>> (&spread)[4]) {
-    spread[0].v = __builtin_shufflevector(value.v, value.v, 0, 0, 0, 0);
-    spread[1].v = __builtin_shufflevector(value.v, value.v, 1, 1, 1, 1);
-    spread[2].v = __builtin_shufflevector(value.v, value.v, 2, 2, 2, 2);
-    spread[3].v = __builtin_shufflevector(value.v, value.v, 3, 3, 3, 3);
-}
-CREVICE_INLINE void spread_to_channels(Wide<8> value, Rgba<Wide<8>> (&spread)[4]) {
-    spread[0].v = __builtin_shufflevector(value.v, value.v, 0, 0, 0, 0, 4, 4, 4, 4);
-    spread[1].v = __builtin_shufflevector(value.v, value.v, 1, 1, 1, 1, 5, 5, 5, 5);
-    spread[2].v = __builtin_shufflevector(value.v, value.v, 2, 2, 2, 2, 6, 6, 6, 6);
-    spread[3].v = __builtin_shufflevector(value.v, value.v, 3, 3, 3, 3, 7, 7, 7, 7);
-}
-
 // Sorted by channel.
 template <class F>
 struct TextureColour {
     Vec3<F> colour;  // linear light, [0,1]
     F alpha;         // [0,1]; 1 where the texture has none
 };
-CREVICE_INLINE TextureColour<float> channels_of(const Rgba<float> (&rgba)[1]) {
-    return {{rgba[0].v[0], rgba[0].v[1], rgba[0].v[2]}, rgba[0].v[3]};
-}
-// A transposition of 4 x 4.
-CREVICE_INLINE TextureColour<Wide<4>> channels_of(const Rgba<Wide<4>> (&rgba)[4]) {
-    using V = Wide<4>::V;
-    const V rg01 = __builtin_shufflevector(rgba[0].v, rgba[1].v, 0, 4, 1, 5),
-            rg23 = __builtin_shufflevector(rgba[2].v, rgba[3].v, 0, 4, 1, 5),
-            ba01 = __builtin_shufflevector(rgba[0].v, rgba[1].v, 2, 6, 3, 7),
-            ba23 = __builtin_shufflevector(rgba[2].v, rgba[3].v, 2, 6, 3, 7);
-    return {{Wide<4>(__builtin_shufflevector(rg01, rg23, 0, 1, 4, 5)),
-             Wide<4>(__builtin_shufflevector(rg01, rg23, 2, 3, 6, 7)),
-             Wide<4>(__builtin_shufflevector(ba01, ba23, 0, 1, 4, 5))},
-            Wide<4>(__builtin_shufflevector(ba01, ba23, 2, 3, 6, 7))};
-}
-// Two of them, side by side.
-CREVICE_INLINE TextureColour<Wide<8>> channels_of(const Rgba<Wide<8>> (&rgba)[4]) {
-    using V = Wide<8>::V;
-    const V rg01 = __builtin_shufflevector(rgba[0].v, rgba[1].v, 0, 8, 1, 9, 4, 12, 5, 13),
-            rg23 = __builtin_shufflevector(rgba[2].v, rgba[3].v, 0, 8, 1, 9, 4, 12, 5, 13),
-            ba01 = __builtin_shufflevector(rgba[0].v, rgba[1].v, 2, 10, 3, 11, 6, 14, 7, 15),
-            ba23 = __builtin_shufflevector(rgba[2].v, rgba[3].v, 2, 10, 3, 11, 6, 14, 7, 15);
-    return {{Wide<8>(__builtin_shufflevector(rg01, rg23, 0, 1, 8, 9, 4, 5, 12, 13)),
-             Wide<8>(__builtin_shufflevector(rg01, rg23, 2, 3, 10, 11, 6, 7, 14, 15)),
-             Wide<8>(__builtin_shufflevector(ba01, ba23, 0, 1, 8, 9, 4, 5, 12, 13))},
-            Wide<8>(__builtin_shufflevector(ba01, ba23, 2, 3, 10, 11, 6, 7, 14, 15))};
+template <class F>
+CREVICE_INLINE TextureColour<F> channels_of(const Rgba<F> (&rgba)[kFours<F>]) {
+    const std::array<F, 4> channels = sorted(rgba);
+    return {{channels[0], channels[1], channels[2]}, channels[3]};
 }
 
 }  // namespace crevice

@@ -54,30 +54,30 @@ struct SeenTexture {
     const Texture* texture;
     // Of the probes, in units of 1 / kTexelOne; 0 where nothing is wanted. The sum of equal whole numbers is exact,
     // so their mean is that number.
-    Rgba<F> sum[kRgbas<F>];
+    Rgba<F> sum[kFours<F>];
     F probes = F(1);
 
-    CREVICE_INLINE explicit SeenTexture(const Texture& t) : texture(&t) { spread_to_channels(F(0), sum); }
+    CREVICE_INLINE explicit SeenTexture(const Texture& t) : texture(&t) { spread_to_fours(F(0), sum); }
 
     // One probe more of the lanes whose `taken` is 1, not 0; of one level, or of two mixed.
-    CREVICE_INLINE void add(const Rgba<F> (&taken)[kRgbas<F>], const LevelTaps<F>& only,
+    CREVICE_INLINE void add(const Rgba<F> (&taken)[kFours<F>], const LevelTaps<F>& only,
                             const float* border) {
-        for (int k = 0; k < kRgbas<F>; ++k) add(k, taken[k], only.mixed(texture->texels(), border, k));
+        for (int k = 0; k < kFours<F>; ++k) add(k, taken[k], only.mixed(texture->texels(), border, k));
     }
-    CREVICE_INLINE void add(const Rgba<F> (&taken)[kRgbas<F>], const LevelTaps<F>& finer,
-                            const LevelTaps<F>& coarser, const Rgba<F> (&coarser_share)[kRgbas<F>],
+    CREVICE_INLINE void add(const Rgba<F> (&taken)[kFours<F>], const LevelTaps<F>& finer,
+                            const LevelTaps<F>& coarser, const Rgba<F> (&coarser_share)[kFours<F>],
                             const float* border) {
-        for (int k = 0; k < kRgbas<F>; ++k) {
+        for (int k = 0; k < kFours<F>; ++k) {
             add(k, taken[k],
                 mix(finer.mixed(texture->texels(), border, k), coarser.mixed(texture->texels(), border, k),
                     coarser_share[k]));
         }
     }
     // Of a 1x1 texture.
-    CREVICE_INLINE void add_only_texel(const Rgba<F> (&taken)[kRgbas<F>]) {
+    CREVICE_INLINE void add_only_texel(const Rgba<F> (&taken)[kFours<F>]) {
         constexpr std::int32_t first[kLanes<F>] = {};
         const Rgba<F> texel = gather_pair<F>(texture->texels(), first).left;
-        for (int k = 0; k < kRgbas<F>; ++k) add(k, taken[k], texel);
+        for (int k = 0; k < kFours<F>; ++k) add(k, taken[k], texel);
     }
 
     // A division, so that the codes of 8-bit pictures come back as the floats that they stand for.
@@ -99,8 +99,8 @@ CREVICE_INLINE void add_probes(SeenTexture<F>* seen, int count, const Sampler& s
     const glm::vec4 in_units = kTexelOne * sampler.border;
     const float border_rgba[4] = {in_units.x, in_units.y, in_units.z, in_units.w};
     const float* border = addressing.has_border() ? border_rgba : nullptr;
-    Rgba<F> coarser_share[kRgbas<F>], taken[kRgbas<F>];
-    spread_to_channels(probes.coarser_share, coarser_share);
+    Rgba<F> coarser_share[kFours<F>], taken[kFours<F>];
+    spread_to_fours(probes.coarser_share, coarser_share);
     std::int32_t finer[kLanes<F>];
     store(finer, probes.finer);
     // One level after the other, until every lane has had its own: as a rule all have the same.
@@ -115,7 +115,7 @@ CREVICE_INLINE void add_probes(SeenTexture<F>* seen, int count, const Sampler& s
         const int most = in_a_row ? largest_of(wanted) : 1;
         for (int i = 0; i < most; ++i) {
             const Vec2<F> uv = in_range(in_a_row ? probes.uv(at, i) : at.uv, addressing);
-            spread_to_channels(select(Int<F>(i) < wanted, F(1), F(0)), taken);
+            spread_to_fours(select(Int<F>(i) < wanted, F(1), F(0)), taken);
             const LevelTaps<F> fine(level[0], uv, addressing);
             if (two_levels) {
                 const LevelTaps<F> coarse(level[1], uv, addressing);
@@ -134,8 +134,8 @@ CREVICE_INLINE void look_at(SeenTexture<F>* seen, int count, const Sampler& samp
     const Addressing addressing{sampler.address_u, sampler.address_v, sampler.filter == TextureFilter::point};
     if (seen->texture->size() == Size{1, 1} && !addressing.has_border()) {
         // The mean of equal texels is exactly that texel.
-        Rgba<F> taken[kRgbas<F>];
-        spread_to_channels(select(at.wanted, F(1), F(0)), taken);
+        Rgba<F> taken[kFours<F>];
+        spread_to_fours(select(at.wanted, F(1), F(0)), taken);
         for (int t = 0; t < count; ++t) seen[t].add_only_texel(taken);
         return;
     }

@@ -74,9 +74,9 @@ template <class F>
 struct LevelTaps {
     std::ptrdiff_t stride;
     std::int32_t upper_left[kLanes<F>];  // in texels(). In memory, because texels are fetched lane by lane.
-    Rgba<F> right_share[kRgbas<F>], lower_share[kRgbas<F>];
+    Rgba<F> right_share[kFours<F>], lower_share[kFours<F>];
     // With a border: which columns and rows are the texture's, 1 or 0.
-    Rgba<F> has_left[kRgbas<F>], has_right[kRgbas<F>], has_upper[kRgbas<F>], has_lower[kRgbas<F>];
+    Rgba<F> has_left[kFours<F>], has_right[kFours<F>], has_upper[kFours<F>], has_lower[kFours<F>];
 
     // `at` is in_range.
     CREVICE_INLINE LevelTaps(const Texture::Level& level, Vec2<F> at, Addressing addressing)
@@ -84,13 +84,13 @@ struct LevelTaps {
         const AxisTaps<F> columns = taps_at<F>(at.x, level.size.width, addressing.u, addressing.nearest),
                           rows = taps_at<F>(at.y, level.size.height, addressing.v, addressing.nearest);
         store(upper_left, (Int<F>(level.first) + rows.first * Int<F>(level.stride)) + columns.first);
-        spread_to_channels(columns.share, right_share);
-        spread_to_channels(rows.share, lower_share);
+        spread_to_fours(columns.share, right_share);
+        spread_to_fours(rows.share, lower_share);
         if (!addressing.has_border()) return;
-        spread_to_channels(columns.has_first, has_left);
-        spread_to_channels(columns.has_second, has_right);
-        spread_to_channels(rows.has_first, has_upper);
-        spread_to_channels(rows.has_second, has_lower);
+        spread_to_fours(columns.has_first, has_left);
+        spread_to_fours(columns.has_second, has_right);
+        spread_to_fours(rows.has_first, has_upper);
+        spread_to_fours(rows.has_second, has_lower);
     }
 
     // Of the lanes that Rgba number `i` stands for, in units of 1 / kTexelOne. `border`, in these units, is null

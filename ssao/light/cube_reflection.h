@@ -32,11 +32,11 @@ CREVICE_INLINE Vec3<F> mirrored(Vec3<F> n, Vec3<F> v) {
 
 // To be added to the lit colour, linear light. n and to_eye unit, view space; `r0` the reflectance straight
 // on; `smoothness` 1 - roughness, in [0,1] (Material::shininess / 256), times the normal map's alpha where
-// there is one; `level` of the cube map, 0 sharpest. Not multiplied by accessibility, as in the book.
+// there is one. Of the cube map's sharpest level; not multiplied by accessibility, as in the book.
 template <class F>
 CREVICE_INLINE Vec3<F> reflected_colour(const Surroundings& around, Vec3<F> n, Vec3<F> to_eye, Vec3<F> r0,
-                                        F smoothness, F level) {
-    const Vec3<F> seen = sample_cube(around.cube, turned(around.world_from_view, mirrored(n, to_eye)), level);
+                                        F smoothness) {
+    const Vec3<F> seen = sample_cube(around.cube, turned(around.world_from_view, mirrored(n, to_eye)));
     return smoothness * (schlick_fresnel(r0, dot(n, to_eye)) * seen);
 }
 

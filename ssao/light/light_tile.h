@@ -146,7 +146,7 @@ struct TileLighting {
         if (kEffects == Effects::none || around == nullptr) return colour;
         const F smoothness = point.gloss * F(material.shininess / kFullShininess);
         const Vec3<F> reflected =
-            reflected_colour(*around, point.n, point.to_eye, spread<F>(material.specular), smoothness, F(0));
+            reflected_colour(*around, point.n, point.to_eye, spread<F>(material.specular), smoothness);
         const Vec3<F> arriving = ambient.specular_occlusion == SpecularOcclusion::none
                                      ? reflected
                                      : unhidden(accessibility, point, open, smoothness) * reflected;

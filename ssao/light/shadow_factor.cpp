@@ -21,4 +21,15 @@ ShadowLookup shadow_lookup(const ShadowMap& map, const Camera& view) {
             glm::vec4((glm::row(light_from_view, 2) - light.near_plane * one) / depth_range)};
 }
 
+void copy_shadow_texels(const ShadowMap& map, int column, int row, std::int32_t* texels) {
+    const Image<std::int32_t>& codes = map.depth.codes;
+    const std::int32_t border = map.settings.border_is_lit ? depth_code(map.settings.format, 1.0f, 0.0) : 0;
+    for (int y = row; y < row + kShadowTexels; ++y) {
+        for (int x = column; x < column + kShadowTexels; ++x) {
+            const bool inside = x >= 0 && y >= 0 && x < codes.size.width && y < codes.size.height;
+            *texels++ = inside ? codes.at(x, y) : border;
+        }
+    }
+}
+
 }  // namespace crevice

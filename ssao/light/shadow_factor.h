@@ -7,9 +7,14 @@
 // That sum is exact; one division follows: fully lit is exactly 1, fully shadowed exactly 0.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
 #include <glm/vec4.hpp>
 
 #include "rasterizer/draw/depth_buffer.h"
+#include "rasterizer/lanes/wide_fours.h"
 #include "rasterizer/spaces.h"
 #include "ssao/light/shadow_map.h"
 
@@ -42,6 +47,11 @@ CREVICE_INLINE Int<F> least_lit_code(const ShadowSettings& settings, F z_ndc) {
     return select(to_double(whole) < in_steps, whole + Int<F>(1), whole);
 }
 
+// How many texels the taps share along each axis.
+inline constexpr int kShadowTexels = 4;
+// Those from (column, row) on, row by row: in the map its codes, beyond it the border.
+void copy_shadow_texels(const ShadowMap& map, int column, int row, std::int32_t* texels);
+
 // In [0,1]: 1 lit, 0 in shadow. p_view is where the surface is in the view's space. Points beyond the map's
 // edge meet the border; a coordinate that is NaN counts as beyond.
 template <class F>
@@ -53,7 +63,6 @@ CREVICE_INLINE F shadow_factor(const ShadowLookup& lookup, Vec3<F> p_view) {
         return F(m.x) * p_view.x + F(m.y) * p_view.y + F(m.z) * p_view.z + F(m.w);
     };
     const I least_lit = least_lit_code(settings, along(lookup.depth));
-    const I border(settings.border_is_lit ? depth_code(settings.format, 1.0f, 0.0) : 0);
 
     // The middle tap's upper left texel in 1/256 texel, at most 4 texels outside the map.
     const float side = static_cast<float>(codes.size.width);
@@ -66,23 +75,43 @@ CREVICE_INLINE F shadow_factor(const ShadowLookup& lookup, Vec3<F> p_view) {
     const auto fraction = [](I at) __attribute__((always_inline)) {
         return F(to_float(at & I(kSubpixelSteps - 1))) * F(1.0f / kSubpixelSteps);
     };
-    const auto weighted = [](F a, F b, F c, F d, F f) __attribute__((always_inline)) {
-        return (F(1) - f) * a + b + c + f * d;
-    };
-    const I last(codes.size.width - 1), zero(0), stride(codes.stride);
-    F rows[4];
-    for (int j = 0; j < 4; ++j) {
-        const I y = y0 + I(j), y_inside = clamp_int(y, zero, last);
-        F lit[4];
-        for (int i = 0; i < 4; ++i) {
-            const I x = x0 + I(i), x_inside = clamp_int(x, zero, last);
-            const I stored = gather(codes.pixels.data(), y_inside * stride + x_inside);
-            const auto inside = (x == x_inside) & (y == y_inside);
-            lit[i] = select(select(inside, stored, border) >= least_lit, F(1), F(0));
+    // Where each lane's first texel lies. If one reaches beyond the map, all have copies of their texels, with the border.
+    std::int32_t first[kLanes<F>], copies[kLanes<F> * kShadowTexels * kShadowTexels];
+    const std::int32_t* texels = codes.pixels.data();
+    std::ptrdiff_t stride = codes.stride;
+    const I zero(0), last_first(codes.size.width - kShadowTexels);
+    if (any((x0 < zero) | (y0 < zero) | (x0 > last_first) | (y0 > last_first))) {
+        std::int32_t column[kLanes<F>], row[kLanes<F>];
+        store(column, x0);
+        store(row, y0);
+        for (int lane = 0; lane < kLanes<F>; ++lane) {
+            first[lane] = kShadowTexels * kShadowTexels * lane;
+            copy_shadow_texels(lookup.map, column[lane], row[lane], copies + first[lane]);
         }
-        rows[j] = weighted(lit[0], lit[1], lit[2], lit[3], fraction(x_steps));
+        texels = copies;
+        stride = kShadowTexels;
+    } else {
+        store(first, y0 * I(codes.stride) + x0);
     }
-    return weighted(rows[0], rows[1], rows[2], rows[3], fraction(y_steps)) / F(9);
+
+    // Row by row as the texels lie in memory: what the four columns add up to.
+    const F fx = fraction(x_steps), fy = fraction(y_steps);
+    Fours<F, std::int32_t> least[kFours<F>];
+    Fours<F> upper_weight[kFours<F>], lower_weight[kFours<F>], columns[kFours<F>];
+    spread_to_fours(least_lit, least);
+    spread_to_fours(F(1) - fy, upper_weight);
+    spread_to_fours(fy, lower_weight);
+    for (int k = 0; k < kFours<F>; ++k) {
+        using V = typename Fours<F>::V;
+        const auto row = [&](int j, V weight) __attribute__((always_inline)) {
+            const Fours<F, std::int32_t> stored = gather_fours<F>(texels + j * stride, first + k);
+            return stored.v >= least[k].v ? weight : V{};
+        };
+        const V whole = V{} + 1;
+        columns[k].v = row(0, upper_weight[k].v) + row(1, whole) + row(2, whole) + row(3, lower_weight[k].v);
+    }
+    const std::array<F, 4> sum = sorted(columns);
+    return ((F(1) - fx) * sum[0] + sum[1] + sum[2] + fx * sum[3]) / F(9);
 }
 
 }  // namespace crevice

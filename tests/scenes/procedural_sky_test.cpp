@@ -100,7 +100,7 @@ TEST_CASE("procedural sky: more cover, more cloud; another seed, other clouds") 
 TEST_CASE("procedural sky: the cube map holds it, the same from one thread and many") {
     const SkyLook look = sunset_look();
     const CubeMap cube = procedural_sky(look, 16);
-    CHECK(procedural_sky(look, 16, {.threads = 1}).rgb == cube.rgb);
+    CHECK(procedural_sky(look, 16, {.threads = 1}).rgba == cube.rgba);
     const glm::vec3 d(glm::normalize(cube_direction(1, 3.0 / 16, -5.0 / 16)));
     CHECK(cube.texel(0, 1, 9, 5) == sky_colour(look, d));
 }

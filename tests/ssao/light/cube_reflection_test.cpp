@@ -68,11 +68,11 @@ TEST_CASE("cube reflection: what is seen is the cube map in the mirrored directi
         const glm::dvec3 r_world =
             glm::dmat3(world_from_view) * (2 * glm::dot(n_view, to_eye) * n_view - to_eye);
         const Vec3<float> c =
-            reflected_colour({cube, world_from_view}, vec(n_view), vec(to_eye), mirror, 1.0f, 0.0f);
+            reflected_colour({cube, world_from_view}, vec(n_view), vec(to_eye), mirror, 1.0f);
         CAPTURE(i);
         CHECK(glm::length(as_double(c) - (0.5 * r_world + 0.5)) < 2e-3);
         const Vec3<float> dull =
-            reflected_colour({cube, world_from_view}, vec(n_view), vec(to_eye), mirror, 0.25f, 0.0f);
+            reflected_colour({cube, world_from_view}, vec(n_view), vec(to_eye), mirror, 0.25f);
         CHECK(dull.y == 0.25f * c.y);
     }
 }
@@ -82,7 +82,7 @@ TEST_CASE("cube reflection: the same bits for one lane and eight") {
     const glm::mat3 turn(glm::rotate(glm::mat4(1), 0.7f, glm::vec3(0.2f, 0.9f, 0.4f)));
     using W = Wide<8>;
     for (int i = 0; i < 100; ++i) {
-        float at[8][8], colour[8];
+        float at[7][8], colour[8];
         for (int lane = 0; lane < 8; ++lane) {
             const glm::vec3 n(random_unit(8 * i + lane, 5)), v(random_unit(8 * i + lane, 6));
             for (int k = 0; k < 3; ++k) {
@@ -90,17 +90,15 @@ TEST_CASE("cube reflection: the same bits for one lane and eight") {
                 at[3 + k][lane] = v[k];
             }
             at[6][lane] = noise(7, i, lane);
-            at[7][lane] = 5 * noise(8, i, lane);
         }
         const auto row = [&](int k) { return load<W>(at[k]); };
-        const Vec3<W> c =
-            reflected_colour<W>({cube, turn}, {row(0), row(1), row(2)}, {row(3), row(4), row(5)},
-                                {W(0.1f), W(0.5f), W(0.9f)}, row(6), row(7));
+        const Vec3<W> c = reflected_colour<W>({cube, turn}, {row(0), row(1), row(2)},
+                                              {row(3), row(4), row(5)}, {W(0.1f), W(0.5f), W(0.9f)}, row(6));
         store(colour, c.z);
         for (int lane = 0; lane < 8; ++lane) {
             const Vec3<float> one = reflected_colour<float>(
                 {cube, turn}, {at[0][lane], at[1][lane], at[2][lane]},
-                {at[3][lane], at[4][lane], at[5][lane]}, {0.1f, 0.5f, 0.9f}, at[6][lane], at[7][lane]);
+                {at[3][lane], at[4][lane], at[5][lane]}, {0.1f, 0.5f, 0.9f}, at[6][lane]);
             CAPTURE(i);
             CAPTURE(lane);
             REQUIRE(colour[lane] == one.z);
