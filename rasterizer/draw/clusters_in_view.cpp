@@ -16,32 +16,32 @@ namespace {
 constexpr std::size_t kBandBoxes = 1024;
 
 // Around vertices, object space. NaN where one of them is not finite.
-struct Corners {
+struct VertexBox {
     glm::vec3 low, high;
 };
-Corners corners_of(const glm::vec3* first, const glm::vec3* end) {
-    Corners corners{*first, *first};
+VertexBox box_of(const glm::vec3* first, const glm::vec3* end) {
+    VertexBox box{*first, *first};
     float no_number = 0;  // NaN when there is one
     for (const glm::vec3* p = first; p != end; ++p) {
-        corners.low = glm::min(corners.low, *p);
-        corners.high = glm::max(corners.high, *p);
+        box.low = glm::min(box.low, *p);
+        box.high = glm::max(box.high, *p);
         no_number += 0 * p->x + 0 * p->y + 0 * p->z;
     }
-    return {corners.low + no_number, corners.high + no_number};
+    return {box.low + no_number, box.high + no_number};
 }
 
 // Of each block of a mesh's vertices; of a mesh without clusters around all of them.
-std::vector<Corners> mesh_corners(const Mesh& mesh, const Run& run) {
+std::vector<VertexBox> vertex_boxes(const Mesh& mesh, const Run& run) {
     const std::size_t count = mesh.positions.size(),
                       step = mesh.clusters.clusters.empty() ? count : std::size_t{kVertexBlock};
     if (count == 0) return {};
-    std::vector<Corners> corners((count + step - 1) / step);
+    std::vector<VertexBox> boxes((count + step - 1) / step);
     const glm::vec3* const positions = mesh.positions.data();
-    parallel_blocks(corners.size(), kBandBoxes, run, [&](std::size_t first, std::size_t end) {
+    parallel_blocks(boxes.size(), kBandBoxes, run, [&](std::size_t first, std::size_t end) {
         for (std::size_t i = first; i < end; ++i)
-            corners[i] = corners_of(positions + i * step, positions + std::min((i + 1) * step, count));
+            boxes[i] = box_of(positions + i * step, positions + std::min((i + 1) * step, count));
     });
-    return corners;
+    return boxes;
 }
 
 // Boxes in the object space of one instance, against a view.
@@ -53,9 +53,9 @@ class PlacedBoxes {
         magnitude_ = {glm::abs(m[0]), glm::abs(m[1]), glm::abs(m[2])};
     }
     // ViewPlanes::beyond.
-    std::uint8_t beyond(const Corners& corners) const {
-        const glm::dvec3 centre = 0.5 * (glm::dvec3(corners.low) + glm::dvec3(corners.high)),
-                         half = 0.5 * (glm::dvec3(corners.high) - glm::dvec3(corners.low));
+    std::uint8_t beyond(const VertexBox& box) const {
+        const glm::dvec3 centre = 0.5 * (glm::dvec3(box.low) + glm::dvec3(box.high)),
+                         half = 0.5 * (glm::dvec3(box.high) - glm::dvec3(box.low));
         // Large terms may cancel, and leave the rounding of each.
         const glm::dvec3 rounding = 0x1p-50 * (magnitude_ * glm::abs(centre) + glm::abs(placed_.offset));
         return planes_.beyond({placed_.linear * centre + placed_.offset, magnitude_ * half + rounding});
@@ -67,14 +67,14 @@ class PlacedBoxes {
     glm::dmat3 magnitude_;
 };
 
-InstanceInView instance_in_view(const Mesh& mesh, const std::vector<Corners>& corners,
-                                const PlacedBoxes& boxes, const Run& run) {
+InstanceInView instance_in_view(const Mesh& mesh, const std::vector<VertexBox>& boxes,
+                                const PlacedBoxes& placed, const Run& run) {
     const std::vector<TriangleCluster>& clusters = mesh.clusters.clusters;
-    if (corners.empty()) return {};
-    if (clusters.empty()) return {.whole = boxes.beyond(corners.front()) == 0};
-    std::vector<std::uint8_t> beyond(corners.size());
-    parallel_blocks(corners.size(), kBandBoxes, run, [&](std::size_t first, std::size_t end) {
-        for (std::size_t i = first; i < end; ++i) beyond[i] = boxes.beyond(corners[i]);
+    if (boxes.empty()) return {};
+    if (clusters.empty()) return {.whole = placed.beyond(boxes.front()) == 0};
+    std::vector<std::uint8_t> beyond(boxes.size());
+    parallel_blocks(boxes.size(), kBandBoxes, run, [&](std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; ++i) beyond[i] = placed.beyond(boxes[i]);
     });
     InstanceInView seen{.whole = false};
     for (std::size_t k = 0; k < clusters.size(); ++k) {
@@ -94,13 +94,13 @@ std::vector<InstanceInView> clusters_in_view(const Scene& scene, const Camera& c
                                              PositionOrder order, const Run& run) {
     std::vector<InstanceInView> result(scene.instances.size());
     if (order != PositionOrder::relative || !run.leaves_out(Skip::off_screen_clusters)) return result;
-    std::vector<std::vector<Corners>> corners;
-    for (const Mesh& mesh : scene.meshes) corners.push_back(mesh_corners(mesh, run));
+    std::vector<std::vector<VertexBox>> boxes;
+    for (const Mesh& mesh : scene.meshes) boxes.push_back(vertex_boxes(mesh, run));
     const ViewPlanes planes(camera, size);
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const auto mesh = static_cast<std::size_t>(scene.instances[i].mesh);
-        const PlacedBoxes boxes(scene.instances[i], camera, planes);
-        result[i] = instance_in_view(scene.meshes[mesh], corners[mesh], boxes, run);
+        const PlacedBoxes placed(scene.instances[i], camera, planes);
+        result[i] = instance_in_view(scene.meshes[mesh], boxes[mesh], placed, run);
     }
     return result;
 }

@@ -11,15 +11,16 @@ namespace {
 
 // What a normal map's values are measured along, as the vertices of the triangles say. View space.
 template <class F>
-struct TangentFrame {
+struct NormalMapFrame {
     Vec3<F> n, tangent;  // of any length
     F handedness;        // of which the sign counts
 };
 // On a back face, whose normal is turned, the bitangent stays where it was: the picture painted on a surface does not
 // turn with its normal.
 template <class F>
-CREVICE_INLINE TangentFrame<F> tangent_frame(const ScreenGeometry& geometry, const TrianglePixels<F>& pixels,
-                                             const InstanceAttributes& instance) {
+CREVICE_INLINE NormalMapFrame<F> normal_map_frame(const ScreenGeometry& geometry,
+                                                  const TrianglePixels<F>& pixels,
+                                                  const InstanceAttributes& instance) {
     const ScreenTriangle& t = pixels.triangle;
     const TangentTurn& turn = geometry.tangent_turns[t.instance];
     const glm::vec4 &t0 = instance.tangent(t, 0), &t1 = instance.tangent(t, 1), &t2 = instance.tangent(t, 2);
@@ -30,14 +31,14 @@ CREVICE_INLINE TangentFrame<F> tangent_frame(const ScreenGeometry& geometry, con
             F(side) * pixels.here.interpolate(t0.w, t1.w, t2.w)};
 }
 template <class F>
-CREVICE_INLINE TangentFrame<F> either(Mask<F> m, const TangentFrame<F>& a, const TangentFrame<F>& b) {
+CREVICE_INLINE NormalMapFrame<F> either(Mask<F> m, const NormalMapFrame<F>& a, const NormalMapFrame<F>& b) {
     return {select<F>(m, a.n, b.n), select<F>(m, a.tangent, b.tangent),
             select(m, a.handedness, b.handedness)};
 }
 
 // The normal that pixels show: of the frame, bent by the normal map; view space, unit.
 template <class F>
-CREVICE_INLINE Vec3<F> bent_normal(const TangentFrame<F>& frame, Vec3<F> n_tangent) {
+CREVICE_INLINE Vec3<F> bent_normal(const NormalMapFrame<F>& frame, Vec3<F> n_tangent) {
     const Vec3<F> zero{F(0), F(0), F(0)};
     const Vec3<F> bent =
         bumped_normal(normalize_or<F>(frame.n, zero), frame.tangent, frame.handedness, n_tangent);
@@ -71,7 +72,7 @@ struct GroupLookup {
     struct Found {
         SampledPixels pixels = {};
         Mask<F> has_texcoords, has_frame;
-        TangentFrame<F> frame;
+        NormalMapFrame<F> frame;
     };
 
     // One material after the other, until every pixel that has texture coordinates has had its own.
@@ -104,7 +105,7 @@ struct GroupLookup {
             found.has_texcoords = found.has_texcoords | in.shown;
             const Material& material = scene.materials[static_cast<std::size_t>(in.triangle.material)];
             if (!instance.has_tangents() || !is_mapped(material)) continue;
-            found.frame = either<F>(in.shown, tangent_frame(geometry, in, instance), found.frame);
+            found.frame = either<F>(in.shown, normal_map_frame(geometry, in, instance), found.frame);
             found.has_frame = found.has_frame | in.shown;
         }
     }
