@@ -17,7 +17,7 @@ std::filesystem::path part_path(const std::filesystem::path& cache, const std::s
 }  // namespace
 
 void ContentKey::add_bytes(std::span<const std::byte> bytes) {
-    for (const std::byte b : bytes) hash_ = (hash_ ^ static_cast<std::uint64_t>(b)) * 0x100000001b3u;
+    for (const std::byte b : bytes) hash_.add(static_cast<std::uint8_t>(b));
 }
 
 void ContentKey::add_image(const Image<float>& image) {
@@ -25,12 +25,6 @@ void ContentKey::add_image(const Image<float>& image) {
     add(image.size.height);
     for (int y = 0; y < image.size.height; ++y)
         add_bytes(std::as_bytes(std::span(image.row(y), static_cast<std::size_t>(image.size.width))));
-}
-
-std::string ContentKey::hex() const {
-    std::string text;
-    for (int shift = 60; shift >= 0; shift -= 4) text += "0123456789abcdef"[hash_ >> shift & 15];
-    return text;
 }
 
 void add_cutout(ContentKey& key, const Material& material) {

@@ -9,12 +9,13 @@
 #include <string>
 #include <vector>
 
+#include "rasterizer/base/fnv1a.h"
 #include "rasterizer/scene/scene.h"
 #include "ssao/judge/reference_image.h"
 
 namespace crevice {
 
-// 64-bit FNV-1a over whatever is added. Plain values only: no pointers, no padding.
+// The hash of whatever is added. Plain values only: no pointers, no padding.
 class ContentKey {
  public:
     void add_bytes(std::span<const std::byte> bytes);
@@ -30,10 +31,10 @@ class ContentKey {
     // The pixels, without the padding of rows.
     void add_image(const Image<float>& image);
 
-    std::string hex() const;  // 16 digits
+    std::string hex() const { return hash_.hex(); }
 
  private:
-    std::uint64_t hash_ = 0xcbf29ce484222325u;
+    Fnv1a hash_;
 };
 
 // What of a material decides where its triangles have holes; no more where it cuts nothing out.

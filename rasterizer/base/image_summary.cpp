@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "rasterizer/base/fnv1a.h"
 #include "rasterizer/lanes/wide.h"
 
 namespace crevice {
@@ -47,23 +48,6 @@ BufferStatistics statistics_of(const AnyImage& image) {
     if (statistics.finite > 0) statistics.mean = sum / static_cast<double>(statistics.finite);
     return statistics;
 }
-
-class Fnv1a {
- public:
-    void add(std::uint32_t word) {
-        for (int shift = 0; shift < 32; shift += 8)
-            hash_ = (hash_ ^ ((word >> shift) & 0xff)) * 0x100000001b3u;
-    }
-    std::string hex() const {
-        std::string digits(16, '0');
-        std::uint64_t rest = hash_;
-        for (std::size_t i = digits.size(); i-- > 0; rest >>= 4) digits[i] = "0123456789abcdef"[rest & 15];
-        return digits;
-    }
-
- private:
-    std::uint64_t hash_ = 0xcbf29ce484222325u;
-};
 
 template <class AnyImage>
 std::string hash_of(const AnyImage& image, Size size, std::uint32_t components) {
