@@ -69,8 +69,7 @@ struct MaterialTextures::Request {
 
 MaterialTextures::MaterialTextures(const FileTree& tree, bool want_surfaces, const Run& run)
     : tree_(tree), want_surfaces_(want_surfaces), run_(run), images_(run) {
-    constexpr std::uintmax_t kBytesPerPixel = 11;  // four times 16 bits, and a third of that for the mip levels
-    const std::uintmax_t pixels_in_half = memory_bytes() / 2 / kBytesPerPixel;
+    const std::uintmax_t pixels_in_half = memory_bytes() / 2 / kTextureBytesPerPixel;
     pixels_left_ = static_cast<std::int64_t>(
         std::min(pixels_in_half, static_cast<std::uintmax_t>(kMaxTexturePixelsOfObj)));
 }

@@ -21,8 +21,10 @@ struct DecodedImage {
 };
 
 inline constexpr int kMaxTextureSide = 16384;
-// With its mip levels a texture takes 11 bytes a pixel, and while it is decoded three times that.
 inline constexpr std::int64_t kMaxTexturePixels = std::int64_t{1} << 26;
+// What a texture takes: four times 16 bits, and a third of that for the mip levels. While it is decoded, three times
+// as much.
+inline constexpr int kTextureBytesPerPixel = 11;
 
 // The picture in the bytes of a PNG, JPEG or TGA file, 8 or 16 bits a channel. Apple's PNG variant, CgBI, is
 // read too. Alpha is kept where a file has it (of a TGA: where its header counts alpha bits). Throws

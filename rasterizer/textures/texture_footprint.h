@@ -49,8 +49,8 @@ CREVICE_INLINE Footprint<F> footprint_of(Vec2<F> dx, Vec2<F> dy, int max_probes)
     const F shorter = absolute(dx.x * dy.y - dx.y * dy.x) / longer;
     const F ratio =
         select(sensible, min_of(longer / max_of(shorter, F(1)), F(static_cast<float>(max_probes))), F(1));
-    constexpr float slack = 1 / 64.0f;  // so that rounding does not make two probes of a circle
-    const Int<F> probes = Int<F>(1) + floor_to_int(ratio - F(slack));
+    constexpr float kSlack = 1 / 64.0f;  // so that rounding does not make two probes of a circle
+    const Int<F> probes = Int<F>(1) + floor_to_int(ratio - F(kSlack));
     // Of the two forms of the eigenvector that which does not cancel.
     const Mask<F> wide = difference >= F(0);
     const Vec2<F> direction{select(wide, difference + radius, xy), select(wide, xy, radius - difference)};
