@@ -10,15 +10,13 @@
 #include "chapters/diagrams/stretched_slope.h"
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/buffer_count.h"
+#include "chapters/props/number_words.h"
 #include "chapters/props/switched_ao.h"
 #include "chapters/props/wrong_normals.h"
 #include "chapters/terminal/number_text.h"
 
 namespace crevice {
 namespace {
-
-std::string text(float value) { return decimal_text(static_cast<double>(value), 3); }
-std::string text(glm::vec3 v) { return text(v.x) + ", " + text(v.y) + ", " + text(v.z); }
 
 // The lab's frame.
 std::vector<GraphPass> frame_passes(const AoInputs& inputs) {

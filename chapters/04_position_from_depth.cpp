@@ -7,6 +7,7 @@
 #include "chapters/diagrams/eye_ray.h"
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/depth_error_plot.h"
+#include "chapters/props/number_words.h"
 #include "chapters/props/position_ways.h"
 #include "chapters/props/stored_depth.h"
 #include "chapters/props/switched_ao.h"
@@ -16,9 +17,6 @@
 
 namespace crevice {
 namespace {
-
-std::string text(float value) { return decimal_text(static_cast<double>(value), 3); }
-std::string text(Vec3<float> v) { return text(v.x) + ", " + text(v.y) + ", " + text(v.z); }
 
 // A way to a position: its name in pictures, and in words.
 struct Way {

@@ -12,6 +12,7 @@
 #include "chapters/diagrams/vector_panels.h"
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/crops.h"
+#include "chapters/props/number_words.h"
 #include "chapters/props/switched_ao.h"
 #include "chapters/terminal/number_text.h"
 #include "ssao/judge/luna_limit.h"
@@ -21,9 +22,6 @@ namespace crevice {
 namespace {
 
 using Vectors = std::array<glm::vec3, kCubeVectors>;
-
-std::string text(float value) { return decimal_text(static_cast<double>(value), 3); }
-std::string text(glm::vec3 v) { return text(v.x) + ", " + text(v.y) + ", " + text(v.z); }
 
 glm::vec3 mirrored(glm::vec3 v, glm::vec3 r) { return v - 2 * glm::dot(v, r) * r; }
 Vectors mirrored(Vectors vectors, glm::vec3 r) {

@@ -5,6 +5,7 @@
 
 #include "chapters/diagrams/depth_section.h"
 #include "chapters/notebook/chapter.h"
+#include "chapters/props/number_words.h"
 #include "chapters/props/surface_mean.h"
 #include "chapters/props/switched_ao.h"
 #include "chapters/terminal/number_text.h"
@@ -16,9 +17,6 @@
 
 namespace crevice {
 namespace {
-
-std::string text(float value) { return decimal_text(static_cast<double>(value), 3); }
-std::string text(glm::vec3 v) { return text(v.x) + ", " + text(v.y) + ", " + text(v.z); }
 
 PlotCurve occlusion_curve(const std::string& name, const LunaKernel& kernel) {
     PlotCurve curve{name, {}, {}, {}, {}, PlotStyle::smooth};

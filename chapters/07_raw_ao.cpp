@@ -8,6 +8,7 @@
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/crops.h"
 #include "chapters/props/neighbour_likeness.h"
+#include "chapters/props/number_words.h"
 #include "chapters/props/switched_ao.h"
 #include "chapters/props/texel_pixels.h"
 #include "chapters/terminal/number_text.h"
@@ -26,8 +27,6 @@ constexpr int kSeeds = 32;  // whose mean is the method without its noise
 // the blur, and there are no bands.
 constexpr Size kMeasuredSize = {320, 180};
 constexpr int kMeasuredSeeds = 8;
-
-std::string text(float value) { return decimal_text(static_cast<double>(value), 3); }
 
 // Four neighbours of a map in a row, the followed texel first.
 std::vector<SampleFan> four_neighbours(const SwitchedView& view, const SwitchedAo& shown) {

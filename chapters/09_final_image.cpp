@@ -8,6 +8,7 @@
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/crops.h"
 #include "chapters/props/limit_scenes.h"
+#include "chapters/props/number_words.h"
 #include "chapters/props/switched_ao.h"
 #include "chapters/terminal/number_text.h"
 #include "scenes/builtin_scenes.h"
@@ -21,9 +22,6 @@
 
 namespace crevice {
 namespace {
-
-std::string text(float value) { return decimal_text(static_cast<double>(value), 3); }
-std::string text(glm::vec3 v) { return text(v.x) + ", " + text(v.y) + ", " + text(v.z); }
 
 // The share of the pixels that show a surface, and are not `left_out` of the second pass.
 double covered_share(const Image3& lit, const Image<float>& view_depth, glm::vec3 left_out) {

@@ -6,6 +6,7 @@
 #include "chapters/diagrams/point_cloud.h"
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/house_front.h"
+#include "chapters/props/number_words.h"
 #include "chapters/props/points_beside_wall.h"
 #include "chapters/props/surface_mean.h"
 #include "chapters/terminal/number_text.h"
@@ -13,9 +14,6 @@
 
 namespace crevice {
 namespace {
-
-std::string text(float value) { return decimal_text(static_cast<double>(value), 3); }
-std::string text(glm::vec3 v) { return text(v.x) + ", " + text(v.y) + ", " + text(v.z); }
 
 constexpr HemisphereLengths kLearnOpenGl = {.shortest = 0.1f, .shortened = true},
                             kUnity = {.shortest = 0.01f, .shortened = false};

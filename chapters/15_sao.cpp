@@ -11,7 +11,7 @@
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/crops.h"
 #include "chapters/props/house_front.h"
-#include "chapters/terminal/number_text.h"
+#include "chapters/props/number_words.h"
 #include "scenes/builtin_scenes.h"
 #include "scenes/composing.h"
 #include "scenes/shapes.h"
@@ -22,9 +22,6 @@
 
 namespace crevice {
 namespace {
-
-std::string text(float value) { return decimal_text(static_cast<double>(value), 3); }
-std::string text(glm::vec3 v) { return text(v.x) + ", " + text(v.y) + ", " + text(v.z); }
 
 // What a surface straight above p takes at a distance, in radii, of the sum that is divided by the number of taps.
 double alchemy_takes(double distance) {

@@ -7,6 +7,7 @@
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/crops.h"
 #include "chapters/props/house_front.h"
+#include "chapters/props/number_words.h"
 #include "chapters/props/surface_mean.h"
 #include "chapters/terminal/number_text.h"
 #include "scenes/builtin_scenes.h"
@@ -18,9 +19,6 @@
 
 namespace crevice {
 namespace {
-
-std::string text(float value) { return decimal_text(static_cast<double>(value), 3); }
-std::string text(glm::vec3 v) { return text(v.x) + ", " + text(v.y) + ", " + text(v.z); }
 
 // A bare floor, seen from low above: everything on it is open.
 Image<float> floor_ao(Size size, MsvoPairs pairs) {

@@ -6,6 +6,7 @@
 #include "chapters/diagrams/slice_section.h"
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/judged_view.h"
+#include "chapters/props/number_words.h"
 #include "chapters/props/surface_mean.h"
 #include "chapters/terminal/number_text.h"
 #include "scenes/builtin_scenes.h"
@@ -17,9 +18,6 @@
 
 namespace crevice {
 namespace {
-
-std::string text(float value) { return decimal_text(static_cast<double>(value), 3); }
-std::string text(glm::vec3 v) { return text(v.x) + ", " + text(v.y) + ", " + text(v.z); }
 
 // The first sample of the direction that takes most.
 std::size_t darkest_direction(const Explanation& texel, int steps) {

@@ -12,6 +12,7 @@
 #include "chapters/props/gtao_maps.h"
 #include "chapters/props/gtao_words.h"
 #include "chapters/props/judged_view.h"
+#include "chapters/props/number_words.h"
 #include "chapters/props/surface_mean.h"
 #include "chapters/terminal/number_text.h"
 #include "ssao/ao_methods.h"
@@ -22,8 +23,6 @@
 
 namespace crevice {
 namespace {
-
-std::string text(float value) { return decimal_text(static_cast<double>(value), 3); }
 
 // Cells stand at the margin, where notebooks look for them.
 // clang-format off

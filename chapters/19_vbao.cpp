@@ -10,6 +10,7 @@
 #include "chapters/diagrams/slice_section.h"
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/judged_view.h"
+#include "chapters/props/number_words.h"
 #include "chapters/props/surface_mean.h"
 #include "chapters/terminal/number_text.h"
 #include "scenes/builtin_scenes.h"
@@ -19,8 +20,6 @@
 
 namespace crevice {
 namespace {
-
-std::string text(float value) { return decimal_text(static_cast<double>(value), 3); }
 
 // A bit each, from the positive side's horizon to the negative side's.
 std::string bits(std::uint32_t mask) {

@@ -6,6 +6,7 @@
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/crops.h"
 #include "chapters/props/marked_picture.h"
+#include "chapters/props/number_words.h"
 #include "chapters/props/probed_view.h"
 #include "chapters/props/ray_judge.h"
 #include "chapters/terminal/number_text.h"
@@ -13,8 +14,6 @@
 
 namespace crevice {
 namespace {
-
-std::string text(float value) { return decimal_text(static_cast<double>(value), 3); }
 
 // X_Jun's columns, close beside one of them.
 SwitchedView beside_column(const Notebook& book) {
