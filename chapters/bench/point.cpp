@@ -7,6 +7,7 @@
 #include "chapters/bench/machine.h"
 #include "chapters/frame/frame.h"
 #include "chapters/terminal/child.h"
+#include "chapters/terminal/number_text.h"
 #include "chapters/terminal/parse.h"
 #include "rasterizer/base/error.h"
 #include "scenes/builtin_scenes.h"
@@ -17,8 +18,6 @@ namespace crevice {
 namespace {
 
 constexpr double kPointPatience_s = 600;  // for one point
-
-std::string size_word(Size size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
 
 std::vector<std::string> split(const std::string& word) {
     std::vector<std::string> parts;
@@ -34,7 +33,7 @@ std::vector<std::string> split(const std::string& word) {
 }  // namespace
 
 std::string point_word(const BenchPoint& point) {
-    return size_word(point.size) + "," + (point.cells.width == 0 ? "columns" : size_word(point.cells)) + "," +
+    return size_text(point.size) + "," + (point.cells.width == 0 ? "columns" : size_text(point.cells)) + "," +
            std::to_string(point.samples) + "," + std::to_string(point.threads) + "," +
            std::to_string(point.frames);
 }

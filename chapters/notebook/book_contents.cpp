@@ -19,15 +19,11 @@ const BookPart kParts[] = {
     {"21", {"III · Judgement", "第三部分 · 评判"}},
 };
 
-std::string escaped(const BookText& text) {
-    return bilingual_html({escape_html(text.en), escape_html(text.zh)}, true);
-}
-
 std::string entry_html(const BookEntry& chapter, const std::string& here) {
     std::string html = "<li><a";
     if (chapter.name == here) html += " class=\"here\" aria-current=\"page\"";
     html += " href=\"" + escape_html(chapter.name) + ".html\"><span class=\"number\">" +
-            escape_html(chapter.name.substr(0, 2)) + "</span><span>" + escaped(chapter.title);
+            escape_html(chapter.name.substr(0, 2)) + "</span><span>" + plain_html(chapter.title);
     if (chapter.failed_checks > 0)
         html += " <span class=\"bad\">✗ " + std::to_string(chapter.failed_checks) + "</span>";
     return html + "</span></a></li>\n";
@@ -40,6 +36,10 @@ std::string bilingual_html(const BookText& html, bool inline_html) {
     const std::string tag = inline_html ? "span" : "div";
     return "<" + tag + " class=\"en\">" + html.en + "</" + tag + "><" + tag + " class=\"zh\" lang=\"zh\">" +
            html.zh + "</" + tag + ">";
+}
+
+std::string plain_html(const BookText& text) {
+    return bilingual_html({escape_html(text.en), escape_html(text.zh)}, true);
 }
 
 std::string contents_html(const std::vector<BookEntry>& chapters, const std::string& here) {
@@ -55,11 +55,11 @@ std::string contents_html(const std::vector<BookEntry>& chapters, const std::str
     for (const BookEntry& chapter : chapters) {
         const BookPart* begun = nullptr;
         for (; part < std::size(kParts) && chapter.name >= kParts[part].first; ++part) begun = &kParts[part];
-        if (begun != nullptr) html += "<li class=\"part\">" + escaped(begun->title) + "</li>\n";
+        if (begun != nullptr) html += "<li class=\"part\">" + plain_html(begun->title) + "</li>\n";
         html += entry_html(chapter, here);
     }
     html += "<li class=\"part\"></li>\n<li><a href=\"index.html#sources\"><span>" +
-            escaped({"The sources, by their names", "各个来源及其称呼"}) + "</span></a></li>\n";
+            plain_html({"The sources, by their names", "各个来源及其称呼"}) + "</span></a></li>\n";
     return html + "</ol></nav>\n";
 }
 

@@ -16,6 +16,8 @@ struct BookEntry {
 
 // A text as HTML, in both languages where there are two: `inline_html` makes <span>, for inside a sentence.
 std::string bilingual_html(const BookText& html, bool inline_html);
+// The same of plain text, inline.
+std::string plain_html(const BookText& text);
 
 // <nav>: the book's name, the languages where some title has two, the chapters in their parts; the one named `here` is
 // marked, and failed checks are said.

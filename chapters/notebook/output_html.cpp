@@ -11,10 +11,6 @@ namespace crevice {
 
 namespace {
 
-std::string plain_html(const BookText& text) {
-    return bilingual_html({escape_html(text.en), escape_html(text.zh)}, true);
-}
-
 std::string captioned(const std::string& tag, const std::string& classes, const BookText& caption) {
     if (caption.empty()) return "";
     return "<" + tag + (classes.empty() ? "" : " class=\"" + classes + "\"") + ">" + prose_html(caption) +

@@ -46,12 +46,6 @@ GBuffer rounded_once(GBuffer g, const DoubleGBuffer& judged) {
     return g;
 }
 
-Image<double> widened(const Image<float>& image) {
-    Image<double> result(image.size);
-    for (std::size_t i = 0; i < image.pixels.size(); ++i) result.pixels[i] = image.pixels[i];
-    return result;
-}
-
 // The maps of one method on one view.
 struct MapMaker {
     const RoundingView& judged;

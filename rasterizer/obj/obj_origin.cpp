@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "rasterizer/base/float_text.h"
+#include "rasterizer/base/median.h"
 #include "rasterizer/base/parallel.h"
 
 namespace crevice {
@@ -95,12 +96,6 @@ std::vector<DrawnFace> drawn_faces(std::span<const glm::dvec3> exact, const ObjF
         if (has_area(corners, exact, box)) drawn.push_back({corners, box});
     }
     return drawn;
-}
-
-double median_of(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 // The middle of faces, on the grid of a power of two about as large as they spread around it.

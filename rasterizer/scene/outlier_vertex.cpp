@@ -12,6 +12,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "rasterizer/base/median.h"
+
 namespace crevice {
 
 namespace {
@@ -55,12 +57,6 @@ void for_each_triangle(const std::vector<PlacedMesh>& placed, const Take& take) 
             if (std::all_of(t.begin(), t.end(), is_finite)) take(t);
         }
     }
-}
-
-double median_of(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 glm::dvec3 middle_of(const std::vector<glm::dvec3>& positions) {

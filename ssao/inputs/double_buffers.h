@@ -7,6 +7,12 @@
 
 namespace crevice {
 
+inline Image<double> widened(const Image<float>& image) {
+    Image<double> result(image.size);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) result.pixels[i] = image.pixels[i];
+    return result;
+}
+
 // What the pixels of a picture show.
 struct DoubleGBuffer {
     Image<double> view_depth;             // scene units; background +inf

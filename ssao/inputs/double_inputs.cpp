@@ -10,12 +10,6 @@ namespace crevice {
 
 namespace {
 
-Image<double> widened(const Image<float>& image) {
-    Image<double> result(image.size);
-    for (std::size_t i = 0; i < image.pixels.size(); ++i) result.pixels[i] = image.pixels[i];
-    return result;
-}
-
 // Depth inputs have no depth map: their texels are the pixels under their centres.
 void take_over_pixels(DoubleInputs& numbers, const AoInputs& inputs, const DoubleGBuffer& seen) {
     const Size size = inputs.size(), picture = inputs.picture;

@@ -46,4 +46,11 @@ CREVICE_INLINE F length_px(const AoInputs& inputs, float length, F z) {
     return inputs.rays.perspective ? at_depth_1 / z : at_depth_1;
 }
 
+// How far from a texel's centre, pixels of the picture, a method reads that looks so far around a point at this view depth.
+// The two pixels more: the texel's own lies beside its centre, and what is fetched beside its place.
+inline constexpr double kBesides_px = 2;
+inline double reach_of_length_px(const AoInputs& inputs, double length, double view_depth) {
+    return length_px(inputs, 1.0f, view_depth) * length + kBesides_px;
+}
+
 }  // namespace crevice

@@ -175,14 +175,13 @@ AoMap alchemy(const AoInputs& inputs, const AlchemySettings& settings, const Run
 }
 
 double alchemy_reach_px(const AoInputs& inputs, const AlchemySettings& settings, double view_depth) {
-    constexpr double kNextPixel = 2;
     const double radius = static_cast<double>(settings.radius);
     if (settings.taps == AlchemyTaps::disk || !inputs.rays.perspective)
-        return length_px(inputs, 1.0f, view_depth) * radius + kNextPixel;
+        return reach_of_length_px(inputs, radius, view_depth);
     // Points of the ball are up to a radius nearer to the eye, and move outwards on the screen as they are.
     const double nearest = std::max(view_depth - radius, static_cast<double>(inputs.near_plane));
     const double tangent = static_cast<double>(std::max(inputs.rays.ray_scale.x, inputs.rays.ray_scale.y));
-    return length_px(inputs, 1.0f, nearest) * radius * (1 + tangent) + kNextPixel;
+    return reach_of_length_px(inputs, radius * (1 + tangent), nearest);
 }
 
 Explanation explain_alchemy(const AoInputs& inputs, const AlchemySettings& settings, int x, int y) {

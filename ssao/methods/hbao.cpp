@@ -132,8 +132,7 @@ AoMap hbao(const AoInputs& inputs, const HbaoSettings& settings, const Run& run)
 }
 
 double hbao_reach_px(const AoInputs& inputs, const HbaoSettings& settings, double view_depth) {
-    constexpr double kNextPixel = 2;
-    return length_px(inputs, 1.0f, view_depth) * static_cast<double>(settings.radius) + kNextPixel;
+    return reach_of_length_px(inputs, static_cast<double>(settings.radius), view_depth);
 }
 
 Explanation explain_hbao(const AoInputs& inputs, const HbaoSettings& settings, int x, int y) {

@@ -167,8 +167,7 @@ AoMap hbao_plus(const AoInputs& inputs, const HbaoPlusSettings& settings, const 
 double hbao_plus_reach_px(const AoInputs& inputs, const HbaoPlusSettings& settings, double view_depth) {
     const double length =
         static_cast<double>(settings.radius) * static_cast<double>(stretch(inputs, settings));
-    constexpr double kNextPixel = 2;
-    return length_px(inputs, 1.0f, view_depth) * length + kNextPixel;
+    return reach_of_length_px(inputs, length, view_depth);
 }
 
 Explanation explain_hbao_plus(const AoInputs& inputs, const HbaoPlusSettings& settings, int x, int y) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "rasterizer/lanes/approx_math.h"
+#include "ssao/inputs/pixel_fetch.h"
 
 namespace crevice {
 
@@ -48,7 +49,6 @@ TurnTile::TurnTile(TurnVectors vectors, std::uint32_t seed) : x_(), y_() {
 }
 
 double hemisphere_reach_px(const AoInputs& inputs, double radius, double view_depth) {
-    constexpr double kNextPixel = 2;
     const auto reach = [&](int pixels, double ray_scale) {
         const double per_unit = 0.5 * pixels / ray_scale;
         if (!inputs.rays.perspective) return per_unit * radius;
@@ -58,7 +58,7 @@ double hemisphere_reach_px(const AoInputs& inputs, double radius, double view_de
     };
     const double across = reach(inputs.picture.width, static_cast<double>(inputs.rays.ray_scale.x)),
                  down = reach(inputs.picture.height, static_cast<double>(inputs.rays.ray_scale.y));
-    return std::max(across, down) + kNextPixel;
+    return std::max(across, down) + kBesides_px;
 }
 
 }  // namespace crevice

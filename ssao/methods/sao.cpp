@@ -143,9 +143,8 @@ AoMap sao(const AoInputs& inputs, const SaoSettings& settings, const Run& run) {
 }
 
 double sao_reach_px(const AoInputs& inputs, const SaoSettings& settings, double view_depth) {
-    constexpr double kWithCell = 1.25, kNextPixel = 2;
-    return kWithCell * length_px(inputs, 1.0f, view_depth) * static_cast<double>(settings.radius) +
-           kNextPixel;
+    constexpr double kWithCell = 1.25;
+    return reach_of_length_px(inputs, kWithCell * static_cast<double>(settings.radius), view_depth);
 }
 
 Explanation explain_sao(const AoInputs& inputs, const SaoSettings& settings, int x, int y) {

@@ -1,5 +1,6 @@
 #include "ssao/methods/vbao.h"
 
+#include "ssao/inputs/pixel_fetch.h"
 #include "ssao/methods/settings_range.h"
 #include "ssao/methods/vbao_kernel.h"
 
@@ -17,8 +18,7 @@ AoMap vbao(const AoInputs& inputs, const VbaoSettings& settings, const Run& run)
 }
 
 double vbao_reach_px(const AoInputs& inputs, const VbaoSettings& settings, double view_depth) {
-    constexpr double kNextPixel = 2;
-    return length_px(inputs, 1.0f, view_depth) * static_cast<double>(settings.radius) + kNextPixel;
+    return reach_of_length_px(inputs, static_cast<double>(settings.radius), view_depth);
 }
 
 Explanation explain_vbao(const AoInputs& inputs, const VbaoSettings& settings, int x, int y) {

@@ -151,12 +151,6 @@ struct Builder {
     }
 };
 
-void validate(float max_distance) {
-    if (!(max_distance > 0))
-        throw UsageError("max_distance: must lie in (0, inf] (" + shortest_text(max_distance) +
-                         "); choose another value");
-}
-
 // The ray must be usable().
 template <class F>
 CREVICE_INLINE OctreeWalk walk_of(const Octree& octree, const Ray& ray, float max_distance) {
@@ -209,7 +203,7 @@ Octree build_octree(std::span<const Corners> triangles) {
 
 OccludedRays occluded(const Octree& octree, std::span<const Ray> rays, float max_distance, const Run& run) {
     validate(run);
-    validate(max_distance);
+    require_max_distance(max_distance);
     OccludedRays result{std::vector<std::uint8_t>(rays.size()), 0};
     for (const Ray& ray : rays) result.refused += usable(ray) ? 0 : 1;
     parallel_for(static_cast<int>((rays.size() + kPiece - 1) / kPiece), run, [&](int piece) {
@@ -225,7 +219,7 @@ OccludedRays occluded(const Octree& octree, std::span<const Ray> rays, float max
 }
 
 OctreeWalk walk(const Octree& octree, const Ray& ray, float max_distance) {
-    validate(max_distance);
+    require_max_distance(max_distance);
     if (!usable(ray))
         throw UsageError(
             "ray: direction or origin is not usable (see usable() in ray_triangle.h); leave it "

@@ -22,12 +22,6 @@ std::string text_of(const glm::vec3& v) {
     return shortest_text(v.x) + ", " + shortest_text(v.y) + ", " + shortest_text(v.z);
 }
 
-void validate(float max_distance) {
-    if (!(max_distance > 0))
-        throw UsageError("max_distance: must lie in (0, inf] (" + shortest_text(max_distance) +
-                         "); choose another value");
-}
-
 void validate(const Ray& ray) {
     if (usable(ray)) return;
     throw UsageError(
@@ -50,7 +44,7 @@ void trace_all(std::size_t count, const Run& run, const Trace& trace) {
 
 OccludedRays occluded(const RayScene& scene, std::span<const Ray> rays, float max_distance, const Run& run) {
     validate(run);
-    validate(max_distance);
+    require_max_distance(max_distance);
     OccludedRays result{std::vector<std::uint8_t>(rays.size()), 0};
     std::atomic<std::size_t> refused = 0;
     trace_all(rays.size(), run, [&]<class F>(Lanes<F>, std::size_t first, std::size_t end) {
@@ -64,7 +58,7 @@ OccludedRays occluded(const RayScene& scene, std::span<const Ray> rays, float ma
 ClosestHits closest_hits(const RayScene& scene, std::span<const Ray> rays, float max_distance,
                          const Run& run) {
     validate(run);
-    validate(max_distance);
+    require_max_distance(max_distance);
     ClosestHits result{std::vector<RayHit>(rays.size()), 0};
     std::atomic<std::size_t> refused = 0;
     trace_all(rays.size(), run, [&]<class F>(Lanes<F>, std::size_t first, std::size_t end) {

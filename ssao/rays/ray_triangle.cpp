@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rasterizer/base/error.h"
+#include "rasterizer/base/float_text.h"
+
 namespace crevice {
 
 namespace {
@@ -81,6 +84,12 @@ ExactHit exact_hit(const Ray& ray, float max_distance, const BvhBlock& block, in
     const auto distance = static_cast<float>((t.depth_by_area + t.depth_error) / (t.area * along));
     return {distance <= max_distance, distance, static_cast<float>(std::abs(t.v) / t.area),
             static_cast<float>(std::abs(t.w) / t.area)};
+}
+
+void require_max_distance(float max_distance) {
+    if (!(max_distance > 0))
+        throw UsageError("max_distance: must lie in (0, inf] (" + shortest_text(max_distance) +
+                         "); choose another value");
 }
 
 }  // namespace crevice

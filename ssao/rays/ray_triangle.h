@@ -34,6 +34,9 @@ struct Ray {
     glm::vec3 origin, direction;
 };
 
+// How far rays look for triangles. Throws UsageError unless it is above 0; infinity is.
+void require_max_distance(float max_distance);
+
 // Whether a ray can be traced: no coordinate of the origin beyond kRayReach, the largest component of the
 // direction in [1 / kRayReach, kRayReach].
 inline bool usable(const Ray& ray) {

@@ -16,12 +16,6 @@ using namespace crevice;
 
 namespace {
 
-Image<double> widened(const Image<float>& image) {
-    Image<double> result(image.size);
-    for (std::size_t i = 0; i < image.pixels.size(); ++i) result.pixels[i] = image.pixels[i];
-    return result;
-}
-
 // The numbers of a float G-buffer.
 DoubleGBuffer widened(const GBuffer& g, const CameraMatrices& m) {
     return {widened(g.view_depth),
