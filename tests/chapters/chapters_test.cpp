@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <sstream>
 
 #include "chapters/notebook/chapter.h"
 #include "rasterizer/base/image_io.h"
+#include "tests/tools/bytes_in.h"
 #include "tests/tools/crevice_says.h"
 #include "tests/tools/scratch_directory.h"
 #include "tests/tools/well_formed.h"
@@ -38,11 +37,6 @@ struct ChapterRun {
     std::map<std::string, std::string> files;  // name to bytes
 };
 
-std::string file_bytes(const std::filesystem::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 ChapterRun run_small(const Chapter& chapter, std::uint32_t seed = 1) {
     const ScratchDirectory scratch;
     NotebookOptions options;
@@ -59,7 +53,7 @@ ChapterRun run_small(const Chapter& chapter, std::uint32_t seed = 1) {
     ChapterRun run{terminal.str(),       book.cells(),        book.checks(),
                    book.failed_checks(), book.untranslated(), {}};
     for (const auto& entry : std::filesystem::directory_iterator(scratch / chapter.name())) {
-        run.files[entry.path().filename().string()] = file_bytes(entry.path());
+        run.files[entry.path().filename().string()] = bytes_in(entry.path());
     }
     return run;
 }
@@ -201,7 +195,7 @@ TEST_CASE("chapters: a picture that leads into the lab is what its command draws
             if (values.front().size != picture->picture.size) continue;
             // Lit pictures keep no values beside their colours.
             const bool same = picture->picture.values.empty()
-                                  ? file_bytes(scratch / (buffer + ".png")) == picture->png
+                                  ? bytes_in(scratch / (buffer + ".png")) == picture->png
                                   : same_values(picture->picture.values, values);
             CHECK(same);
             ++compared;

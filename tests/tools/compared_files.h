@@ -2,19 +2,13 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <string>
 
 #include "chapters/compare/compare.h"
+#include "tests/tools/bytes_in.h"
 
 namespace crevice {
-
-inline std::string bytes_in(const std::filesystem::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 struct ComparedOutcome {
     int code = -1;

@@ -1,11 +1,10 @@
 // `crevice bench --error` as a user meets it.
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/tools/bytes_in.h"
 #include "tests/tools/crevice_says.h"
 #include "tests/tools/scratch_directory.h"
 
@@ -14,11 +13,6 @@ using namespace crevice;
 namespace {
 
 std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
-
-std::string text_in(const std::filesystem::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 }  // namespace
 
@@ -41,7 +35,7 @@ TEST_CASE("bench --error writes a page that opens offline, and every point as CS
     unsetenv("XDG_CACHE_HOME");
     CAPTURE(outcome.text);
     REQUIRE(outcome.code == 0);
-    const nlohmann::json report = nlohmann::json::parse(text_in(scratch / "out" / "bench_error.json"));
+    const nlohmann::json report = nlohmann::json::parse(bytes_in(scratch / "out" / "bench_error.json"));
     for (const char* method : {"xjun", "luna"}) {
         CAPTURE(method);
         const nlohmann::json& points = report["tables"][std::string("error_points_") + method];
@@ -64,7 +58,7 @@ TEST_CASE("bench --error writes a page that opens offline, and every point as CS
         CHECK(std::filesystem::exists(scratch / "out" /
                                       (std::string("bench_error_points_") + method + ".csv")));
     }
-    const std::string page = text_in(scratch / "out" / "bench_error.html");
+    const std::string page = bytes_in(scratch / "out" / "bench_error.html");
     CHECK(page.find("<svg") != std::string::npos);
     CHECK(page.find("data:image/png;base64,") != std::string::npos);
     CHECK(page.find("src=\"http") == std::string::npos);

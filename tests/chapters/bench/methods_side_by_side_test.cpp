@@ -1,25 +1,15 @@
 // `crevice bench --methods` as a user meets it.
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
 #include "ssao/ao_methods.h"
+#include "tests/tools/bytes_in.h"
 #include "tests/tools/crevice_says.h"
 #include "tests/tools/scratch_directory.h"
 
 using namespace crevice;
-
-namespace {
-
-std::string text_in(const std::filesystem::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-}  // namespace
 
 TEST_CASE(
     "bench --methods: every method of the table on every scene, three pictures each, in one offline page") {
@@ -30,7 +20,7 @@ TEST_CASE(
     unsetenv("XDG_CACHE_HOME");
     CAPTURE(outcome.text);
     REQUIRE(outcome.code == 0);
-    const nlohmann::json report = nlohmann::json::parse(text_in(scratch / "out" / "bench_methods.json"));
+    const nlohmann::json report = nlohmann::json::parse(bytes_in(scratch / "out" / "bench_methods.json"));
     const nlohmann::json& rows = report["tables"]["methods"];
     std::size_t next = 0;
     for (const char* scene : {"sphere_on_plane", "cornell"}) {
@@ -47,7 +37,7 @@ TEST_CASE(
         }
     }
     CHECK(next == rows.size());
-    const std::string page = text_in(scratch / "out" / "bench_methods.html");
+    const std::string page = bytes_in(scratch / "out" / "bench_methods.html");
     std::size_t pictures = 0;
     for (std::size_t at = page.find("<img"); at != std::string::npos; at = page.find("<img", at + 1))
         ++pictures;

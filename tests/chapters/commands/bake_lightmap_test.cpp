@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <fstream>
-#include <iterator>
 #include <limits>
 #include <sstream>
 
@@ -11,6 +10,7 @@
 #include "rasterizer/base/image_io.h"
 #include "rasterizer/obj/obj_load.h"
 #include "rasterizer/textures/texture.h"
+#include "tests/tools/bytes_in.h"
 #include "tests/tools/scratch_directory.h"
 
 using namespace crevice;
@@ -24,11 +24,6 @@ BakeOptions options_for(const std::string& scene, const std::filesystem::path& o
     options.texels = 64;
     options.out = out;
     return options;
-}
-
-std::string bytes_of(const std::filesystem::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 }  // namespace
@@ -47,7 +42,7 @@ TEST_CASE("bake --lightmap: the map as floats and as a picture, the mesh that le
     CHECK(values.nan == 0);
     CHECK(read_png(out / "lightmap.png").colour.size() == Size{64, 64});
 
-    const std::string obj = bytes_of(out / "cornell_lightmap.obj");
+    const std::string obj = bytes_in(out / "cornell_lightmap.obj");
     CHECK(obj.find("# An OBJ file has one set of texture coordinates") != std::string::npos);
     ObjOptions load;
     load.want_unused_texcoords = true;
@@ -83,8 +78,8 @@ TEST_CASE("bake --lightmap: two runs write the same bytes, an OBJ file is named 
     }
     for (const char* name : {"lightmap.npy", "lightmap.png", "step_lightmap.obj"}) {
         CAPTURE(name);
-        const std::string once = bytes_of(scratch.path() / "1" / name);
-        const bool same = once == bytes_of(scratch.path() / "7" / name);
+        const std::string once = bytes_in(scratch.path() / "1" / name);
+        const bool same = once == bytes_in(scratch.path() / "7" / name);
         CHECK(!once.empty());
         CHECK(same);
     }

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "rasterizer/base/error.h"
+#include "tests/tools/bytes_in.h"
 #include "tests/tools/loaded_obj.h"
 
 using namespace crevice;
@@ -18,11 +19,6 @@ BakeOptions options_for(const std::string& scene, const std::filesystem::path& o
     options.rays.radius = std::numeric_limits<float>::infinity();
     options.out = out;
     return options;
-}
-
-std::string bytes_of(const std::filesystem::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 }  // namespace
@@ -42,7 +38,7 @@ TEST_CASE("bake_vertex: writes the scene with grey vertex colours, the same byte
         const std::filesystem::path written = scratch / "out" / "lid_vertex_ao.obj";
         CHECK(said.str().find("6 triangles") != std::string::npos);
         CHECK(said.str().find(written.string()) != std::string::npos);
-        const std::string bytes = bytes_of(written);
+        const std::string bytes = bytes_in(written);
         CHECK(bytes.find("# Accessibility of lid ") == 0);
         if (threads == 1) first = bytes;
         CHECK(bytes == first);

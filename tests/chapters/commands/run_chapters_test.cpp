@@ -1,23 +1,17 @@
 #include "chapters/commands/run_chapters.h"
 
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <sstream>
 
 #include <doctest/doctest.h>
 
 #include "rasterizer/base/error.h"
+#include "tests/tools/bytes_in.h"
 #include "tests/tools/scratch_directory.h"
 
 using namespace crevice;
 
 namespace {
-
-std::string bytes_in(const std::filesystem::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
