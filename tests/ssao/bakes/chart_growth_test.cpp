@@ -27,8 +27,6 @@ std::vector<WeldedTriangle> welded(const Mesh& mesh) {
     return triangles;
 }
 
-double cross(glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; }
-
 // A ramp around the y axis: `turns` turns of `steps` quads, rising 1 a turn.
 Mesh spiral_ramp(int turns, int steps) {
     Mesh mesh;
