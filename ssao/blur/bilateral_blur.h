@@ -55,7 +55,7 @@ void validate(const BlurSettings& settings);
 
 AoMap bilateral_blur(const Image<float>& ao, const AoInputs& inputs, const BlurSettings& settings = kXjunBlur,
                      const Run& run = {});
-// Texel (x, y) in each of its passes, across and down by turns.
+// Texel (x, y) in each of its passes, across and down by turns. On one thread, so that a debugger meets no other.
 std::vector<ExplainedPass> explain_bilateral_blur(const Image<float>& ao, const AoInputs& inputs,
                                                   const BlurSettings& settings, int x, int y);
 

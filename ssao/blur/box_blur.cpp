@@ -95,12 +95,12 @@ std::vector<ExplainedPass> explain_box_blur(const RawAo& raw, const BoxBlurSetti
     std::vector<ExplainedPass> passes;
     Image<float> map = raw.ao, across(raw.ao.size);
     for (int i = 1; i <= settings.iterations; ++i) {
-        blur_across(map, weights, across, {});
+        blur_across(map, weights, across, {.threads = 1});
         passes.push_back(explained_pass(map, raw.inputs, weights, x, y, 1, 0));
         passes.back().name = "iteration " + std::to_string(i) + ", across";
         passes.push_back(explained_pass(across, raw.inputs, weights, x, y, 0, 1));
         passes.back().name = "iteration " + std::to_string(i) + ", down";
-        blur_down(across, raw.inputs.view_depth, weights, map, {});
+        blur_down(across, raw.inputs.view_depth, weights, map, {.threads = 1});
     }
     return passes;
 }

@@ -188,13 +188,13 @@ std::vector<ExplainedPass> explain_edge_blur(const Image<float>& ao, const AoInp
     if (settings.kind == EdgeBlurKind::bilateral)
         return explain_bilateral_blur(ao, inputs, bilateral_settings(settings), x, y);
     std::vector<ExplainedPass> passes;
-    const PackedEdges edges = packed_edges(inputs);
+    const PackedEdges edges = packed_edges(inputs, {.threads = 1});
     Image<float> map = ao;
     for (int i = 1; i <= settings.iterations; ++i) {
         const float own = own_weight(i, settings.iterations);
         passes.push_back(explained_pass(map, edges, own, x, y));
         passes.back().name = "iteration " + std::to_string(i);
-        map = blurred(map, edges, own, 1, 1, {});
+        map = blurred(map, edges, own, 1, 1, {.threads = 1});
     }
     return passes;
 }

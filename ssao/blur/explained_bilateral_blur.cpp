@@ -124,7 +124,7 @@ std::vector<ExplainedPass> explain_bilateral_blur(const Image<float>& ao, const 
         passes.back().name = "iteration " + std::to_string(i) + ", across";
         passes.push_back(texel.pass(across, x, y, kDownShift));
         passes.back().name = "iteration " + std::to_string(i) + ", down";
-        if (i < settings.iterations) map = bilateral_blur(map, inputs, once).ao;
+        if (i < settings.iterations) map = bilateral_blur(map, inputs, once, {.threads = 1}).ao;
     }
     return passes;
 }

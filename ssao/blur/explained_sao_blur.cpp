@@ -89,7 +89,7 @@ std::vector<ExplainedPass> explain_sao_blur(const Image<float>& ao, const AoInpu
         passes.push_back(explained_quad(ao, depth, quad_limit, x, y, 1));
         passes.push_back(
             explained_quad(evened_across(ao, depth, quad_limit, x, y), depth, quad_limit, x, y, 0));
-        even_out_quads(map, depth, quad_limit, {});
+        even_out_quads(map, depth, quad_limit, {.threads = 1});
     }
     const auto both_ways = [&](const SaoBlurPass& pass, const std::string& name) {
         const auto before = [&](int at_x, int at_y) { return map.at(at_x, at_y); };
@@ -106,7 +106,7 @@ std::vector<ExplainedPass> explain_sao_blur(const Image<float>& ao, const AoInpu
     once.quads = once.fine = false;
     for (int i = 1; i <= settings.iterations; ++i) {
         both_ways(kPublished, "iteration " + std::to_string(i));
-        map = sao_blur(map, inputs, once).ao;
+        map = sao_blur(map, inputs, once, {.threads = 1}).ao;
     }
     if (settings.fine) both_ways(kFine, "fine");
     return passes;

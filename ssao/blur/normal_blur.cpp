@@ -152,7 +152,7 @@ std::vector<ExplainedPass> explain_normal_blur(const RawAo& raw, const NormalBlu
         passes.push_back(explained(pass, x, y));
         passes.back().name =
             "iteration " + std::to_string(iteration) + (pass.step_y == 0 ? ", across" : ", down");
-        run_pass(pass, ao, {});
+        run_pass(pass, ao, {.threads = 1});
     });
     return passes;
 }

@@ -70,8 +70,9 @@ class TexelRow {
         const F fx = load<F>(columns_.taps.weight_of_second.data() + x);
         texel.weigh(fx, F(fy_));
         const bool one_pixel = inputs.fetch.texel_centre == TexelCentre::off;
-        Tap<F> pixel;
-        if (one_pixel || inputs.fetch.point_normals) pixel = texel.pixel_under_centre(fx, fy_);
+        // Any will do where nothing below asks for one.
+        const bool asks = one_pixel || inputs.fetch.point_normals;
+        const Tap<F> pixel = asks ? texel.pixel_under_centre(fx, fy_) : texel.taps[0];
         const F stored = one_pixel ? pixel.stored : texel.mean_stored();
         z = inputs.fetch.depth == DepthSource::ndc_depth ? inputs.view_from_ndc(stored) : stored;
         if (inputs.fetch.point_normals)

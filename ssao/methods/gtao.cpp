@@ -30,7 +30,7 @@ double gtao_reach_px(const AoInputs& inputs, const GtaoSettings& settings, doubl
 
 Explanation explain_gtao(const AoInputs& inputs, const GtaoSettings& settings, int x, int y) {
     validate(settings);
-    return explain_texel(GtaoKernel(inputs, settings, {}), settings, x, y);
+    return explain_texel(GtaoKernel(inputs, settings, {.threads = 1}), settings, x, y);
 }
 
 }  // namespace crevice

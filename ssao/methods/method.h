@@ -137,7 +137,8 @@ struct Method {
                                  const std::function<void(long long)>& on_progress)>
         limit;
     std::function<AoQuestion(const AnySettings&)> question;
-    // Texel (x, y) of a map that ao() made of this view with these settings.
+    // Texel (x, y) of a map that ao() made of this view with these settings; on one thread, so that a debugger that steps
+    // through it meets no other.
     std::function<Explanation(const AoView&, const RawAo&, const AnySettings&, int x, int y)> explain;
 
     bool computes_ao() const { return ao != nullptr; }

@@ -100,7 +100,7 @@ double msvo_reach_px(const AoInputs& inputs, const MsvoSettings& settings, doubl
 
 Explanation explain_msvo(const AoInputs& inputs, const MsvoSettings& settings, int x, int y) {
     validate(settings);
-    return explain_texel(MsvoKernel(inputs, settings, {}), settings, x, y);
+    return explain_texel(MsvoKernel(inputs, settings, {.threads = 1}), settings, x, y);
 }
 
 }  // namespace crevice

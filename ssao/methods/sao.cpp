@@ -149,7 +149,7 @@ double sao_reach_px(const AoInputs& inputs, const SaoSettings& settings, double 
 
 Explanation explain_sao(const AoInputs& inputs, const SaoSettings& settings, int x, int y) {
     validate(settings);
-    return explain_texel(SaoKernel(inputs, settings, {}), settings, x, y);
+    return explain_texel(SaoKernel(inputs, settings, {.threads = 1}), settings, x, y);
 }
 
 }  // namespace crevice
