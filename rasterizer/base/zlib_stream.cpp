@@ -12,7 +12,7 @@ namespace crevice {
 
 namespace {
 
-// On pictures of the presets, level 3 takes a third of the time of level 6, and 4 % more bytes.
+// On the buffers of the presets luna and xjun2022, level 3 takes a third of the time of level 6, and 16 % more bytes.
 constexpr int kLevel = 3;
 constexpr std::size_t kStripBytes = std::size_t{1} << 17;
 constexpr int kWithoutHead = -MAX_WBITS;

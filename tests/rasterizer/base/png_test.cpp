@@ -1,5 +1,4 @@
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -57,20 +56,16 @@ std::string zlib_stream(std::string_view png) {
     return stream;
 }
 
-// The rows with the Paeth filter, in the words of the specification.
+// The rows with the filter Sub, in the words of the specification.
 Bytes filtered(Size size, int channels, const Bytes& pixels) {
     const int row_bytes = size.width * channels;
-    const auto at = [&](int i, int y) {
-        return i < 0 || y < 0 ? 0 : static_cast<int>(pixels[static_cast<std::size_t>(y * row_bytes + i)]);
-    };
     Bytes rows;
     for (int y = 0; y < size.height; ++y) {
-        rows.push_back(4);
+        rows.push_back(1);
         for (int i = 0; i < row_bytes; ++i) {
-            const int a = at(i - channels, y), b = at(i, y - 1), c = at(i - channels, y - 1), p = a + b - c;
-            const int pa = std::abs(p - a), pb = std::abs(p - b), pc = std::abs(p - c);
-            const int likely = pa <= pb && pa <= pc ? a : pb <= pc ? b : c;
-            rows.push_back(static_cast<std::uint8_t>(at(i, y) - likely));
+            const auto at = static_cast<std::size_t>(y * row_bytes + i);
+            const int left = i < channels ? 0 : pixels[at - static_cast<std::size_t>(channels)];
+            rows.push_back(static_cast<std::uint8_t>(pixels[at] - left));
         }
     }
     return rows;
