@@ -39,6 +39,13 @@ std::vector<std::string> unfinished_below(const fs::path& directory) {
 // So much the program writes into a pipe before it waits for a reader; the files here are larger.
 constexpr int kPipeBytes = 4096;
 
+// The thread sanitizer hands a signal over when its own fwrite returns: a program that waits in there never sees it.
+#ifdef __SANITIZE_THREAD__
+constexpr bool kSignalsWait = true;
+#else
+constexpr bool kSignalsWait = false;
+#endif
+
 // Starts the program, which writes its first bytes into a pipe in the place of the partial form of `file`; there it
 // is sent a signal. Its wait status. `ignored`: whoever started it has switched the signal off.
 int status_when_stopped_writing(const std::vector<std::string>& arguments, const fs::path& file,
@@ -89,7 +96,7 @@ TEST_CASE("stopped by a signal while it writes, the program leaves the finished 
     }
 }
 
-TEST_CASE("a chapter stopped by Ctrl-C leaves no partial picture") {
+TEST_CASE("a chapter stopped by Ctrl-C leaves no partial picture" * doctest::skip(kSignalsWait)) {
     const ScratchDirectory scratch;
     const fs::path file = scratch / "01_constant_ambient" / "lit_without_ao.png";
     const int status = status_when_stopped_writing(
