@@ -4,7 +4,6 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 #include <optional>
 
 #include "chapters/notebook/book_index.h"
@@ -20,8 +19,10 @@ namespace {
 std::optional<int> failed_checks_on_page(const Chapter& chapter, const NotebookOptions& options) {
     const std::filesystem::path page = options.out / (chapter.name() + ".html");
     if (!std::filesystem::exists(page)) return std::nullopt;
+    std::string head(kFailedChecksWithin, '\0');
     std::ifstream stream(page, std::ios::binary);
-    const int failed = failed_checks_in({std::istreambuf_iterator<char>(stream), {}});
+    stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+    const int failed = failed_checks_in(head);
     return failed < 0 ? std::nullopt : std::optional(failed);
 }
 

@@ -2,6 +2,7 @@
 // and the colours of the code inside.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,9 @@ struct ChapterPage {
 std::string chapter_page(const ChapterPage& page, const std::vector<NotebookCell>& cells,
                          const std::vector<BookEntry>& chapters, BookLanguage language);
 
-// The number of failed checks that a page tells of itself; -1 where the text is no such page.
+// The number of failed checks that a page tells of itself, -1 where the text is no such page. It stands in the head, before
+// anything long: this many of the page's first bytes suffice.
+inline constexpr std::size_t kFailedChecksWithin = 1024;
 int failed_checks_in(const std::string& page);
 
 }  // namespace crevice
