@@ -5,10 +5,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -46,10 +48,19 @@ constexpr bool kSignalsWait = true;
 constexpr bool kSignalsWait = false;
 #endif
 
+// Whether the file is there within a minute.
+bool appears(const fs::path& file) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+    while (!fs::exists(file) && std::chrono::steady_clock::now() < end)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return fs::exists(file);
+}
+
 // Starts the program, which writes its first bytes into a pipe in the place of the partial form of `file`; there it
-// is sent a signal. Its wait status. `ignored`: whoever started it has switched the signal off.
+// is sent a signal, as soon as it has written `other`, from this thread before or from another one now. Its wait status.
+// `ignored`: whoever started it has switched the signal off.
 int status_when_stopped_writing(const std::vector<std::string>& arguments, const fs::path& file,
-                                int signal_number, bool ignored = false) {
+                                const fs::path& other, int signal_number, bool ignored = false) {
     const fs::path partial = file.string() + ".partial";
     fs::create_directories(file.parent_path());
     REQUIRE(mkfifo(partial.c_str(), 0600) == 0);
@@ -68,6 +79,7 @@ int status_when_stopped_writing(const std::vector<std::string>& arguments, const
     }
     pollfd written = {pipe, POLLIN, 0};
     REQUIRE(poll(&written, 1, 60'000) == 1);
+    REQUIRE((other.empty() || appears(other)));
     kill(child, signal_number);
     fcntl(pipe, F_SETFL, 0);
     for (char rest[kPipeBytes]; ignored && read(pipe, rest, sizeof rest) > 0;) {
@@ -85,12 +97,12 @@ TEST_CASE("stopped by a signal while it writes, the program leaves the finished 
         const ScratchDirectory scratch;
         const int status = status_when_stopped_writing(
             {"render", "columns", "--size", "160x90", "--out", scratch.path().string()},
-            scratch / "view_depth.npy", signal_number);
+            scratch / "view_depth.npy", scratch / "normal.npy", signal_number);
         CAPTURE(signal_number);
         CHECK(WIFSIGNALED(status));
         CHECK(WTERMSIG(status) == signal_number);
         CHECK(unfinished_below(scratch.path()).empty());
-        CHECK(fs::exists(scratch / "normal.npy"));  // written before
+        CHECK(fs::exists(scratch / "normal.npy"));
         CHECK(!fs::exists(scratch / "view_depth.npy"));
         CHECK(!fs::exists(scratch / "passes.json"));
     }
@@ -100,7 +112,8 @@ TEST_CASE("a chapter stopped by Ctrl-C leaves no partial picture" * doctest::ski
     const ScratchDirectory scratch;
     const fs::path file = scratch / "01_constant_ambient" / "lit_without_ao.png";
     const int status = status_when_stopped_writing(
-        {"chapter", "01", "--size", "640x360", "--quiet", "--out", scratch.path().string()}, file, SIGINT);
+        {"chapter", "01", "--size", "640x360", "--quiet", "--out", scratch.path().string()}, file, {},
+        SIGINT);
     CHECK(WIFSIGNALED(status));
     CHECK(WTERMSIG(status) == SIGINT);
     CHECK(unfinished_below(scratch.path()).empty());
@@ -111,7 +124,7 @@ TEST_CASE("a signal that whoever starts the program has switched off stays off")
     const ScratchDirectory scratch;
     const int status = status_when_stopped_writing(
         {"render", "columns", "--size", "160x90", "--out", scratch.path().string()},
-        scratch / "view_depth.npy", SIGINT, true);
+        scratch / "view_depth.npy", {}, SIGINT, true);
     CHECK(WIFEXITED(status));
     CHECK(WEXITSTATUS(status) == 0);
     CHECK(fs::exists(scratch / "passes.json"));
