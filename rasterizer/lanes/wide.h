@@ -11,7 +11,7 @@
 #include <cstring>
 #include <type_traits>
 
-#include "rasterizer/lanes/wide_types.h"
+#include "rasterizer/lanes/wide_halves.h"
 
 namespace crevice {
 
@@ -93,7 +93,7 @@ CREVICE_INLINE std::int32_t largest_of(WideInt<N> a) {
 // The upper 32 bits of each: the sign comes first.
 template <int N>
 CREVICE_INLINE WideInt<N> upper_bits(WideDouble<N> a) {
-    return WideInt<N>(odd_words(low_half(a.v), high_half(a.v)));
+    return WideInt<N>(odd_words(low_half(a), high_half(a)));
 }
 // The bits of a where those of m are set, else those of b. Written out, because a compiler that no longer knows that
 // each element of m is all ones or all zeros compares it with zero first, of 64 bits one by one.
@@ -123,8 +123,8 @@ CREVICE_INLINE WideOf<T, N> select(WideMask<N> m, WideOf<T, N> a, WideOf<T, N> b
     if constexpr (sizeof(T) == sizeof(std::int32_t)) {
         return WideOf<T, N>(m.v ? a.v : b.v);
     } else {
-        return WideOf<T, N>(joined(select_bits(lower_twice(m.v), low_half(a.v), low_half(b.v)),
-                                   select_bits(upper_twice(m.v), high_half(a.v), high_half(b.v))));
+        return of_halves(select_bits(lower_twice(m.v), low_half(a), low_half(b)),
+                         select_bits(upper_twice(m.v), high_half(a), high_half(b)));
     }
 }
 template <int N>
@@ -208,14 +208,12 @@ CREVICE_INLINE A min_of(A a, A b) {
 template <int N>
 CREVICE_INLINE WideDouble<N> max_of(WideDouble<N> a, WideDouble<N> b) {
     const auto larger = [](auto x, auto y) __attribute__((always_inline)) { return x > y ? x : y; };
-    return WideDouble<N>(
-        joined(larger(low_half(a.v), low_half(b.v)), larger(high_half(a.v), high_half(b.v))));
+    return of_halves(larger(low_half(a), low_half(b)), larger(high_half(a), high_half(b)));
 }
 template <int N>
 CREVICE_INLINE WideDouble<N> min_of(WideDouble<N> a, WideDouble<N> b) {
     const auto smaller = [](auto x, auto y) __attribute__((always_inline)) { return x < y ? x : y; };
-    return WideDouble<N>(
-        joined(smaller(low_half(a.v), low_half(b.v)), smaller(high_half(a.v), high_half(b.v))));
+    return of_halves(smaller(low_half(a), low_half(b)), smaller(high_half(a), high_half(b)));
 }
 // a clamped to [0,1]; NaN becomes 0.
 template <class F>

@@ -41,7 +41,8 @@ CREVICE_VECTOR(std::int64_t, 8)
 #undef CREVICE_VECTOR
 
 // As many doubles as there are floats in a register fill two registers. They are compared, selected and shuffled
-// half by half: GCC 12 does that to vectors wider than the register one element at a time.
+// half by half: GCC 12 does that to vectors wider than the register one element at a time. Eight are two vectors
+// from the start (wide_halves.h).
 template <class V>
 inline constexpr int kElements = static_cast<int>(sizeof(V) / sizeof(V{}[0]));
 
