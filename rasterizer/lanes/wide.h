@@ -55,21 +55,6 @@ requires(kLanes<F> == 1) CREVICE_INLINE std::int32_t lane_index() { return 0; }
 
 // ---- N lanes
 
-// Joined to one 128-bit vector, then two 64-bit words: the shortest that both compilers find. WebAssembly has an
-// instruction for it.
-CREVICE_INLINE bool any(WideMask<4> m) {
-#ifdef __wasm_simd128__
-    return __builtin_wasm_any_true_v128(m.v) != 0;
-#else
-    const auto words = __builtin_bit_cast(VectorOf<std::int64_t, 2>::type, m.v);
-    return (words[0] | words[1]) != 0;
-#endif
-}
-CREVICE_INLINE bool any(WideMask<8> m) { return any(WideMask<4>{low_half(m.v) | high_half(m.v)}); }
-template <int N>
-CREVICE_INLINE bool all(WideMask<N> m) {
-    return !any(!m);
-}
 CREVICE_INLINE unsigned lane_bits(WideMask<4> m) {
 #if defined(__SSE__)
     return static_cast<unsigned>(__builtin_ia32_movmskps(__builtin_bit_cast(VectorOf<float, 4>::type, m.v)));
@@ -82,6 +67,23 @@ CREVICE_INLINE unsigned lane_bits(WideMask<4> m) {
 }
 CREVICE_INLINE unsigned lane_bits(WideMask<8> m) {
     return lane_bits(WideMask<4>{low_half(m.v)}) | lane_bits(WideMask<4>{high_half(m.v)}) << 4;
+}
+// Eight are joined to one 128-bit vector: the shortest that both compilers find. WebAssembly has an instruction for it;
+// without one for lane_bits it is two 64-bit words.
+CREVICE_INLINE bool any(WideMask<4> m) {
+#if defined(__wasm_simd128__)
+    return __builtin_wasm_any_true_v128(m.v) != 0;
+#elif defined(__SSE__)
+    return lane_bits(m) != 0;
+#else
+    const auto words = __builtin_bit_cast(VectorOf<std::int64_t, 2>::type, m.v);
+    return (words[0] | words[1]) != 0;
+#endif
+}
+CREVICE_INLINE bool any(WideMask<8> m) { return any(WideMask<4>{low_half(m.v) | high_half(m.v)}); }
+template <int N>
+CREVICE_INLINE bool all(WideMask<N> m) {
+    return !any(!m);
 }
 template <int N>
 CREVICE_INLINE std::int32_t largest_of(WideInt<N> a) {

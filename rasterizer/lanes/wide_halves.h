@@ -66,12 +66,10 @@ CREVICE_INLINE WideDouble<8> of_halves(VectorOf<double, 4>::type low, VectorOf<d
 
 // What wide.h has for other vectors, of eight doubles.
 CREVICE_INLINE WideInt<8> to_int(WideDouble<8> a) {
-    using Half = WideInt<4>::V;
-    return WideInt<8>(joined(__builtin_convertvector(a.low, Half), __builtin_convertvector(a.high, Half)));
+    return WideInt<8>(__builtin_convertvector(joined(a.low, a.high), WideInt<8>::V));
 }
 CREVICE_INLINE Wide<8> to_float(WideDouble<8> a) {
-    using Half = Wide<4>::V;
-    return Wide<8>(joined(__builtin_convertvector(a.low, Half), __builtin_convertvector(a.high, Half)));
+    return Wide<8>(__builtin_convertvector(joined(a.low, a.high), Wide<8>::V));
 }
 template <class T>
 CREVICE_INLINE WideDouble<8> to_double(WideOf<T, 8> a) {
