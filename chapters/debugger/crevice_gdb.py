@@ -155,8 +155,10 @@ def text_of(value):
     return number(value)
 
 
+# Of one vector, or of two halves.
 def lanes(value):
-    return [value["v"][lane] for lane in range(value["v"].type.strip_typedefs().range()[1] + 1)]
+    return [value[field][lane] for field in value.type.strip_typedefs().fields()
+            for lane in range(field.type.strip_typedefs().range()[1] + 1)]
 
 
 def lanes_text(value):

@@ -139,9 +139,10 @@ def named_image(frame, name):
 # ---- summaries --------------------------------------------------------------------------------------------------------
 
 
+# Of one vector, or of two halves.
 def lanes(value):
-    vector = member(value, "v")
-    return [vector.GetChildAtIndex(lane) for lane in range(vector.GetNumChildren())]
+    vectors = [value.GetChildAtIndex(i) for i in range(value.GetNumChildren())]
+    return [vector.GetChildAtIndex(lane) for vector in vectors for lane in range(vector.GetNumChildren())]
 
 
 def text_of(value):

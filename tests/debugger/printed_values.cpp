@@ -60,6 +60,7 @@ void hold_values(const Maps& maps) {
     const Vec3<float> point = {1, -2, 0.1f};
     const Wide<4> lanes(Wide<4>::V{1, 2.5f, -3, 0.1f});
     const WideInt<4> whole_lanes(7);
+    const WideDouble<8> halves = to_double(lane_index<Wide<8>>()) * WideDouble<8>(0.5);
     const WideMask<4> mask = lanes > Wide<4>(1);
     const Vec3<Wide<4>> points = {lanes, lanes, lanes};
     const Screen2<float> place = {12.5f, 3};
@@ -70,8 +71,8 @@ void hold_values(const Maps& maps) {
     const Explanation told = two_samples();
     const ExplainedPass pass = one_pass();
     const LitExplanation lit = two_terms();
-    stop_here(gbuffer, kinds, nothing, point, lanes, whole_lanes, mask, points, place, pair, eye, moved,
-              settings, few, none, told, pass, lit);
+    stop_here(gbuffer, kinds, nothing, point, lanes, whole_lanes, halves, mask, points, place, pair, eye,
+              moved, settings, few, none, told, pass, lit);
     const Image<float> not_yet({4, 2}, 1);
     stop_here(not_yet);
 }
