@@ -11,10 +11,10 @@ namespace {
 // The functions below give distances. The head is folded at x = 0, so a shape is given once, for x >= 0. In double,
 // several points at a time.
 template <class F>
-using Point = Vec3<Doubles<F>>;
+using Point = Vec3<Double<F>>;
 template <class F>
 CREVICE_INLINE Point<F> at_all(const glm::dvec3& p) {
-    return {Doubles<F>(p.x), Doubles<F>(p.y), Doubles<F>(p.z)};
+    return {Double<F>(p.x), Double<F>(p.y), Double<F>(p.z)};
 }
 
 template <class D>
@@ -28,8 +28,8 @@ CREVICE_INLINE Vec3<D> times(Vec3<D> a, const glm::dvec3& b) {
 
 // Exact on the surface, a good estimate near it.
 template <class F>
-CREVICE_INLINE Doubles<F> ellipsoid(Point<F> p, const glm::dvec3& centre, const glm::dvec3& radii) {
-    using D = Doubles<F>;
+CREVICE_INLINE Double<F> ellipsoid(Point<F> p, const glm::dvec3& centre, const glm::dvec3& radii) {
+    using D = Double<F>;
     const glm::dvec3 per_radius = 1.0 / radii;  // a product takes a tenth of a division's time
     const Point<F> q = times(p - at_all<F>(centre), per_radius);
     const D scale = length(q), slope = length(times(q, per_radius));
@@ -38,33 +38,33 @@ CREVICE_INLINE Doubles<F> ellipsoid(Point<F> p, const glm::dvec3& centre, const 
 
 // A round bar from a to b whose radius runs from radius_a to radius_b.
 template <class F>
-CREVICE_INLINE Doubles<F> limb(Point<F> p, const glm::dvec3& a, const glm::dvec3& b, double radius_a,
-                               double radius_b) {
-    using D = Doubles<F>;
+CREVICE_INLINE Double<F> limb(Point<F> p, const glm::dvec3& a, const glm::dvec3& b, double radius_a,
+                              double radius_b) {
+    using D = Double<F>;
     const glm::dvec3 axis = b - a;
     const Point<F> from_a = p - at_all<F>(a), along_axis = at_all<F>(axis);
     const D share = dot(from_a, along_axis) * D(1 / glm::dot(axis, axis));
-    const D along = smaller<F>(larger<F>(share, D(0)), D(1));
+    const D along = min_of(max_of(share, D(0)), D(1));
     return length(from_a - along * along_axis) - (D(radius_a) + along * D(radius_b - radius_a));
 }
 
 // Union with a fillet of about `width`.
 template <class F>
-CREVICE_INLINE Doubles<F> joined(Doubles<F> a, Doubles<F> b, double width) {
-    using D = Doubles<F>;
-    const D apart = larger<F>(a - b, b - a), overlap = larger<F>(D(width) - apart, D(0));
-    return smaller<F>(a, b) - overlap * overlap * D(0.25 / width);
+CREVICE_INLINE Double<F> joined(Double<F> a, Double<F> b, double width) {
+    using D = Double<F>;
+    const D apart = max_of(a - b, b - a), overlap = max_of(D(width) - apart, D(0));
+    return min_of(a, b) - overlap * overlap * D(0.25 / width);
 }
 
 // `a` without `b`, the rim rounded over about `width`.
 template <class F>
-CREVICE_INLINE Doubles<F> carved(Doubles<F> a, Doubles<F> b, double width) {
+CREVICE_INLINE Double<F> carved(Double<F> a, Double<F> b, double width) {
     return -joined<F>(-a, b, width);
 }
 
 template <class F>
-CREVICE_INLINE Doubles<F> cranium(Point<F> p) {
-    Doubles<F> d = ellipsoid<F>(p, {0, 4.25, 1.15}, {2.9, 2.55, 3.95});
+CREVICE_INLINE Double<F> cranium(Point<F> p) {
+    Double<F> d = ellipsoid<F>(p, {0, 4.25, 1.15}, {2.9, 2.55, 3.95});
     d = joined<F>(d, ellipsoid<F>(p, {0, 4.6, -1.0}, {2.2, 1.95, 2.1}), 0.8);       // forehead
     d = joined<F>(d, ellipsoid<F>(p, {1.5, 4.1, 2.2}, {1.6, 1.7, 2.0}), 0.8);       // widest behind the ears
     d = joined<F>(d, ellipsoid<F>(p, {0, 2.7, 1.2}, {1.9, 1.2, 2.6}), 0.9);         // base
@@ -72,8 +72,8 @@ CREVICE_INLINE Doubles<F> cranium(Point<F> p) {
 }
 
 template <class F>
-CREVICE_INLINE Doubles<F> face(Point<F> p) {
-    Doubles<F> d = ellipsoid<F>(p, {0, 2.7, -1.9}, {1.8, 1.6, 1.45});
+CREVICE_INLINE Double<F> face(Point<F> p) {
+    Double<F> d = ellipsoid<F>(p, {0, 2.7, -1.9}, {1.8, 1.6, 1.45});
     d = joined<F>(d, ellipsoid<F>(p, {0, 1.45, -2.3}, {1.2, 0.85, 1.1}), 0.5);              // upper jaw
     d = joined<F>(d, limb<F>(p, {0.35, 3.8, -3.12}, {1.2, 3.98, -2.95}, 0.32, 0.34), 0.3);  // brow ridge
     d = joined<F>(d, limb<F>(p, {1.2, 3.98, -2.95}, {1.95, 3.65, -2.4}, 0.34, 0.28), 0.3);
@@ -84,8 +84,8 @@ CREVICE_INLINE Doubles<F> face(Point<F> p) {
 }
 
 template <class F>
-CREVICE_INLINE Doubles<F> jaw(Point<F> p) {
-    Doubles<F> d = ellipsoid<F>(p, {0, 0.42, -2.65}, {0.95, 0.5, 0.75});                  // chin
+CREVICE_INLINE Double<F> jaw(Point<F> p) {
+    Double<F> d = ellipsoid<F>(p, {0, 0.42, -2.65}, {0.95, 0.5, 0.75});                   // chin
     d = joined<F>(d, limb<F>(p, {0.6, 0.42, -2.6}, {2.0, 0.85, -0.7}, 0.42, 0.36), 0.3);  // body
     d = joined<F>(d, limb<F>(p, {2.0, 0.85, -0.7}, {2.3, 2.5, -0.15}, 0.36, 0.3), 0.3);   // ramus
     d = joined<F>(d, ellipsoid<F>(p, {1.45, 1.6, -1.05}, {0.85, 1.2, 1.15}), 0.4);  // where no ray reaches
@@ -102,8 +102,8 @@ constexpr std::array<glm::dvec3, 5> kTeeth = {{{0.19, -3.46, 0.185},
 
 // Two rows of teeth, each tooth a limb from the gum to its edge.
 template <class F>
-CREVICE_INLINE Doubles<F> teeth(Point<F> p) {
-    using D = Doubles<F>;
+CREVICE_INLINE Double<F> teeth(Point<F> p) {
+    using D = Double<F>;
     D d(9);
     const auto near = (p.z <= D(-1.9)) & (p.y <= D(2.2));  // elsewhere they are too far away to matter
     if (!any(near)) return d;
@@ -116,9 +116,9 @@ CREVICE_INLINE Doubles<F> teeth(Point<F> p) {
 }
 
 template <class F>
-CREVICE_INLINE Doubles<F> head(Point<F> p) {
-    using D = Doubles<F>;
-    p.x = larger<F>(p.x, -p.x);
+CREVICE_INLINE Double<F> head(Point<F> p) {
+    using D = Double<F>;
+    p.x = max_of(p.x, -p.x);
     const D back = cranium<F>(p);
     const auto in_front = p.z <= D(1.2);  // behind there is nothing else
     if (!any(in_front)) return back;
@@ -142,7 +142,7 @@ Distances head_distances(const PointGroup& points, const Run& run) {
     }
     Distances distances;
     run_kernel(run, [&]<class F>(Lanes<F>) {
-        for (int i = 0; i < kMostLanes; i += kDoubles<F>) {
+        for (int i = 0; i < kMostLanes; i += kLanes<F>) {
             const Point<F> p{load_doubles<F>(x + i), load_doubles<F>(y + i), load_doubles<F>(z + i)};
             store(distances.data() + i, head<F>(p));
         }
