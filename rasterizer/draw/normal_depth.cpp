@@ -1,6 +1,7 @@
 #include "rasterizer/draw/normal_depth.h"
 
 #include <utility>
+#include <vector>
 
 #include "rasterizer/draw/cutouts.h"
 #include "rasterizer/draw/surface_textures.h"
@@ -22,32 +23,34 @@ void round_to(BufferFormat format, float* row, int count, const Run& run) {
     });
 }
 
-// Fills a tile's part of the G-buffer from the triangles it shows. `textures` null: normals are the vertices'.
-void fill_tile(GBuffer& g, const Image<std::int32_t>& triangles, const ScreenGeometry& geometry,
-               PixelRect tile, const SurfaceTextures* textures, const Run& run) {
+// Fills rows of the G-buffer from the triangles they show. `textures` null: normals are the vertices'. Whole rows, not
+// those of a tile: a processor foresees the next cache line of a row, and writes five planes of a picture in half the time.
+void fill_rows(GBuffer& g, const Image<std::int32_t>& triangles, const ScreenGeometry& geometry,
+               int first_row, int end_row, const SurfaceTextures* textures, const Run& run) {
     const bool with_normals = !g.normal.empty();
-    std::int32_t materials[kLargestTile_px];
-    for (int y = tile.y0; y < tile.y1; ++y) {
-        const std::int32_t* const triangle = triangles.row(y) + tile.x0;
-        for (Image<float>* const plane : {&g.view_depth, &g.normal.x, &g.normal.y, &g.normal.z})
-            expect_next_row(*plane, tile.x0, tile.x1, y);
+    const int width = geometry.size.width;
+    std::vector<std::int32_t> materials;
+    if (textures != nullptr && g.material.empty())
+        materials.resize(static_cast<std::size_t>(triangles.stride));
+    for (int y = first_row; y < end_row; ++y) {
+        const std::int32_t* const triangle = triangles.row(y);
         SurfaceRow row;
-        row.view_depth = g.view_depth.row(y) + tile.x0;
-        if (!g.material.empty()) row.material = g.material.row(y) + tile.x0;
-        if (textures != nullptr && row.material == nullptr) row.material = materials;
+        row.view_depth = g.view_depth.row(y);
+        if (!g.material.empty()) row.material = g.material.row(y);
+        if (!materials.empty()) row.material = materials.data();
         if (with_normals) {
-            row.normal[0] = g.normal.x.row(y) + tile.x0;
-            row.normal[1] = g.normal.y.row(y) + tile.x0;
-            row.normal[2] = g.normal.z.row(y) + tile.x0;
+            row.normal[0] = g.normal.x.row(y);
+            row.normal[1] = g.normal.y.row(y);
+            row.normal[2] = g.normal.z.row(y);
         }
-        find_surfaces(geometry, triangle, tile.x0, tile.x1, y, row, run);
+        find_surfaces(geometry, triangle, 0, width, y, row, run);
         if (textures != nullptr) {
             const TextureRow looked_up{row.material, {row.normal[0], row.normal[1], row.normal[2]}};
-            textures->look_up(triangle, tile.x0, tile.x1, y, looked_up, run);
+            textures->look_up(triangle, 0, width, y, looked_up, run);
         }
         if (g.format == BufferFormat::float32) continue;
         for (float* const plane : {row.view_depth, row.normal[0], row.normal[1], row.normal[2]}) {
-            if (plane != nullptr) round_to(g.format, plane, tile.x1 - tile.x0, run);
+            if (plane != nullptr) round_to(g.format, plane, width, run);
         }
     }
 }
@@ -60,10 +63,11 @@ GBuffer drawn(const ScreenGeometry& geometry, bool reversed_z, const NormalDepth
               {},
               settings.buffer_format,
               settings.with_material ? Image<std::int32_t>(size) : Image<std::int32_t>()};
-    Visibility seen = visibility(
-        geometry, settings.depth_format, reversed_z, holes, run, [&](const Visibility& so_far, int tile) {
-            fill_tile(g, so_far.triangle, geometry, geometry.tile_rect(tile), textures, run);
-        });
+    Visibility seen =
+        visibility(geometry, settings.depth_format, reversed_z, holes, run,
+                   [&](const Visibility& so_far, int first_row, int end_row) {
+                       fill_rows(g, so_far.triangle, geometry, first_row, end_row, textures, run);
+                   });
     g.depth = std::move(seen.depth);
     g.triangle = std::move(seen.triangle);
     g.tiles = std::move(seen.tiles);

@@ -1,6 +1,7 @@
 #include "rasterizer/draw/visibility.h"
 
 #include <algorithm>
+#include <atomic>
 #include <optional>
 #include <utility>
 
@@ -33,12 +34,17 @@ TileRecord draw_tile(const Drawing& drawing, int tile, PixelRect part, const Run
 }
 
 std::vector<TileRecord> draw_tiles(const Drawing& drawing, const PixelRect* parts, const Run& run,
-                                   const std::function<void(int tile)>& when_drawn = {}) {
-    std::vector<TileRecord> records(static_cast<std::size_t>(drawing.geometry.tile_count()));
-    parallel_for(drawing.geometry.tile_count(), run, [&](int tile) {
-        const PixelRect part = parts == nullptr ? drawing.geometry.tile_rect(tile) : parts[tile];
+                                   const std::function<void(int tile_row)>& when_drawn = {}) {
+    const ScreenGeometry& geometry = drawing.geometry;
+    std::vector<TileRecord> records(static_cast<std::size_t>(geometry.tile_count()));
+    // Of each row of tiles, how many are not drawn yet.
+    std::vector<std::atomic<int>> left(static_cast<std::size_t>(geometry.tiles.height));
+    for (std::atomic<int>& tiles : left) tiles = geometry.tiles.width;
+    parallel_for(geometry.tile_count(), run, [&](int tile) {
+        const PixelRect part = parts == nullptr ? geometry.tile_rect(tile) : parts[tile];
         if (!part.empty()) records[static_cast<std::size_t>(tile)] = draw_tile(drawing, tile, part, run);
-        if (when_drawn) when_drawn(tile);
+        const int row = tile / geometry.tiles.width;
+        if (--left[static_cast<std::size_t>(row)] == 0 && when_drawn) when_drawn(row);
     });
     return records;
 }
@@ -55,8 +61,11 @@ Visibility visibility(const ScreenGeometry& geometry, DepthFormat format, bool r
     Image<std::int32_t>& codes = seen.depth.codes;
     seen.tiles = draw_tiles({geometry, nearest_wins(reversed_z), format, codes, &codes,
                              depth_code(format, reversed_z ? 0.0f : 1.0f, 0.0), &seen.triangle, holes},
-                            nullptr, run, [&](int tile) {
-                                if (when_drawn) when_drawn(seen, tile);
+                            nullptr, run, [&](int tile_row) {
+                                const int first = tile_row * geometry.tile_size;
+                                if (when_drawn)
+                                    when_drawn(seen, first,
+                                               std::min(first + geometry.tile_size, geometry.size.height));
                             });
     return seen;
 }

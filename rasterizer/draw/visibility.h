@@ -48,9 +48,9 @@ struct FragmentGroup {
 // all passes of a view: then EQUAL finds what the first pass left. Empty: triangles are whole.
 using Holes = std::function<void(const FragmentGroup&)>;
 
-// Called with each tile of the geometry when it has been drawn, by the thread that drew it: what else is computed
-// of the tile then finds its triangles in the cache.
-using WhenDrawn = std::function<void(const Visibility&, int tile)>;
+// Called with the rows of pixels [first_row, end_row) of each row of tiles when all of these have been drawn, by the
+// thread that drew the last: what else is computed of them then finds their triangles in the cache.
+using WhenDrawn = std::function<void(const Visibility&, int first_row, int end_row)>;
 
 // The comparison that keeps the nearest surface: LESS, or GREATER with reversed z.
 DepthFunction nearest_wins(bool reversed_z);
