@@ -121,41 +121,70 @@ struct TileRaster {
         for (int block_y = test_blocks ? rect.y0 & -kBlock_px : rect.y0; block_y < rect.y1;
              block_y += step_y) {
             for (int block_x = start_x; block_x < rect.x1; block_x += kBlock_px) {
-                if (test_blocks && block_missed(edges, block_x, block_y)) continue;
+                const Reach reach = test_blocks ? reach_of(edges, block_x, block_y) : Reach::part;
+                if (reach == Reach::nothing) continue;
                 const int first_x = kLanes<F> == 1 ? std::max(block_x, rect.x0) : block_x;
                 const PixelRect part = {first_x, std::max(block_y, rect.y0),
                                         std::min(block_x + kBlock_px, rect.x1),
                                         std::min(block_y + step_y, rect.y1)};
-                for (int x = part.x0; x < part.x1; x += kLanes<F>) column(block, t, number, edges, x, part);
+                for (int x = part.x0; x < part.x1; x += kLanes<F>) {
+                    if (reach == Reach::all) {
+                        covered_column(block, t, number, edges, x, part);
+                    } else {
+                        column(block, t, number, edges, x, part);
+                    }
+                }
             }
         }
     }
 
-    // Whether a block lies wholly beyond one edge: its most inner pixel decides.
+    // How much of a block a triangle covers. Of each edge the most inner and the most outer pixel decide.
+    enum class Reach { nothing, part, all };
     template <class E>
-    static bool block_missed(const LaneEdge<F, E> (&edges)[3], int x, int y) {
+    static Reach reach_of(const LaneEdge<F, E> (&edges)[3], int x, int y) {
+        constexpr std::int64_t last = kBlock_px - 1;
+        Reach reach = Reach::all;
         for (const LaneEdge<F, E>& e : edges) {
-            const int inner_x = x + (e.edge.per_column > 0 ? kBlock_px - 1 : 0);
-            const int inner_y = y + (e.edge.per_row > 0 ? kBlock_px - 1 : 0);
-            if (e.at(inner_x, inner_y) < 0) return true;
+            const std::int64_t first = e.at(x, y), across = last * e.edge.per_column,
+                               down = last * e.edge.per_row;
+            if (first + std::max(across, std::int64_t{0}) + std::max(down, std::int64_t{0}) < 0)
+                return Reach::nothing;
+            if (first + std::min(across, std::int64_t{0}) + std::min(down, std::int64_t{0}) < 0)
+                reach = Reach::part;
         }
-        return false;
+        return reach;
     }
 
     // The groups of pixels at x, one below the other.
     template <class E>
     CREVICE_INLINE void column(const TriangleBlock& block, const ScreenTriangle& t, std::int32_t number,
                                const LaneEdge<F, E> (&edges)[3], int x, PixelRect part) {
-        E e0 = edges[0].lanes(x, part.y0), e1 = edges[1].lanes(x, part.y0), e2 = edges[2].lanes(x, part.y0);
+        auto c0 = edges[0].column(x, part.y0), c1 = edges[1].column(x, part.y0),
+             c2 = edges[2].column(x, part.y0);
         for (int y = part.y0; y < part.y1; ++y) {
+            const E e0 = c0.lanes(), e1 = c1.lanes(), e2 = c2.lanes();
             const Mask<F> covered = none_negative<F>(e0, e1, e2);
             if (any(covered)) {
                 group(block, t, number, x, y, covered, F(to_float(e1 + edges[1].threshold)),
                       F(to_float(e2 + edges[2].threshold)));
             }
-            e0 = e0 + edges[0].per_row;
-            e1 = e1 + edges[1].per_row;
-            e2 = e2 + edges[2].per_row;
+            c0.next();
+            c1.next();
+            c2.next();
+        }
+    }
+
+    // The same where all pixels are covered.
+    template <class E>
+    CREVICE_INLINE void covered_column(const TriangleBlock& block, const ScreenTriangle& t,
+                                       std::int32_t number, const LaneEdge<F, E> (&edges)[3], int x,
+                                       PixelRect part) {
+        const Mask<F> covered = lane_index<F>() >= Int<F>(0);
+        auto c1 = edges[1].whole_column(x, part.y0), c2 = edges[2].whole_column(x, part.y0);
+        for (int y = part.y0; y < part.y1; ++y) {
+            group(block, t, number, x, y, covered, F(to_float(c1.lanes())), F(to_float(c2.lanes())));
+            c1.next();
+            c2.next();
         }
     }
 
