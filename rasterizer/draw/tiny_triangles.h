@@ -21,7 +21,7 @@ class TinyTriangles {
     static bool has(const ScreenTriangle& t, PixelRect tile) {
         const PixelRect& b = t.bounds;
         return b.x1 - b.x0 <= kSide_px && b.y1 - b.y0 <= kSide_px && b.x0 >= tile.x0 && b.y0 >= tile.y0 &&
-               b.x1 <= tile.x1 && b.y1 <= tile.y1 && t.depth_bias == 0;
+               b.x1 <= tile.x1 && b.y1 <= tile.y1;
     }
 
     // Must not be called when full().
@@ -37,25 +37,26 @@ class TinyTriangles {
         left_[lane] = t.bounds.x0;
         top_[lane] = t.bounds.y0;
         number_[lane] = number;
+        depth_bias_[lane] = t.depth_bias;
         columns_ = std::max(columns_, t.bounds.x1 - t.bounds.x0);
         rows_ = std::max(rows_, t.bounds.y1 - t.bounds.y0);
     }
     bool full() const { return count_ == kLanes<F>; }
 
     // Calls fragment(number, x, y, code) for every pixel that one of the triangles covers, triangle by triangle, and
-    // forgets them.
+    // forgets them. Depths get their codes one by one: fewer pixels are covered than looked at.
     template <class Fragment>
     CREVICE_INLINE void take(DepthFormat format, const Fragment& fragment) {
         if (count_ == 0) return;
-        alignas(64) std::int32_t codes[kSide_px * kSide_px][kLanes<F>];
+        alignas(64) float z_ndc[kSide_px * kSide_px][kLanes<F>];
         alignas(64) std::int32_t covered[kLanes<F>];
-        cover(format, codes, covered);
+        cover(z_ndc, covered);
         for (int lane = 0; lane < count_; ++lane) {
             const auto at = static_cast<std::size_t>(lane);
             for (auto left = static_cast<std::uint32_t>(covered[lane]); left != 0; left &= left - 1) {
                 const int pixel = std::countr_zero(left);
                 fragment(number_[at], left_[at] + pixel % kSide_px, top_[at] + pixel / kSide_px,
-                         codes[pixel][lane]);
+                         depth_code(format, z_ndc[pixel][lane], depth_bias_[at]));
             }
         }
         count_ = columns_ = rows_ = 0;
@@ -79,8 +80,8 @@ class TinyTriangles {
                 threshold};
     }
 
-    // Of each triangle: bit y * kSide_px + x where it covers that pixel of its bounds, and the codes there.
-    CREVICE_INLINE void cover(DepthFormat format, std::int32_t (&codes)[kSide_px * kSide_px][kLanes<F>],
+    // Of each triangle: bit y * kSide_px + x where it covers that pixel of its bounds, and the depths there.
+    CREVICE_INLINE void cover(float (&z_ndc)[kSide_px * kSide_px][kLanes<F>],
                               std::int32_t (&covered)[kLanes<F>]) const {
         const I half(kSubpixelSteps / 2), steps(kSubpixelSteps);
         const I centre_x = load<F>(left_.data()) * steps + half,
@@ -97,8 +98,8 @@ class TinyTriangles {
                 const Mask<F> inside = none_negative<F>(e0, e1, e2);
                 const int pixel = y * kSide_px + x;
                 bits = bits | select(inside, I(1 << pixel), I(0));
-                const F z = z_ndc_at<F>(plane, F(to_float(e1 + b.threshold)), F(to_float(e2 + c.threshold)));
-                store(codes[pixel], depth_code(format, z, 0.0));
+                store(z_ndc[pixel],
+                      z_ndc_at<F>(plane, F(to_float(e1 + b.threshold)), F(to_float(e2 + c.threshold))));
                 e0 = e0 + a.per_column;
                 e1 = e1 + b.per_column;
                 e2 = e2 + c.per_column;
@@ -113,6 +114,7 @@ class TinyTriangles {
     std::array<Lane<std::int32_t>, 3> x_{}, y_{};
     Lane<float> z0_{}, z_per_e1_{}, z_per_e2_{};
     Lane<std::int32_t> left_{}, top_{}, number_{};
+    Lane<double> depth_bias_{};
     int count_ = 0, columns_ = 0, rows_ = 0;  // of the largest
 };
 
