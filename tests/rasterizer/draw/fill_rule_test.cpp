@@ -156,6 +156,22 @@ TEST_CASE("random triangles of every size cover what the definition says") {
     }
 }
 
+TEST_CASE("large triangles whose edges just cover, meet or miss the outer pixels of blocks of eight") {
+    for (const double shift : {0.5 - 1.0 / 256, 0.5, 0.5 + 1.0 / 256}) {
+        ClipSpaceScene scene{{128, 128}, {}, {}};
+        const double low = 8 + shift, high = 104 + shift;
+        scene.add_quad(scene.at_screen(low, low), scene.at_screen(high, low), scene.at_screen(high, high),
+                       scene.at_screen(low, high));
+        const Image<std::int32_t> expected = count_by_definition(scene);
+        for_every_run({.threads = {1}}, [&](const Run& run) {
+            CAPTURE(shift);
+            const DepthBuffer before = cleared_depth(scene.size, DepthFormat::d32f, false);
+            const ScreenGeometry geometry = geometry_of(scene, {.cull_back_faces = false}, run);
+            CHECK(differences(counted(geometry, DepthFunction::always, before, run).count, expected) == "");
+        });
+    }
+}
+
 TEST_CASE("a sliver of 1/256 pixel covers the centres on its left edge and none on its right edge") {
     for (const int side : {1, -1}) {
         CAPTURE(side);
