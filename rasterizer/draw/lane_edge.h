@@ -25,45 +25,19 @@ struct LaneEdge {
         return edge.at_origin + edge.per_column * x + edge.per_row * y - edge.threshold;
     }
 
-    // Its values at groups of pixels, one below the other. Doubles are carried from row to row as that of the first lane:
-    // a vector of them is wider than the register, and GCC 12 carries it through memory, which took twice as long.
-    class Column {
-     public:
-        CREVICE_INLINE Column(const LaneEdge& of, std::int64_t first) : of_(of), row_(start(of, first)) {}
-        CREVICE_INLINE E lanes() const {
-            if constexpr (kInLanes) {
-                return row_;
-            } else {
-                return E(row_) + of_.lane_offsets;
-            }
-        }
-        CREVICE_INLINE void next() {
-            if constexpr (kInLanes) {
-                row_ = row_ + of_.per_row;
-            } else {
-                row_ += static_cast<Scalar>(of_.edge.per_row);
-            }
-        }
-
-     private:
-        static constexpr bool kInLanes = std::is_same_v<E, Int<F>>;
-        CREVICE_INLINE static auto start(const LaneEdge& of, std::int64_t first) {
-            if constexpr (kInLanes) {
-                return E(static_cast<Scalar>(first)) + of.lane_offsets;
-            } else {
-                return static_cast<Scalar>(first);
-            }
-        }
-        const LaneEdge& of_;
-        std::conditional_t<kInLanes, E, Scalar> row_;
+    // Its values at groups of pixels, one below the other.
+    struct Column {
+        E lanes, per_row;
+        CREVICE_INLINE void next() { lanes = lanes + per_row; }
     };
     // Less the threshold, and with it.
-    CREVICE_INLINE Column column(int x, int y) const { return Column(*this, at(x, y)); }
-    CREVICE_INLINE Column whole_column(int x, int y) const {
-        return Column(*this, at(x, y) + edge.threshold);
-    }
+    CREVICE_INLINE Column column(int x, int y) const { return column_from(at(x, y)); }
+    CREVICE_INLINE Column whole_column(int x, int y) const { return column_from(at(x, y) + edge.threshold); }
 
  private:
+    CREVICE_INLINE Column column_from(std::int64_t first) const {
+        return {E(static_cast<Scalar>(first)) + lane_offsets, per_row};
+    }
     CREVICE_INLINE static E lane() {
         if constexpr (std::is_same_v<E, Int<F>>) {
             return lane_index<F>();

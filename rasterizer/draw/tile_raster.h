@@ -162,7 +162,7 @@ struct TileRaster {
         auto c0 = edges[0].column(x, part.y0), c1 = edges[1].column(x, part.y0),
              c2 = edges[2].column(x, part.y0);
         for (int y = part.y0; y < part.y1; ++y) {
-            const E e0 = c0.lanes(), e1 = c1.lanes(), e2 = c2.lanes();
+            const E e0 = c0.lanes, e1 = c1.lanes, e2 = c2.lanes;
             const Mask<F> covered = none_negative<F>(e0, e1, e2);
             if (any(covered)) {
                 group(block, t, number, x, y, covered, F(to_float(e1 + edges[1].threshold)),
@@ -182,7 +182,7 @@ struct TileRaster {
         const Mask<F> covered = lane_index<F>() >= Int<F>(0);
         auto c1 = edges[1].whole_column(x, part.y0), c2 = edges[2].whole_column(x, part.y0);
         for (int y = part.y0; y < part.y1; ++y) {
-            group(block, t, number, x, y, covered, F(to_float(c1.lanes())), F(to_float(c2.lanes())));
+            group(block, t, number, x, y, covered, F(to_float(c1.lanes)), F(to_float(c2.lanes)));
             c1.next();
             c2.next();
         }
