@@ -100,13 +100,13 @@ struct WaitingChildren {
     }
 };
 
-// Calls visit(block) for the blocks at and below `child` (as in BvhNode::child) whose boxes the ray enters,
-// of each node the nearest child first, until one call returns true; whether one did. `visit` may lower
-// ray.max_distance.
+// Calls visit(block) for the blocks whose boxes the ray enters, of each node the nearest child first, until one call returns
+// true; whether one did. `visit` may lower ray.max_distance.
 template <class F, class Visit>
-CREVICE_INLINE bool traverse(const Bvh& bvh, std::int32_t child, const BoxRay& ray, const Visit& visit) {
+CREVICE_INLINE bool traverse(const Bvh& bvh, const BoxRay& ray, const Visit& visit) {
     if (bvh.nodes.empty()) return false;
     WaitingChildren waiting;
+    std::int32_t child = 0;  // the root; as in BvhNode::child
     for (;;) {
         std::uint32_t entered = 0;
         alignas(32) float distance[kBvhWidth];
@@ -150,12 +150,11 @@ CREVICE_INLINE bool meets_block(const Ray& ray, float max_distance, const BvhBlo
     return meets_one_of(ray, max_distance, block, perhaps);
 }
 
-// Whether anything at and below `child`, 0 for the whole tree, is met at a distance in (0, max_distance]. The
-// ray must be usable().
+// Whether anything is met at a distance in (0, max_distance]. The ray must be usable().
 template <class F>
-CREVICE_INLINE bool meets_any(const Bvh& bvh, const Ray& ray, float max_distance, std::int32_t child = 0) {
+CREVICE_INLINE bool meets_any(const Bvh& bvh, const Ray& ray, float max_distance) {
     return traverse<F>(
-        bvh, child,
+        bvh,
         box_ray(ray, max_distance, bvh.reach), [&](const BvhBlock& block) __attribute__((always_inline)) {
             return meets_block<F>(ray, max_distance, block);
         });
@@ -182,7 +181,7 @@ CREVICE_INLINE RayHit nearest_hit(const Bvh& bvh, const Ray& ray, float max_dist
     BoxRay box = box_ray(ray, max_distance, bvh.reach);
     RayHit nearest;
     traverse<F>(
-        bvh, 0, box, [&](const BvhBlock& block) __attribute__((always_inline)) {
+        bvh, box, [&](const BvhBlock& block) __attribute__((always_inline)) {
             std::uint32_t perhaps = 0;
             for (int i = 0; i < kBvhWidth; i += kLanes<F>)
                 perhaps |= lane_bits(verdict(seen_triangles<F>(ray.origin, block, i), spread<F>(aim)).perhaps)

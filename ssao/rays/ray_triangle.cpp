@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/geometric.hpp>
+
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/float_text.h"
 
@@ -73,6 +75,21 @@ ShearedTriangle sheared_triangle(const Ray& ray, const BvhBlock& block, int lane
 }
 
 }  // namespace
+
+// As in seen_triangles(), with e = 2^-53 and edges of at most 2 m: off by 100 e (2 m)^2 m, less than 2^-44 m^3. What
+// exact_hit() calls met depends on less than 2^-41 m^3 more. Rounding to float is off by less than 2^-23 of the volume.
+SeenVolume volume_in_double(const glm::vec3& origin, const BvhBlock& block, int lane) {
+    const auto from_origin = [&](int corner) {
+        const auto& at = block.corner[corner];
+        return glm::dvec3(at[0][lane], at[1][lane], at[2][lane]) - glm::dvec3(origin);
+    };
+    const glm::dvec3 a = from_origin(0), b = from_origin(1), c = from_origin(2);
+    const auto volume = static_cast<float>(2 * glm::dot(a, glm::cross(b - a, a - c)));
+    const double away =
+        max_of(largest(a.x, a.y, a.z), max_of(largest(b.x, b.y, b.z), largest(c.x, c.y, c.z)));
+    return {volume,
+            static_cast<float>(0x1p-40 * away * away * away) + 0x1p-23f * std::abs(volume) + 0x1p-100f};
+}
 
 ExactHit exact_hit(const Ray& ray, float max_distance, const BvhBlock& block, int lane) {
     const ShearedTriangle t = sheared_triangle(ray, block, lane);

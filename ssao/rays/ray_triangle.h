@@ -121,6 +121,31 @@ CREVICE_INLINE SeenTriangles<F> seen_triangles(const glm::vec3& origin, const Bv
             size * error + F(0x1p-41f) * square * away + F(0x1p-100f)};
 }
 
+// A volume as in SeenTriangles and its error, found in double.
+struct SeenVolume {
+    float volume, error;
+};
+SeenVolume volume_in_double(const glm::vec3& origin, const BvhBlock& block, int lane);
+
+// `seen`, which begins with `first` of the block's lanes, with double's volumes in those of its lanes whose bits are set.
+template <class F>
+CREVICE_INLINE SeenTriangles<F> with_volumes_in_double(SeenTriangles<F> seen, const glm::vec3& origin,
+                                                       const BvhBlock& block, int first,
+                                                       std::uint32_t lanes) {
+    float volume[kLanes<F>], error[kLanes<F>];
+    store(volume, seen.volume);
+    store(error, seen.volume_error);
+    for (; lanes != 0; lanes &= lanes - 1) {
+        const int lane = __builtin_ctz(lanes);
+        const SeenVolume found = volume_in_double(origin, block, first + lane);
+        volume[lane] = found.volume;
+        error[lane] = found.error;
+    }
+    seen.volume = load<F>(volume);
+    seen.volume_error = load<F>(error);
+    return seen;
+}
+
 // What float can say of rays and triangles: surely met, perhaps met, or (neither) surely not.
 template <class F>
 struct Verdict {

@@ -45,7 +45,7 @@ bool holds(const BoxedTriangle& box, const glm::dvec3& p) {
 // How many blocks of eight triangles a ray that meets nothing looks into.
 int blocks_entered(const Bvh& bvh, const Ray& ray) {
     int blocks = 0;
-    traverse<float>(bvh, 0, box_ray(ray, kInfinity, bvh.reach), [&](const BvhBlock&) {
+    traverse<float>(bvh, box_ray(ray, kInfinity, bvh.reach), [&](const BvhBlock&) {
         ++blocks;
         return false;
     });

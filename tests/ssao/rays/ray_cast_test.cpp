@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <doctest/doctest.h>
+#include <glm/geometric.hpp>
 
 #include "rasterizer/base/error.h"
 #include "tests/tools/every_run.h"
@@ -73,8 +74,13 @@ TEST_CASE("as many rays from one point as there are: each meets what testing eve
     const std::vector<Corners> triangles = random_triangles(400, 0.3f, 16);
     const RayScene scene = scene_of_triangles(triangles);
     RandomNumbers random(17);
-    for (const int count : {1, 4, 5, 63, 64, 65, 200}) {
-        const glm::vec3 origin = 2.0f * random.direction();
+    for (const int count : {1, 4, 5, 63, 64, 65, 200, 201}) {
+        // Far from all triangles, or on one of them.
+        const Corners& t = triangles[static_cast<std::size_t>(count)];
+        const glm::vec3 middle = (t[0] + t[1] + t[2]) / 3.0f,
+                        normal = glm::normalize(glm::cross(t[1] - t[0], t[2] - t[0]));
+        const glm::vec3 origin =
+            count % 2 == 0 ? 2.0f * random.direction() : offset_origin(middle, normal, normal).origin;
         std::vector<Ray> rays;
         for (int i = 0; i < count; ++i) rays.push_back({origin, random.direction()});
         rays[0].direction.x = 0;
