@@ -33,9 +33,9 @@ struct OptionReader {
     MtlTexture& texture;
     MtlNotes& notes;
 
-    void wrong(std::string_view option, const std::string& what) {
-        notes.wrong.push_back("`" + std::string(keyword) + " " + std::string(option) + "` " + what +
-                              "; passed over");
+    void wrong(std::string_view option, const std::string& what, const std::string& done = "passed over") {
+        notes.wrong.push_back("`" + std::string(keyword) + " " + std::string(option) + "` " + what + "; " +
+                              done);
     }
     void not_drawn(std::string_view option) { notes.not_drawn.emplace_back(option); }
 
@@ -57,11 +57,12 @@ struct OptionReader {
             const std::optional<float> value = number_in<float>(word);
             if (!value && !has_decimal_comma(word)) break;
             rest = left;
-            if (!value || !std::isfinite(*value)) malformed = word;
+            if ((!value || !std::isfinite(*value)) && malformed.empty()) malformed = word;
             values.push_back(value.value_or(0));
         }
         if (!malformed.empty()) {
-            wrong(option, "has a number that is none (" + std::string(malformed) + ")");
+            wrong(option, "has a number that is none (" + std::string(malformed) + ")",
+                  number_advice(malformed) + ", passed over");
             return {};
         }
         if (values.empty()) wrong(option, "has no number");

@@ -5,11 +5,10 @@
 namespace crevice {
 namespace {
 
-bool ends_in_backslash(std::string_view physical) { return !physical.empty() && physical.back() == '\\'; }
-
-bool is_comment(std::string_view physical) {
-    const auto first = std::find_if_not(physical.begin(), physical.end(), is_blank);
-    return first != physical.end() && *first == '#';
+// Whether a backslash joins the next line to this one. In a comment it is part of a path (`# C:\models\`).
+bool is_continued(std::string_view physical) {
+    return !physical.empty() && physical.back() == '\\' &&
+           without_comment(physical).size() == trimmed(physical).size();
 }
 
 }  // namespace
@@ -18,9 +17,9 @@ bool LogicalLines::advance() {
     if (rest.empty()) return false;
     line = next_line;
     text = take_physical();
-    if (!ends_in_backslash(text) || is_comment(text)) return true;
+    if (!is_continued(text)) return true;
     joined.clear();
-    while (ends_in_backslash(text)) {
+    while (is_continued(text)) {
         joined.append(text.substr(0, text.size() - 1)).push_back(' ');
         text = take_physical();
     }

@@ -68,6 +68,9 @@ TEST_CASE("read_texture: options that are ill written are said") {
     };
     const std::vector<Row> rows = {
         {"-s 0,5 0,5 1 wood.png", "`map_Kd -s` has a number that is none (0,5)", "wood.png"},
+        {"-o 0,5 0,25 0 wood.png",
+         "`map_Kd -o` has a number that is none (0,5); write it with a decimal point, passed over",
+         "wood.png"},
         {"-s nan 1 wood.png", "`map_Kd -s` has a number that is none (nan)", "wood.png"},
         {"-s wood.png", "`map_Kd -s` has no number", "wood.png"},
         {"-clamp wood.png", "`map_Kd -clamp` wants on or off", "wood.png"},

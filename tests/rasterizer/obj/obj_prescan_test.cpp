@@ -116,6 +116,7 @@ TEST_CASE("load_obj: odd but right text is read as it is meant") {
         {"continued lines", "v 0 0 0\nv 1 \\\n0 \\\r\n 0\nv 0 1 0\nf 1 \\\n 2 3\n"},
         {"continued to the end of the file", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\\"},
         {"a comment that ends in a backslash", "# C:\\models\\\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+        {"a path behind a number", "v 0 0 0 # C:\\models\\\nv 1 0 0\nv 0 1 0\nf 1 2 3 # \\\n"},
         {"comments behind numbers", "v 0 0 0 # a\nv 1 0 0 #b\nv 0 1 0\nf 1 2 3 # c 4\n"},
         {"tabs, blanks, indents", " v\t0  0 0 \n\tv 1 0\t0\nv 0 1 0\n  f  1\t2 3 \n"},
         {"a NUL for a blank", "v 0 0 0\0\nv 1 0 0\nv\0 0 1 0\nf 1 2\0 3\n"s},
