@@ -10,25 +10,32 @@ namespace crevice {
 
 namespace fs = std::filesystem;
 
-namespace {
+FileTree::FileTree(const fs::path& obj_path, bool outside_allowed)
+    : directory_(obj_path.parent_path()), outside_allowed_(outside_allowed) {
+    std::error_code error;
+    root_ = fs::canonical(directory_.empty() ? fs::path(".") : directory_, error);
+    if (error) throw InputError(obj_path.string() + ": its directory cannot be read; check the path");
+}
 
 // The file in `directory` whose name is `name` but for capitals, or nothing (""). Of several the first in the
 // alphabet, so that the order of the directory does not matter.
-fs::path same_but_for_capitals(const fs::path& directory, const fs::path& name) {
-    const std::string wanted = lower_case(name.string());
-    fs::path best;
+fs::path FileTree::same_but_for_capitals(const fs::path& directory, const fs::path& name) const {
+    const auto [listed, is_new] = names_in_.try_emplace(directory);
+    NamesBySmallLetters& names = listed->second;
     std::error_code error;
-    for (fs::directory_iterator at(directory.empty() ? "." : directory, error), end; !error && at != end;
-         at.increment(error)) {
+    fs::directory_iterator at;
+    if (is_new) at = fs::directory_iterator(directory.empty() ? "." : directory, error);
+    for (const fs::directory_iterator end; !error && at != end; at.increment(error)) {
         const fs::path candidate = at->path().filename();
-        if (lower_case(candidate.string()) != wanted) continue;
-        if (best.empty() || candidate < best) best = candidate;
+        const auto [same, is_first] = names.try_emplace(lower_case(candidate.string()), candidate);
+        if (!is_first) same->second = std::min(same->second, candidate);
     }
-    return best.empty() ? fs::path() : directory / best;
+    const auto found = names.find(lower_case(name.string()));
+    return found == names.end() ? fs::path() : directory / found->second;
 }
 
 // `path` as it stands on the disk, canonical; nothing ("") where there is no such file.
-fs::path on_disk(const fs::path& path) {
+fs::path FileTree::on_disk(const fs::path& path) const {
     std::error_code error;
     const fs::path plain = fs::canonical(path, error);
     if (!error) return plain;
@@ -40,15 +47,6 @@ fs::path on_disk(const fs::path& path) {
     }
     const fs::path canonical = fs::canonical(found, error);
     return error ? fs::path() : canonical;
-}
-
-}  // namespace
-
-FileTree::FileTree(const fs::path& obj_path, bool outside_allowed)
-    : directory_(obj_path.parent_path()), outside_allowed_(outside_allowed) {
-    std::error_code error;
-    root_ = fs::canonical(directory_.empty() ? fs::path(".") : directory_, error);
-    if (error) throw InputError(obj_path.string() + ": its directory cannot be read; check the path");
 }
 
 fs::path FileTree::shown(const fs::path& path) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 
 namespace crevice {
@@ -14,7 +15,8 @@ struct FoundFile {
 
 // Finds files in the directory of the OBJ and below, also after following links, or anywhere if that is
 // allowed. Names come from Windows as often as not: a backslash counts as a slash, and where no file has a
-// name in its capitals, one that differs in them alone is taken.
+// name in its capitals, one that differs in them alone is taken. A directory is listed once, however many of its files
+// are missing; a tree serves one thread at a time.
 class FileTree {
  public:
     // Throws InputError when the OBJ's directory cannot be read.
@@ -32,8 +34,16 @@ class FileTree {
     // Where the file at `path` stands in the OBJ's directory; nothing ("") when it may not be read.
     std::filesystem::path shown(const std::filesystem::path& path) const;
 
+    using NamesBySmallLetters = std::map<std::string, std::filesystem::path>;
+
+    std::filesystem::path same_but_for_capitals(const std::filesystem::path& directory,
+                                                const std::filesystem::path& name) const;
+    std::filesystem::path on_disk(const std::filesystem::path& path) const;
+
     std::filesystem::path directory_, root_;  // as it is shown; canonical
     bool outside_allowed_;
+    mutable std::map<std::filesystem::path, NamesBySmallLetters>
+        names_in_;  // directories that were asked for
 };
 
 }  // namespace crevice

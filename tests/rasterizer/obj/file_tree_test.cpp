@@ -43,7 +43,20 @@ TEST_CASE("FileTree: where files are found, and which may be read") {
         CHECK(found.elsewhere == row.elsewhere);
     }
     CHECK(open.find("../../outside.png", models / "mtl").path == fs::canonical(scratch / "outside.png"));
+    // Listed once: what comes later is found by its own name alone.
+    write_text(models / "Late.png", "x");
+    CHECK(tree.find("late.png", models).path.empty());
+    CHECK(tree.find("Late.png", models).path == models / "Late.png");
     fs::create_symlink(scratch / "outside.png", models / "link.png");
     CHECK(tree.find("link.png", models).path.empty());
     CHECK(tree.find("link.png", models).outside);
+}
+
+TEST_CASE("FileTree: of names that differ in capitals alone the first in the alphabet is taken") {
+    const ScratchDirectory scratch;
+    for (const char* name : {"wOOD.png", "WOOD.png", "Wood.png"}) write_text(scratch / name, "x");
+    const FileTree tree(scratch / "a.obj", false);
+    for (const char* name : {"wood.png", "woOd.PNG"})
+        CHECK(tree.find(name, scratch.path()).path == scratch / "WOOD.png");
+    CHECK(tree.find("Wood.png", scratch.path()).path == scratch / "Wood.png");
 }
