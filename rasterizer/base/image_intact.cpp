@@ -74,13 +74,29 @@ bool huffman_tables_fit(std::string_view bytes, std::size_t at) {
     return true;
 }
 
+// What a frame header (at its length) has of channels; four without Adobe's marker, which says CMYK or YCCK, are
+// unknown, and stb_image takes them for YCbCr.
+bool names_its_colours(std::string_view bytes, std::size_t frame, std::size_t adobe) {
+    constexpr std::size_t kChannels = 7, kTransform = 13, kCmyk = 0, kYcck = 2;
+    if (byte_or_zero(bytes, frame + kChannels) != 4) return true;
+    if (adobe == 0) return false;
+    const std::uint32_t transform = byte_or_zero(bytes, adobe + kTransform);
+    return transform == kCmyk || transform == kYcck;
+}
+
+bool is_frame_header(std::uint32_t marker) {
+    constexpr std::uint32_t kTables = 0xc4, kExtension = 0xc8, kArithmeticTables = 0xcc;
+    return marker >= 0xc0 && marker <= 0xcf && marker != kTables && marker != kExtension &&
+           marker != kArithmeticTables;
+}
+
 // The segments up to the first scan; and behind it, where coded data never look like one, all that look like
 // tables.
 std::string damage_in_jpeg_tables(std::string_view bytes) {
-    constexpr unsigned char kTables = 0xc4, kScan = 0xda;
+    constexpr unsigned char kTables = 0xc4, kScan = 0xda, kAdobe = 0xee;
     const std::string too_many = "JPEG, a Huffman table of more than 255 codes";
     bool has_tables = false;
-    std::size_t at = 2;
+    std::size_t at = 2, frame = 0, adobe = 0;  // 0: there is none
     while (at < bytes.size()) {
         at = bytes.find('\xff', at);
         while (at < bytes.size() && byte_at(bytes, at) == 0xff) ++at;
@@ -89,9 +105,13 @@ std::string damage_in_jpeg_tables(std::string_view bytes) {
         if (marker == kTables && !huffman_tables_fit(bytes, at)) return too_many;
         if (marker == kScan) break;
         has_tables = has_tables || marker == kTables;
+        if (is_frame_header(marker)) frame = at;
+        if (marker == kAdobe && bytes.substr(at + 2, 5) == "Adobe") adobe = at;
         at += byte_or_zero(bytes, at) << 8 | byte_or_zero(bytes, at + 1);
     }
     if (!has_tables) return "JPEG, no Huffman table before its first scan";
+    if (frame != 0 && !names_its_colours(bytes, frame, adobe))
+        return "JPEG, four channels that it does not name";
     for (at = bytes.find("\xff\xc4", at); at != std::string_view::npos; at = bytes.find("\xff\xc4", at + 1)) {
         if (!huffman_tables_fit(bytes, at + 2)) return too_many;
     }

@@ -8,8 +8,8 @@
 
 namespace crevice {
 
-// What is wrong with the bytes of a PNG (chunk lengths and check sums) or JPEG (end marker, Huffman tables)
-// file, or nothing ("") when it is whole, or of another kind.
+// What is wrong with the bytes of a PNG (chunk lengths and check sums) or JPEG (end marker, Huffman
+// tables, four channels without a word which colours they are) file, or nothing ("") when it is whole, or of another kind.
 std::string damage_in_image(std::string_view bytes);
 
 // Where the IEND chunk of a PNG that is whole begins.

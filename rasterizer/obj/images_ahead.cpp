@@ -7,6 +7,7 @@
 
 #include "rasterizer/base/parallel.h"
 #include "rasterizer/textures/exif_orientation.h"
+#include "rasterizer/textures/png_chunks.h"
 
 namespace crevice {
 namespace {
@@ -18,7 +19,8 @@ constexpr std::int64_t kMostPixelsAhead = std::int64_t{1} << 24;
 DecodedFile decoded_file(const std::filesystem::path& path, TextureEncoding encoding,
                          std::int64_t most_pixels) {
     const std::string bytes = read_image_bytes(path);
-    return {decode_image(bytes, path.string(), encoding, most_pixels), exif_orientation(bytes)};
+    return {decode_image(bytes, path.string(), encoding, most_pixels), exif_orientation(bytes),
+            png_gamma(bytes)};
 }
 
 }  // namespace

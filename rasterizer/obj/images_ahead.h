@@ -15,7 +15,8 @@ namespace crevice {
 
 struct DecodedFile {
     DecodedImage image;
-    int exif_orientation = 1;  // exif_orientation.h
+    int exif_orientation = 1;         // exif_orientation.h
+    std::optional<float> gamma = {};  // png_chunks.h
 };
 
 class ImagesAhead {

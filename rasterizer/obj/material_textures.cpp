@@ -114,10 +114,15 @@ fs::path MaterialTextures::find(Request& request, const MtlTexture& texture) con
 
 DecodedImage MaterialTextures::load(Request& request, const MtlTexture& texture, const fs::path& path,
                                     TextureEncoding encoding) {
-    auto [image, orientation] = images_.take(path, encoding, std::min(pixels_left_, kMaxTexturePixels));
+    auto [image, orientation, gamma] =
+        images_.take(path, encoding, std::min(pixels_left_, kMaxTexturePixels));
     if (orientation != 1) {
         request.from.notes.push_back({"a texture's EXIF orientation would have it turned or mirrored",
                                       "drawn as its pixels are stored", texture.line});
+    }
+    if (gamma && encoding == TextureEncoding::srgb) {
+        request.from.notes.push_back({"a texture's gAMA chunk says that its colours are not sRGB",
+                                      "drawn with the exponent that it gives", texture.line});
     }
     pixels_left_ -= std::int64_t{image.colour.size().width} * image.colour.size().height;
     return std::move(image);

@@ -40,7 +40,8 @@ inline constexpr float kBumpHeight = 0.01f;
 //   disp          normals where it holds them; heights are not drawn
 //   map_Ks        its mean colour, which multiplies Ks
 // Pixels are taken as they are stored; a JPEG whose EXIF orientation would have it turned is a note. Blender
-// does not turn it either, and there texture coordinates are made.
+// does not turn it either, and there texture coordinates are made. Colours of a PNG whose gAMA chunk says that they are
+// not sRGB are read by it, which is a note, too.
 // Without want_surfaces only what cuts out is read: it is part of a shape. What cannot be read, lies outside
 // the OBJ's directory or would be wholly cut out is a warning, and drawn without.
 class MaterialTextures {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <new>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "rasterizer/base/image_intact.h"
 #include "rasterizer/lanes/approx_math.h"
 #include "rasterizer/textures/image_kind.h"
+#include "rasterizer/textures/png_chunks.h"
 #include "rasterizer/textures/tga.h"
 
 // The decoder of this file only: what it need not read it cannot get wrong.
@@ -50,7 +52,6 @@ static_assert(kMaxTextureSide == STBI_MAX_DIMENSIONS);
 // No picture of kMaxTexturePixels, 16 bits a channel and hardly compressible, needs more.
 constexpr std::uintmax_t kMaxFileBytes = (std::uintmax_t{1} << 31) - 1;
 
-constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1a\n";
 constexpr std::string_view kJpegSignature = "\xff\xd8\xff";
 
 const stbi_uc* encoded(const std::string& bytes) { return reinterpret_cast<const stbi_uc*>(bytes.data()); }
@@ -79,22 +80,31 @@ void check_size(Size size, const std::string& name, std::int64_t most_pixels) {
                      " pixels on a side and " + std::to_string(most_pixels) + " in all can be read here");
 }
 
-// What each of the codes of a colour channel of 8 or 16 bits means.
+// What the codes of a file's colours mean: sRGB, or by an exponent of the file's own.
+struct CodeMeaning {
+    TextureEncoding encoding = TextureEncoding::linear;
+    std::optional<float> gamma = {};
+
+    float of(float code) const {
+        if (encoding == TextureEncoding::linear) return code;
+        return std::min(1.0f, gamma ? power(code, 1 / *gamma) : linear_from_srgb(code));
+    }
+};
+
+// Of each of the codes of a channel of 8 or 16 bits.
 template <class Code>
-std::vector<float> meaning_of_codes(TextureEncoding encoding) {
+std::vector<float> meaning_of_codes(const CodeMeaning& meaning) {
     constexpr std::size_t kMost = std::numeric_limits<Code>::max();
     std::vector<float> table(kMost + 1);
-    for (std::size_t code = 0; code <= kMost; ++code) {
-        const float value = static_cast<float>(code) / static_cast<float>(kMost);
-        table[code] = encoding == TextureEncoding::srgb ? std::min(1.0f, linear_from_srgb(value)) : value;
-    }
+    for (std::size_t code = 0; code <= kMost; ++code)
+        table[code] = meaning.of(static_cast<float>(code) / static_cast<float>(kMost));
     return table;
 }
 
 template <class Code>
-DecodedImage image_from(const Code* rgba, Size size, TextureEncoding encoding, bool has_alpha) {
+DecodedImage image_from(const Code* rgba, Size size, const CodeMeaning& codes, bool has_alpha) {
     constexpr Code kMost = std::numeric_limits<Code>::max();
-    const std::vector<float> meaning = meaning_of_codes<Code>(encoding);
+    const std::vector<float> meaning = meaning_of_codes<Code>(codes);
     DecodedImage image{Image3(size, glm::vec3(0)), has_alpha ? Image<float>(size, 1.0f) : Image<float>()};
     bool opaque = true;
     for (int y = 0; y < size.height; ++y) {
@@ -145,41 +155,31 @@ const bool kAppleVariantIsConverted = [] {
     return true;
 }();
 
-// Whether a gAMA chunk says that the codes are proportional to light (PNG specification, 11.3.2.2).
-bool is_linear_png(std::string_view bytes) {
-    constexpr std::string_view kGammaOfOne("gAMA\0\1\x86\xa0", 8);
-    return bytes.substr(0, bytes.find("IDAT")).find(kGammaOfOne) != std::string_view::npos;
-}
-
-bool is_apple_png(const std::string& bytes) {
-    return starts_as(bytes, kPngSignature) && bytes.find("CgBI") < bytes.find("IDAT");
-}
-
-// Apple's deflate streams have no check sum at their end, and stb_image takes the last few bits before the
-// end of the data for a cut: zeros behind them, which no block of the stream reaches, keep it from that.
-std::string with_room_behind_deflate(const std::string& bytes) {
-    constexpr std::string_view kEightZeros("\0\0\0\x08IDAT\0\0\0\0\0\0\0\0\0\0\0\0", 20);
-    std::string padded = bytes;
-    return padded.insert(png_end_chunk(bytes), kEightZeros);
-}
-
 template <class Code, class Load>
 DecodedImage loaded_with(const Load& load, const std::string& bytes, const std::string& name, StbInfo info,
-                         TextureEncoding encoding) {
+                         const CodeMeaning& codes, std::optional<std::uint8_t> damaged_alpha) {
     const StbPixels<Code> pixels(load(encoded(bytes), length(bytes), &info.size.width, &info.size.height,
                                       &info.channels, STBI_rgb_alpha));
     if (!pixels) fail_damaged(name, stbi_failure_reason());
-    return image_from(pixels.get(), info.size, encoding, info.channels == 2 || info.channels == 4);
+    const std::size_t count = static_cast<std::size_t>(info.size.width) * info.size.height;
+    for (std::size_t i = 0; damaged_alpha && i < count; ++i) {
+        if (pixels.get()[4 * i + 3] == *damaged_alpha)
+            fail_damaged(name, "PNG, a pixel whose colour the palette lacks");
+    }
+    return image_from(pixels.get(), info.size, codes, info.channels == 2 || info.channels == 4);
 }
 
 DecodedImage decode_with_stb(const std::string& file, const std::string& name, TextureEncoding encoding,
                              std::int64_t most_pixels) {
     const StbInfo info = checked_info(file, name, most_pixels);
+    const CodeMeaning codes{encoding, png_gamma(file)};
+    if (const auto whole = with_whole_palette(file))
+        return loaded_with<stbi_uc>(stbi_load_from_memory, whole->png, name, info, codes, whole->alpha);
     const std::string apple = is_apple_png(file) ? with_room_behind_deflate(file) : std::string();
     const std::string& bytes = apple.empty() ? file : apple;
     return stbi_is_16_bit_from_memory(encoded(bytes), length(bytes)) != 0
-               ? loaded_with<stbi_us>(stbi_load_16_from_memory, bytes, name, info, encoding)
-               : loaded_with<stbi_uc>(stbi_load_from_memory, bytes, name, info, encoding);
+               ? loaded_with<stbi_us>(stbi_load_16_from_memory, bytes, name, info, codes, std::nullopt)
+               : loaded_with<stbi_uc>(stbi_load_from_memory, bytes, name, info, codes, std::nullopt);
 }
 
 std::string kind_of(const std::string& bytes) {
@@ -204,7 +204,7 @@ DecodedImage decode_image(const std::string& bytes, const std::string& name, Tex
     check_size(tga.size, name, most_pixels);
     const RgbaPixels pixels = decode_tga(bytes);
     if (pixels.bytes.empty()) fail_damaged(name, "TGA, cut short or with an index that has no palette entry");
-    return image_from(pixels.bytes.data(), pixels.size, encoding, pixels.has_alpha);
+    return image_from(pixels.bytes.data(), pixels.size, {encoding}, pixels.has_alpha);
 }
 
 std::string read_image_bytes(const std::filesystem::path& path) { return read_file(path, kMaxFileBytes); }
@@ -237,7 +237,7 @@ ImageCodes read_png(const std::filesystem::path& path) {
         throw InputError(name + ": this is not a PNG picture (" + kind_of(bytes) + "); convert it to PNG");
     }
     DecodedImage image = decode_image(bytes, name, TextureEncoding::linear);
-    return {std::move(image.colour), std::move(image.alpha), is_linear_png(bytes)};
+    return {std::move(image.colour), std::move(image.alpha), png_gamma(bytes) == 1.0f};
 }
 
 }  // namespace crevice

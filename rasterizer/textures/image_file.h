@@ -11,7 +11,7 @@ namespace crevice {
 
 // What the codes of a file mean. Alpha is linear in both.
 enum class TextureEncoding {
-    srgb,    // colours
+    srgb,    // colours; a PNG may say another exponent (png_gamma)
     linear,  // data, such as normals: code / 255
 };
 

@@ -184,6 +184,25 @@ TEST_CASE("material textures: a JPEG that a viewer would turn is drawn as it is 
                       "drawn as its pixels are stored"));
 }
 
+TEST_CASE(
+    "material textures: a PNG whose gAMA chunk says another exponent than sRGB's is read by it, and said") {
+    const Square square;
+    const auto picture = [](const std::string& gamma) {
+        return png_file({1, 1}, {.colour_type = 2, .chunks = png_chunk("gAMA", gamma)}, "\x80\x80\x80"s);
+    };
+    square.put("srgb.png", picture("\0\0\xb1\x8f"s));
+    square.put("light.png", picture("\0\1\x86\xa0"s));
+    square.material("map_Kd srgb.png\nnorm light.png\n");
+    const LoadedObj light = square.load("map_Kd light.png\n");
+    REQUIRE(light.scene.materials[0].texture);
+    CHECK(light.scene.materials[0].texture->texel(0, 0, 0).x == doctest::Approx(128.0 / 255).epsilon(1e-3));
+    REQUIRE(light.report.warnings.size() == 1);
+    CHECK(
+        has_warning(light.report,
+                    "a.mtl:3: a texture's gAMA chunk says that its colours are not sRGB (1 line); drawn with "
+                    "the exponent that it gives"));
+}
+
 TEST_CASE("material textures: scale, offset and clamp") {
     const Square square;
     square.put("t.png", rgb_png({1, 1}, "\xff\0\0"s));

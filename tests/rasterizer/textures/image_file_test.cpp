@@ -204,6 +204,29 @@ TEST_CASE("decode_image: a JPEG that defines no tables is refused") {
           std::string::npos);
 }
 
+TEST_CASE("decode_image: a JPEG of four channels is read where Adobe's marker says which they are") {
+    const auto marker = [](int transform) {
+        return "\xff\xee\0\x0e"s + "Adobe" + "\0\x64\0\0\0\0"s + static_cast<char>(transform);
+    };
+    // Size 8 x 8; a DC and an AC table of one code of one bit each, 0: all coefficients are 0.
+    const std::string code = byte_string({1}) + std::string(15, '\0') + byte_string({0});
+    const auto file = [&](const std::string& segments) {
+        std::string channels, of_scan;
+        for (int i = 1; i <= 4; ++i) {
+            channels += byte_string({i, 0x11, 0});
+            of_scan += byte_string({i, 0});
+        }
+        return byte_string({0xff, 0xd8}) + segments + byte_string({0xff, 0xdb, 0, 67, 0}) +
+               std::string(64, '\1') + byte_string({0xff, 0xc0, 0, 20, 8, 0, 8, 0, 8, 4}) + channels +
+               byte_string({0xff, 0xc4, 0, 20, 0x00}) + code + byte_string({0xff, 0xc4, 0, 20, 0x10}) + code +
+               byte_string({0xff, 0xda, 0, 14, 4}) + of_scan + byte_string({0, 63, 0, 0, 0xff, 0xd9});
+    };
+    for (const std::string& unknown : {file({}), file(marker(1)), file("\xff\xee\0\x06"s + "Else")})
+        CHECK(error_of(unknown).find("the picture is damaged (JPEG, four channels that it does not name)") !=
+              std::string::npos);
+    for (const int known : {0, 2}) CHECK(error_of(file(marker(known))) == "no error");
+}
+
 TEST_CASE("decode_image: a PNG with far more data than its pixels need is refused before it is inflated") {
     const std::string bomb =
         png_file({1, 1}, {.colour_type = 0, .chunks = png_chunk("IDAT", std::string(1 << 17, '\0'))}, "\1");
