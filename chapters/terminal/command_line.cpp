@@ -64,6 +64,20 @@ void require_known_flags(const CLI::App& command, const std::string& name,
     }
 }
 
+// CLI11 takes an empty word for none, and the flag's default would be used: `--ao "$METHOD"` without that variable.
+void require_no_empty_word(const std::string& name, const std::vector<std::string>& words) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string& word = words[i];
+        const bool ends_in_equals = word.starts_with("--") && word.find('=') == word.size() - 1;
+        if (!word.empty() && !ends_in_equals) continue;
+        const bool behind_flag = word.empty() && i > 0 && words[i - 1].starts_with("--");
+        if (!behind_flag && word.empty())
+            throw UsageError(name + ": a word is empty (); leave it away, or write what it should be");
+        const std::string flag = behind_flag ? words[i - 1] : word.substr(0, word.size() - 1);
+        throw UsageError(flag + ": no value (); write one behind it, or leave the flag away");
+    }
+}
+
 }  // namespace
 
 CommandLine::CommandLine(const std::string& about) : app_(std::make_shared<CLI::App>(about)) {}
@@ -113,6 +127,7 @@ bool CommandLine::parse(int argc, const char* const* argv) const {
         words.push_back("--help");
     }
     require_known_command(*app_, name_of(*app_, argv[0]), words.empty() ? "" : words[0]);
+    require_no_empty_word(name_of(*app_, argv[0]), words);
     app_->name(std::filesystem::path(argv[0]).filename().string());
     try {
         app_->parse(std::vector<std::string>(words.rbegin(), words.rend()));

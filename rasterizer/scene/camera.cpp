@@ -72,7 +72,7 @@ void validate(const Camera& camera) {
                 "the height of an orthographic picture must be above 0", camera.ortho_height);
     } else {
         require(camera.fov_y_rad > 1e-4 && camera.fov_y_rad < kPi - 1e-4, "fov_y_rad",
-                "the vertical field of view must lie between 0 and 180 degrees",
+                "the vertical field of view must lie between 0.006 and 179.994 degrees",
                 camera.fov_y_rad * (180 / kPi));
     }
 }

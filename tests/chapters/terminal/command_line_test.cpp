@@ -67,6 +67,15 @@ TEST_CASE("what is wrong is said by the command that was meant") {
     CHECK(refusal({"draw", "columns", "--size"}).ends_with("; program draw --help tells more"));
 }
 
+TEST_CASE("an empty word is none: it is refused, not taken for the flag's default") {
+    for (const std::vector<const char*>& words :
+         {std::vector<const char*>{"draw", "columns", "--size", ""}, {"draw", "columns", "--size="}})
+        CHECK(refusal(words) == "--size: no value (); write one behind it, or leave the flag away");
+    CHECK(refusal({"draw", "--eye", "", "columns"}).starts_with("--eye: no value ()"));
+    CHECK(refusal({"draw", ""}).starts_with("program: a word is empty ()"));
+    CHECK(Program().parse({"draw", "columns", "--param", "a="}));
+}
+
 TEST_CASE("help is --help, of the program and of its commands") {
     CHECK(!Program().parse({"help"}));
     CHECK(!Program().parse({"help", "draw"}));

@@ -163,6 +163,8 @@ TEST_CASE("every bad camera is refused by name") {
         {[](Camera& c) { c.near_plane = kNan; }, "near_plane: "},
         {[](Camera& c) { c.fov_y_rad = 0; }, "fov_y_rad: "},
         {[](Camera& c) { c.fov_y_rad = kPi; }, "fov_y_rad: "},
+        {[](Camera& c) { c.fov_y_rad = 1e-6; },
+         "fov_y_rad: the vertical field of view must lie between 0.006 and"},
         {[](Camera& c) { c.fov_y_rad = -1; }, "fov_y_rad: "},
         {[](Camera& c) { c.fov_y_rad = kNan; }, "fov_y_rad: "},
         {[](Camera& c) { c.target = c.eye; }, "target: "},
