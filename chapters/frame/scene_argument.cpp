@@ -1,9 +1,11 @@
 #include "chapters/frame/scene_argument.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 
 #include "chapters/terminal/number_text.h"
 #include "chapters/terminal/parse.h"
@@ -36,6 +38,18 @@ void require_within_reach(const std::string& path, const Bounds& bounds) {
                              shortest_text(corner[i]) + ", at most 1e29); scale the model down");
         }
     }
+}
+
+// Below this the unit of lengths no longer follows a scene's size (length_unit_of), and neither do the defaults of radii;
+// further down squares and products of coordinates vanish.
+constexpr double kSmallestExtent = 3e-29;
+
+std::optional<std::string> warning_of_smallness(const std::string& path, const Bounds& bounds) {
+    const glm::dvec3 size = bounds.high - bounds.low;
+    const double extent = std::max({size.x, size.y, size.z});
+    if (!(extent > 0) || extent >= kSmallestExtent) return std::nullopt;
+    return path + ": the model is too small for the range of float (its largest extent is " +
+           significant_text(extent, 3) + ", less than 3e-29); normals and occlusion may be lost, scale it up";
 }
 
 void require_fit(const Scene& scene, const std::string& name, const Method& method) {
@@ -74,8 +88,10 @@ SceneArgument load_scene(const std::string& name_or_path, const WantedOfScene& w
     options.want_unused_texcoords = wanted.unused_texcoords;
     options.outside_files = wanted.outside_files;
     LoadedObj loaded = load_obj(name_or_path, options, wanted.run);
-    require_within_reach(name_or_path, world_bounds(loaded.scene));
+    const Bounds bounds = world_bounds(loaded.scene);
+    require_within_reach(name_or_path, bounds);
     for (const std::string& warning : loaded.report.warnings) warn(warning);
+    if (const auto warning = warning_of_smallness(name_or_path, bounds)) warn(*warning);
     add_clusters(loaded.scene, wanted.run);
     return {std::move(loaded.scene), true, std::move(loaded.steps)};
 }

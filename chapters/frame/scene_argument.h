@@ -31,7 +31,7 @@ using WarningSink = std::function<void(const std::string& line)>;
 void warn_on_stderr(const std::string& line);
 
 // `warn` takes the warnings of the OBJ loader. Throws UsageError for a word that names nothing, InputError for a file that
-// cannot be read and for coordinates beyond 1e29, which no camera can frame.
+// cannot be read and for coordinates beyond 1e29, which no camera can frame. A scene too small for floats is a warning.
 SceneArgument load_scene(const std::string& name_or_path, const WantedOfScene& wanted = {},
                          const WarningSink& warn = warn_on_stderr);
 

@@ -79,3 +79,23 @@ TEST_CASE("scenes: coordinates that no camera can frame are named") {
                          doctest::Contains("far.obj: a coordinate is too large to be looked at ("),
                          InputError);
 }
+
+TEST_CASE(
+    "scenes: coordinates too small for the defaults to follow are a warning, of whatever reads the scene") {
+    const ScratchDirectory scratch;
+    const auto warnings_at = [&](const std::string& size) {
+        const std::string path = (scratch / "tiny.obj").string();
+        std::ofstream(path) << "v 0 0 0\nv " << size << " 0 0\nv 0 " << size << " 0\nf 1 2 3\n";
+        std::vector<std::string> warnings;
+        load_scene(path, {}, [&](const std::string& line) { warnings.push_back(line); });
+        return warnings;
+    };
+    CHECK(warnings_at("3.1e-29").empty());
+    for (const char* size : {"2.9e-29", "1e-35", "1e-40"}) {
+        const std::vector<std::string> warnings = warnings_at(size);
+        REQUIRE(warnings.size() >= 1);
+        CHECK(warnings.back().find(
+                  "tiny.obj: the model is too small for the range of float (its largest extent "
+                  "is ") != std::string::npos);
+    }
+}
