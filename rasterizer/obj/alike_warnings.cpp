@@ -2,6 +2,9 @@
 
 #include <map>
 #include <string_view>
+#include <utility>
+
+#include "rasterizer/obj/obj_report.h"
 
 namespace crevice {
 namespace {
@@ -54,6 +57,25 @@ std::vector<std::string> few_of_each_kind(const std::vector<std::string>& warnin
                " more of this kind, the first of them here: " + next.substr(begin_of_text(next));
     }
     return few;
+}
+
+void add_notes(std::vector<std::string>& warnings, const std::string& path,
+               const std::vector<MtlNote>& notes) {
+    constexpr std::size_t kMost = 32;
+    std::map<std::pair<std::string_view, std::string_view>, Tally> tallies;
+    Tally others;
+    for (const MtlNote& note : notes) {
+        const std::pair<std::string_view, std::string_view> key(note.what, note.done);
+        (tallies.contains(key) || tallies.size() < kMost ? tallies[key] : others).add(note.line);
+    }
+    const auto say = [&](std::string_view what, std::string_view done, const Tally& tally) {
+        const std::string count =
+            std::to_string(tally.count) + (tally.count == 1 ? " line" : " lines, the first here");
+        warnings.push_back(path + ":" + std::to_string(tally.first_line) + ": " +
+                           std::string(what).append(" (").append(count).append("); ").append(done));
+    };
+    for (const auto& [note, tally] : tallies) say(note.first, note.second, tally);
+    if (others.count > 0) say("more statements are not drawn here", "passed over", others);
 }
 
 }  // namespace crevice

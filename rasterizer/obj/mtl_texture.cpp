@@ -18,9 +18,6 @@ bool has_decimal_comma(std::string_view word) {
            word.find_first_not_of("+-.,0123456789") == std::string_view::npos;
 }
 
-// Of a texture across a face: from here on a float's steps are larger than a 128th of a copy.
-constexpr float kMostCopies = 65536;
-
 // The other statements show more than one channel.
 bool takes_one_channel(std::string_view keyword) {
     static constexpr std::array<std::string_view, 5> kTaking = {"map_d", "bump", "map_bump", "disp",
@@ -73,8 +70,9 @@ struct OptionReader {
     void pair(std::string_view option, glm::vec2& into) {
         const std::vector<float> values = numbers(option, 3);
         for (const float value : values) {
-            if (std::abs(value) <= kMostCopies) continue;
-            return wrong(option, "is beyond " + shortest_text(kMostCopies) + " (" + shortest_text(value) +
+            if (std::abs(value) <= kMostTextureCopies) continue;
+            return wrong(option, "is beyond " + shortest_text(kMostTextureCopies) + " (" +
+                                     shortest_text(value) +
                                      "), where texture coordinates lose their precision");
         }
         if (!values.empty()) into.x = values[0];

@@ -10,6 +10,9 @@
 
 namespace crevice {
 
+// Of a texture between 0 and a texture coordinate: from here on a float's steps are larger than a 128th of a copy.
+inline constexpr float kMostTextureCopies = 65536;
+
 // Which number of a texel a statement takes that wants one: `-imfchan`.
 enum class TexelChannel { unsaid, red, green, blue, alpha, luminance };
 

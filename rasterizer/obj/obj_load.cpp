@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <new>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -11,9 +12,11 @@
 
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/file_bytes.h"
+#include "rasterizer/base/float_text.h"
 #include "rasterizer/base/memory.h"
 #include "rasterizer/obj/alike_warnings.h"
 #include "rasterizer/obj/ear_clip.h"
+#include "rasterizer/obj/mtl_texture.h"
 #include "rasterizer/obj/obj_materials.h"
 #include "rasterizer/obj/obj_mesh.h"
 #include "rasterizer/obj/obj_text.h"
@@ -51,6 +54,11 @@ std::vector<std::string> warnings_of(const ObjReport& report, const std::string&
         {report.replaced_normals, "corner", "a normal that is zero or not finite", "the face's normal used"},
         {report.missing_normals, "corner", "a normal index that the file has no normal for", "one generated"},
         {report.missing_texcoords, "corner", "a texture index without a finite coordinate", "(0, 0) used"},
+        {report.far_texcoords, "corner",
+         "a texture coordinate beyond " + shortest_text(kMostTextureCopies) +
+             ", where floats lose their place in the texture",
+         "subtract whole numbers from those of a part, drawn as they are"},
+        {report.absent_texcoords, "face", "a textured material without texture coordinates", "(0, 0) used"},
     };
     for (const IgnoredStatement& ignored : report.ignored_statements) {
         findings.push_back({ignored.lines, "line", "`" + ignored.keyword + "` is not drawn here", "ignored"});
@@ -64,6 +72,25 @@ std::vector<std::string> warnings_of(const ObjReport& report, const std::string&
                            " faces in the file, none of them usable); the scene is empty");
     }
     return warnings;
+}
+
+bool is_textured(const Material& material) {
+    return material.texture != nullptr || material.normal_map != nullptr;
+}
+
+// Faces whose material shows a picture, and that do not say which part of it.
+Tally faces_without_texcoords(const ObjText& text, const ObjMaterials& materials) {
+    Tally tally;
+    for (const ObjFace& face : text.faces.faces) {
+        if (face.material < 0) continue;
+        const int material = materials.of_use[static_cast<std::size_t>(face.material)];
+        if (!is_textured(materials.materials[static_cast<std::size_t>(material)])) continue;
+        const auto corners = std::span(text.faces.corners).subspan(face.first_corner, face.corner_count);
+        const bool absent = std::any_of(corners.begin(), corners.end(),
+                                        [](const ObjCorner& c) { return c.texcoord == kAbsentIndex; });
+        if (absent) tally.add(face.line);
+    }
+    return tally;
 }
 
 glm::vec3 unit(glm::dvec3 v) { return glm::vec3(v / std::sqrt(glm::dot(v, v))); }
@@ -146,13 +173,18 @@ LoadedObj loaded_from(const std::filesystem::path& path, const ObjOptions& optio
         return std::any_of(materials.materials.begin(), materials.materials.end(), has);
     };
     const bool normal_maps = any([](const Material& m) { return m.normal_map != nullptr; });
-    const bool textured = normal_maps || any([](const Material& m) { return m.texture != nullptr; });
+    const bool textured = any(is_textured);
     ObjMesh built = build_obj_mesh(text, triangles, {materials.of_use, materials.texcoord_maps, normal_maps},
                                    options.want_unused_texcoords || textured, options.crease_angle_rad, run);
     timer.finish("vertices and normals");
 
     ObjReport& report = loaded.report = std::move(text.report);
     report.add_tallies(triangles.report);
+    if (textured) {
+        report.absent_texcoords = faces_without_texcoords(text, materials);
+    } else {
+        report.far_texcoords = {};
+    }
     report.generated_normals = built.generated_normals;
     const std::size_t skipped = report.too_few_corners.count + report.too_many_corners.count;
     report.dropped_faces =

@@ -10,8 +10,8 @@
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/file_bytes.h"
 #include "rasterizer/base/float_text.h"
+#include "rasterizer/obj/alike_warnings.h"
 #include "rasterizer/obj/obj_lines.h"
-#include "rasterizer/obj/obj_report.h"
 
 namespace crevice {
 namespace {
@@ -91,6 +91,7 @@ struct MaterialIndex {
         }
     }
     Entry find(std::string_view name) const {
+        if (name.empty()) return {};
         if (const auto at = by_whole_name.find(name); at != by_whole_name.end()) return at->second;
         const auto at = by_name.find(without_quotes(without_comment(name)));
         return at != by_name.end() ? at->second : Entry{};
@@ -99,6 +100,13 @@ struct MaterialIndex {
 
 std::string text_of(glm::vec3 k) {
     return shortest_text(k.x) + " " + shortest_text(k.y) + " " + shortest_text(k.z);
+}
+
+// "If a material name is not specified, a white material is used" (Wavefront's appendix B1, usemtl).
+Material unnamed_material() {
+    Material white{.name = "white", .specular = glm::vec3(0), .shininess = 1, .texture = nullptr};
+    white.diffuse = white.ambient = glm::vec3(1);
+    return white;
 }
 
 // A reflectance above 1 darkened until it is none, which keeps its hue; nothing for what is no colour at all.
@@ -172,26 +180,6 @@ struct Conversion {
     }
 };
 
-// One line for all that share a note; of a file that is something else, a few say enough.
-void add_notes(std::vector<std::string>& warnings, const std::string& path,
-               const std::vector<MtlNote>& notes) {
-    constexpr std::size_t kMost = 32;
-    std::map<std::pair<std::string_view, std::string_view>, Tally> tallies;
-    Tally others;
-    for (const MtlNote& note : notes) {
-        const std::pair<std::string_view, std::string_view> key(note.what, note.done);
-        (tallies.contains(key) || tallies.size() < kMost ? tallies[key] : others).add(note.line);
-    }
-    const auto say = [&](std::string_view what, std::string_view done, const Tally& tally) {
-        const std::string count =
-            std::to_string(tally.count) + (tally.count == 1 ? " line" : " lines, the first here");
-        warnings.push_back(located(path, tally.first_line,
-                                   std::string(what).append(" (").append(count).append("); ").append(done)));
-    };
-    for (const auto& [note, tally] : tallies) say(note.first, note.second, tally);
-    if (others.count > 0) say("more statements are not drawn here", "passed over", others);
-}
-
 }  // namespace
 
 ObjMaterials load_obj_materials(const fs::path& obj_path, std::span<const MaterialLibrary> libraries,
@@ -214,9 +202,13 @@ ObjMaterials load_obj_materials(const fs::path& obj_path, std::span<const Materi
         const auto [from, file] = index.find(use.name);
         const auto next = static_cast<int>(result.materials.size());
         if (from == nullptr) {
-            known.warn(use.line, "no library has the material (" + use.name + "); drawn in the default grey");
+            const bool unnamed = use.name.empty();
+            if (!unnamed)
+                known.warn(use.line,
+                           "no library has the material (" + use.name + "); drawn in the default grey");
             result.of_use.push_back(next);
-            result.materials.push_back({.name = use.name, .texture = nullptr});
+            result.materials.push_back(unnamed ? unnamed_material()
+                                               : Material{.name = use.name, .texture = nullptr});
             result.texcoord_maps.emplace_back();
             continue;
         }

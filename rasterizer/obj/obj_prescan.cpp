@@ -117,9 +117,8 @@ struct Scanner {
     }
 
     void use_material(std::string_view rest) {
-        const std::string material(trimmed(rest));
-        if (without_comment(material).empty())
-            place.fail("`usemtl` without a name; give the name of a material");
+        const std::string_view named = trimmed(rest);
+        const std::string material(without_comment(named).empty() ? std::string_view() : named);
         const auto next = static_cast<std::int32_t>(found.materials.size());
         const auto [at, is_new] = material_of_name.emplace(material, next);
         if (is_new) found.materials.push_back({material, place.line});

@@ -33,7 +33,7 @@ struct FaceOrigin {
 
 // A material as faces name it.
 struct ObjMaterialUse {
-    std::string name;      // all that follows `usemtl`, comments included
+    std::string name;      // all that follows `usemtl`, comments included; nothing where that is no name
     std::size_t line = 0;  // of its first `usemtl`
     friend bool operator==(const ObjMaterialUse&, const ObjMaterialUse&) = default;
 };

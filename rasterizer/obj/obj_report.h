@@ -46,6 +46,9 @@ struct ObjReport {
     Tally replaced_normals;   // corners whose normal is zero or not a number; given the normal of the face
     Tally missing_normals;    // corners whose normal index the file has no normal for; given a generated one
     Tally missing_texcoords;  // corners whose texture index has no finite coordinate; given (0, 0)
+    // Only where a texture is drawn:
+    Tally far_texcoords;                // corners whose texture coordinate is beyond kMostTextureCopies
+    Tally absent_texcoords;             // faces with a textured material and a corner without; given (0, 0)
     std::size_t generated_normals = 0;  // corners without a usable normal index; quite usual, no warning
 
     std::vector<IgnoredStatement> ignored_statements;
@@ -59,7 +62,8 @@ inline void ObjReport::add_tallies(const ObjReport& later) {
     for (Tally ObjReport::*const tally :
          {&ObjReport::too_few_corners, &ObjReport::too_many_corners, &ObjReport::missing_vertices,
           &ObjReport::not_finite, &ObjReport::zero_area, &ObjReport::self_intersecting, &ObjReport::reversed,
-          &ObjReport::replaced_normals, &ObjReport::missing_normals, &ObjReport::missing_texcoords})
+          &ObjReport::replaced_normals, &ObjReport::missing_normals, &ObjReport::missing_texcoords,
+          &ObjReport::far_texcoords, &ObjReport::absent_texcoords})
         (this->*tally).add(later.*tally);
 }
 

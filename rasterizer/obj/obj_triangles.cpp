@@ -10,6 +10,7 @@
 
 #include "rasterizer/base/parallel.h"
 #include "rasterizer/obj/ear_clip.h"
+#include "rasterizer/obj/mtl_texture.h"
 
 namespace crevice {
 namespace {
@@ -107,10 +108,12 @@ struct Builder {
             } else if (n != kAbsentIndex) {
                 report.missing_normals.add(face.line);
             }
-            const bool usable = is_listed(t, text.texcoords) &&
-                                std::isfinite(text.texcoords[static_cast<std::size_t>(t)].x) &&
-                                std::isfinite(text.texcoords[static_cast<std::size_t>(t)].y);
+            const glm::vec2 uv =
+                is_listed(t, text.texcoords) ? text.texcoords[static_cast<std::size_t>(t)] : glm::vec2(NAN);
+            const bool usable = std::isfinite(uv.x) && std::isfinite(uv.y);
             if (usable) corner_texcoord[c] = t;
+            if (std::max(std::abs(uv.x), std::abs(uv.y)) > kMostTextureCopies)
+                report.far_texcoords.add(face.line);
             if (!usable && t != kAbsentIndex) report.missing_texcoords.add(face.line);
         }
         const bool reversed = glm::dot(geometric, sum) < 0;

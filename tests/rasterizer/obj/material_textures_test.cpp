@@ -203,6 +203,32 @@ TEST_CASE(
                     "the exponent that it gives"));
 }
 
+TEST_CASE(
+    "material textures: coordinates that are absent, or too far away for floats, are said where they "
+    "matter") {
+    const ScratchDirectory scratch;
+    write_text(scratch / "t.png", rgb_png({1, 1}, "\xff\0\0"s));
+    write_text(scratch / "a.mtl", "newmtl shown\nKd 1 1 1\nmap_Kd t.png\nnewmtl plain\nKd 1 1 1\n");
+    const auto warnings_of = [&](const std::string& faces) {
+        write_text(scratch / "a.obj", "mtllib a.mtl\n" + std::string(kCorners) +
+                                          "vt 65537 0\nvt 0 -1e9\nvt 65536 -65536\n" + faces);
+        return load_obj(scratch / "a.obj").report.warnings;
+    };
+    const std::vector<std::string> absent =
+        warnings_of("usemtl shown\nf 1/3 2/3 3/3\nf 1 2 3\nf 1/3 2/3 4\n");
+    REQUIRE(absent.size() == 1);
+    CHECK(
+        absent[0].find(
+            ":11: a textured material without texture coordinates (2 faces, the first here); (0, 0) used") !=
+        std::string::npos);
+    const std::vector<std::string> far = warnings_of("usemtl shown\nf 1/3 2/3 3/3\nf 1/1 2/3 3/2\n");
+    REQUIRE(far.size() == 1);
+    CHECK(
+        far[0].find(":11: a texture coordinate beyond 65536, where floats lose their place in the texture (2 "
+                    "corners, the first here); ") != std::string::npos);
+    CHECK(warnings_of("usemtl plain\nf 1/1 2/3 3/2\nf 1 2 3\n").empty());
+}
+
 TEST_CASE("material textures: scale, offset and clamp") {
     const Square square;
     square.put("t.png", rgb_png({1, 1}, "\xff\0\0"s));

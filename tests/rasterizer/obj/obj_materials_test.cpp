@@ -174,6 +174,28 @@ TEST_CASE("load_obj: material names with comments, numbers and quotes around the
     CHECK(has_warning(loaded.report, "a.mtl:9: material `paint` is there already; the first one is drawn"));
 }
 
+TEST_CASE("load_obj: `usemtl` without a name means white, and no material without one") {
+    const ScratchDirectory scratch;
+    write_text(scratch / "a.mtl", "newmtl red\nKd 1 0 0\nnewmtl\nKd 0 1 0\n");
+    for (const char* nameless : {"usemtl\n", "usemtl \t \n", "usemtl # none\n"}) {
+        write_text(scratch / "a.obj", "mtllib a.mtl\n" + std::string(kCorners) + "usemtl red\nf 1 2 3\n" +
+                                          nameless + "f 1 2 3\nusemtl red\nf 1 2 3\n");
+        const LoadedObj loaded = load_obj(scratch / "a.obj");
+        check_whole(loaded);
+        const auto& parts = mesh_of(loaded).parts;
+        REQUIRE(parts.size() >= 2);
+        const auto material = [&](std::size_t i) {
+            return loaded.scene.materials[static_cast<std::size_t>(parts[i].material)];
+        };
+        CHECK(material(0).diffuse == glm::vec3(1, 0, 0));
+        CHECK(material(1).diffuse == glm::vec3(1));
+        CHECK(material(1).ambient == glm::vec3(1));
+        CHECK(material(1).specular == glm::vec3(0));
+        REQUIRE(loaded.report.warnings.size() == 1);
+        CHECK(has_warning(loaded.report, "a.mtl:3: `newmtl` without a name"));
+    }
+}
+
 TEST_CASE("load_obj: files outside the directory are read where that is allowed") {
     const Models models;
     const LoadedObj loaded = models.load("mtllib ../outside.mtl\n", "", {.outside_files = true});

@@ -38,7 +38,6 @@ TEST_CASE("load_obj: text that is not what it should be is an InputError with it
         {"half a normal", "vn 0 1\n", 5, "`vn` has the wrong count of numbers (2); give 3"},
         {"empty texture coordinate", "vt\n", 5, "`vt` has the wrong count of numbers (0)"},
         {"comma in a normal", "vn 0 0 1,0\n", 5, "not a number (1,0)"},
-        {"usemtl without name", "usemtl  \n", 5, "`usemtl` without a name"},
         {"text behind a NUL", "v 0 0 0\0junk\n"s, 5, "not a number (junk)"},
         {"line number across a continuation", "f 1 2 \\\n 3\nf 1 2 x\n", 7, "not a whole index (x)"},
     };
