@@ -60,6 +60,7 @@ struct BlurredTexel {
         }
         if (!(a.view_depth < kNoSurface) || !(b.view_depth < kNoSurface)) {
             tap.verdict = "no surface";
+            tap.numbers.clear();  // of infinite depths, whose difference is none
         } else if (!counting) {
             tap.verdict = cosine >= least.normal ? apart : "the normals differ";
         }

@@ -28,6 +28,10 @@ ExplainedPass explained_quad(const Image<float>& map, const Image<float>& depth,
         tap.weight = 1;
         tap.verdict = "counts";
     }
+    if (!(z < kNoSurface) || !(other_z < kNoSurface)) {
+        tap.verdict = "no surface";
+        tap.numbers.clear();  // of infinite depths, whose difference is none
+    }
     pass.taps.push_back(tap);
     return pass;
 }

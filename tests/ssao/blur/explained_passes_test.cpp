@@ -1,7 +1,9 @@
 // Every denoiser tells its passes: of any texel the taps give what the pass writes, and the last pass writes the map.
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
+#include <variant>
 
 #include <doctest/doctest.h>
 
@@ -66,7 +68,13 @@ TEST_CASE(
         for (int x = 0; x < maps.raw.ao.size.width; ++x) {
             for (const ExplainedPass& pass :
                  method->denoiser.explain(maps.raw, defaults_of(*method).denoiser, x, 5)) {
-                for (const ExplainedTap& tap : pass.taps) verdicts.insert(tap.verdict);
+                for (const ExplainedTap& tap : pass.taps) {
+                    verdicts.insert(tap.verdict);
+                    for (const NamedNumber& number : tap.numbers) {
+                        const float* const length = std::get_if<float>(&number.value);
+                        CHECK_FALSE((length != nullptr && std::isnan(*length)));
+                    }
+                }
             }
         }
     }
