@@ -81,6 +81,12 @@ int write_all(const fs::path& path, const WritePieces& write_pieces) {
 
 }  // namespace
 
+fs::path partial_path(const fs::path& target, long pid) {
+    fs::path path = target;
+    path += "." + std::to_string(pid) + ".partial";
+    return path;
+}
+
 void write_file_atomically(const fs::path& path, std::string_view bytes) {
     write_file_atomically(path, [bytes](const PieceSink& sink) { sink(bytes); });
 }
@@ -94,12 +100,10 @@ void write_file_atomically(const fs::path& path, const WritePieces& write_pieces
         if (const int failed = write_all(target, write_pieces)) refuse(path, reason(failed));
         return;
     }
-    fs::path partial_path = target;
-    partial_path += ".partial";
-    if (fs::is_directory(partial_path, error))
-        refuse(path, partial_path.filename().string() + " is a directory");
-    Partial partial(partial_path);
-    if (const int failed = write_all(partial_path, write_pieces)) refuse(path, reason(failed));
+    const fs::path unfinished = partial_path(target, getpid());
+    if (fs::is_directory(unfinished, error)) refuse(path, unfinished.filename().string() + " is a directory");
+    Partial partial(unfinished);
+    if (const int failed = write_all(unfinished, write_pieces)) refuse(path, reason(failed));
     partial.keep_as(target, error);
     if (error) refuse(path, error.message());
 }

@@ -16,6 +16,7 @@
 #include <doctest/doctest.h>
 
 #include "rasterizer/base/image_io.h"
+#include "rasterizer/base/write_file.h"
 #include "tests/tools/crevice_says.h"
 #include "tests/tools/scratch_directory.h"
 
@@ -61,12 +62,6 @@ bool appears(const fs::path& file) {
 // `ignored`: whoever started it has switched the signal off.
 int status_when_stopped_writing(const std::vector<std::string>& arguments, const fs::path& file,
                                 const fs::path& other, int signal_number, bool ignored = false) {
-    const fs::path partial = file.string() + ".partial";
-    fs::create_directories(file.parent_path());
-    REQUIRE(mkfifo(partial.c_str(), 0600) == 0);
-    const int pipe = open(partial.c_str(), O_RDONLY | O_NONBLOCK);
-    REQUIRE(pipe >= 0);
-    REQUIRE(fcntl(pipe, F_SETPIPE_SZ, kPipeBytes) >= 0);
     std::vector<char*> words = {const_cast<char*>(CREVICE_PROGRAM)};
     for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
     words.push_back(nullptr);
@@ -74,9 +69,19 @@ int status_when_stopped_writing(const std::vector<std::string>& arguments, const
     if (child == 0) {
         dup2(open("/dev/null", O_WRONLY), STDOUT_FILENO);
         std::signal(signal_number, ignored ? SIG_IGN : SIG_DFL);
+        raise(SIGSTOP);  // until the pipe, which has the child's number in its name, is there
         execv(CREVICE_PROGRAM, words.data());
         _exit(127);
     }
+    int status = 0;
+    REQUIRE(waitpid(child, &status, WUNTRACED) == child);
+    const fs::path partial = partial_path(file, child);
+    fs::create_directories(file.parent_path());
+    REQUIRE(mkfifo(partial.c_str(), 0600) == 0);
+    const int pipe = open(partial.c_str(), O_RDONLY | O_NONBLOCK);
+    REQUIRE(pipe >= 0);
+    REQUIRE(fcntl(pipe, F_SETPIPE_SZ, kPipeBytes) >= 0);
+    kill(child, SIGCONT);
     pollfd written = {pipe, POLLIN, 0};
     REQUIRE(poll(&written, 1, 60'000) == 1);
     REQUIRE((other.empty() || appears(other)));
@@ -84,7 +89,6 @@ int status_when_stopped_writing(const std::vector<std::string>& arguments, const
     fcntl(pipe, F_SETFL, 0);
     for (char rest[kPipeBytes]; ignored && read(pipe, rest, sizeof rest) > 0;) {
     }
-    int status = 0;
     REQUIRE(waitpid(child, &status, 0) == child);
     close(pipe);
     return status;

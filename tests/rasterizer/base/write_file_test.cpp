@@ -5,9 +5,11 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "rasterizer/base/error.h"
@@ -95,6 +97,36 @@ TEST_CASE("a file of pieces is their sum, and nothing where making them fails: w
                                           }),
                     InputError);
     CHECK(bytes_in(scratch / "a") == "one, two, three");
+    CHECK(std::distance(fs::directory_iterator(scratch.path()), fs::directory_iterator()) == 1);
+}
+
+TEST_CASE("processes that write the same file at the same time all succeed, and one's file stays, whole") {
+    const ScratchDirectory scratch;
+    constexpr int kProcesses = 4, kRounds = 200;
+    constexpr std::size_t kBytes = 20'000;
+    std::vector<pid_t> children;
+    for (int i = 0; i < kProcesses; ++i) {
+        const pid_t child = fork();
+        if (child == 0) {
+            bool written = true;
+            try {
+                const std::string bytes(kBytes, static_cast<char>('a' + i));
+                for (int round = 0; round < kRounds; ++round) write_file_atomically(scratch / "a", bytes);
+            } catch (const OutputError&) {
+                written = false;
+            }
+            _exit(written ? 0 : 1);
+        }
+        children.push_back(child);
+    }
+    for (const pid_t child : children) {
+        int status = 0;
+        REQUIRE(waitpid(child, &status, 0) == child);
+        CHECK(WIFEXITED(status));
+        CHECK(WEXITSTATUS(status) == 0);
+    }
+    const std::string bytes = bytes_in(scratch / "a");
+    CHECK(bytes == std::string(kBytes, bytes.empty() ? '?' : bytes[0]));
     CHECK(std::distance(fs::directory_iterator(scratch.path()), fs::directory_iterator()) == 1);
 }
 
