@@ -73,8 +73,9 @@ void render_film(const RenderOptions& options, const FilmOptions& film, std::ost
         scene.lights = lights;
         if (path != CameraPath::still) scene.lights = lights_at(scene, i * kFrame_s);
         if (has_history) request.settings.method = reseeded(*request.method, settings.method, i);
-        worked = worked_frame(scene, camera_on(path, prepared.camera, stops, i), request, history,
-                              std::move(worked));
+        const Camera camera =
+            moved_planes(prepared.argument, options.camera, camera_on(path, prepared.camera, stops, i));
+        worked = worked_frame(scene, camera, request, history, std::move(worked));
         show(worked, request);
         Frame& frame = worked.frame;
         const std::string name = frame_name(i);

@@ -55,7 +55,8 @@ void add_camera_flags(CommandLine& command, CameraFlags& camera) {
     command.option("--eye", camera.eye, "where the camera stands, x,y,z in the scene's own coordinates");
     command.option("--target", camera.target, "what it looks at, x,y,z");
     command.option("--fov-y", camera.fov_y, "vertical field of view, degrees");
-    command.option("--near", camera.near_plane, "near plane, scene units");
+    command.option("--near", camera.near_plane,
+                   "near plane, scene units; of an OBJ near and far follow the eye");
     command.option("--far", camera.far_plane, "far plane, scene units");
     command.option("--ortho", camera.ortho, "orthographic camera; height of the picture, scene units");
 }

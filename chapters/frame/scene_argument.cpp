@@ -12,6 +12,7 @@
 #include "rasterizer/base/float_text.h"
 #include "rasterizer/base/no_such.h"
 #include "rasterizer/lanes/approx_math.h"
+#include "rasterizer/scene/framing_camera.h"
 #include "rasterizer/scene/mesh_clusters.h"
 #include "rasterizer/scene/outlier_vertex.h"
 #include "scenes/builtin_scenes.h"
@@ -112,7 +113,7 @@ std::vector<std::string> scene_warnings(const SceneArgument& argument, const std
                            ", " + significant_text(p.y, kDigits) + ", " + significant_text(p.z, kDigits) +
                            " makes the scene " + significant_text(outlier->stretch, 3) +
                            " times as large as the others do, and framing, the unit of lengths and the "
-                           "shadow follow; remove it, or give --eye, --target and --param radius");
+                           "shadow follow; remove it, or give --eye, --target, --near and --param radius");
     }
     return warnings;
 }
@@ -130,6 +131,7 @@ Camera chosen_camera(const SceneArgument& argument, const CameraFlags& flags) {
         if (!flags.target && !bounds.empty) camera.target = 0.5 * (bounds.low + bounds.high);
     }
     if (flags.target) camera.target = point("--target", *flags.target);
+    camera = moved_planes(argument, flags, camera);
     if (flags.fov_y) camera.fov_y_rad = radians(parse_number("--fov-y", *flags.fov_y));
     if (flags.near_plane) camera.near_plane = parse_number("--near", *flags.near_plane);
     if (flags.far_plane) camera.far_plane = parse_number("--far", *flags.far_plane);
@@ -145,6 +147,17 @@ Camera chosen_camera(const SceneArgument& argument, const CameraFlags& flags) {
               {"ortho_height", "--ortho"}},
              [&] { validate(camera); });
     return camera;
+}
+
+Camera moved_planes(const SceneArgument& argument, const CameraFlags& flags, const Camera& camera) {
+    // The planes of framing_camera() are close around the scene, as seen from its eye. Those of a built-in scene are part of it.
+    const bool follow = argument.from_obj && (flags.eye || flags.target);
+    if (!follow || camera.eye == camera.target) return camera;
+    const Camera fitted = with_planes_around(camera, world_bounds(argument.scene));
+    Camera after = camera;
+    if (!flags.near_plane) after.near_plane = fitted.near_plane;
+    if (!flags.far_plane) after.far_plane = fitted.far_plane;
+    return after;
 }
 
 FrameSettings settings_for(const SceneArgument& scene, const std::string& name, const Method& method,

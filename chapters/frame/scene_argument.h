@@ -48,8 +48,12 @@ struct CameraFlags {
 };
 
 // The scene's camera with the flags applied. --eye and --target are in the scene's own coordinates. A given
-// eye looks at the middle of the scene unless a target is given too. Throws UsageError.
+// eye looks at the middle of the scene unless a target is given too. Of an OBJ near and far follow eye and target, where they are
+// not given themselves. Throws UsageError.
 Camera chosen_camera(const SceneArgument& scene, const CameraFlags& flags);
+
+// `camera`, which has come from chosen_camera() and moved since, with near and far as that would set them for its new place.
+Camera moved_planes(const SceneArgument& scene, const CameraFlags& flags, const Camera& camera);
 
 // settings_of() in the scene's units; `name` is the word that named the scene. Throws as that does, and InputError where it is
 // the method's own defaults, lengths in those units, that are out of range.

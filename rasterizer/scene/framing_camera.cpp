@@ -19,20 +19,32 @@ constexpr double kMargin = 1.05;  // the sphere is framed and clipped as if it w
 constexpr glm::dvec3 kTowardsEye[] = {{0.45, 0.35, -1}, {1, 0.35, -0.45}, {0.45, 1, -0.35}};
 constexpr double kMuchMore = 1.5;  // times what the front shows
 
+// Half the diagonal of the box; a single point is framed as a unit sphere.
+double radius_of(const Bounds& bounds) {
+    const glm::dvec3 half = 0.5 * bounds.high - 0.5 * bounds.low;
+    const double diagonal = std::sqrt(glm::dot(half, half));
+    return diagonal > 0 ? diagonal : 1;
+}
+
+glm::dvec3 centre_of(const Bounds& bounds) { return 0.5 * bounds.low + 0.5 * bounds.high; }
+
+// Near and far around a sphere whose centre lies at view depth `depth`; all of them in front of the eye, wherever that is.
+void set_planes(Camera& camera, double depth, double radius) {
+    camera.far_plane = std::max(depth, 0.0) + 2 * radius;
+    camera.near_plane = std::max(depth - kMargin * radius, camera.far_plane / kPlanesRatio);
+}
+
 Camera camera_from(const Bounds& bounds, const glm::dvec3& direction) {
     Camera camera;
     if (bounds.empty) return camera;
-    const glm::dvec3 half = 0.5 * bounds.high - 0.5 * bounds.low;
-    const double diagonal = std::sqrt(glm::dot(half, half));
-    const double radius = diagonal > 0 ? diagonal : 1;  // a single point is framed as a unit sphere
+    const double radius = radius_of(bounds);
     // The planes of the field of view touch the sphere.
     const double distance = kMargin * radius / sine_cosine(kFovY_rad / 2).sine;
     const glm::dvec3 towards_eye = direction / std::sqrt(glm::dot(direction, direction));
-    camera.target = 0.5 * bounds.low + 0.5 * bounds.high;
+    camera.target = centre_of(bounds);
     camera.eye = camera.target + distance * towards_eye;
     camera.fov_y_rad = kFovY_rad;
-    camera.near_plane = std::max(distance - kMargin * radius, distance / 100);
-    camera.far_plane = distance + 2 * radius;
+    set_planes(camera, distance, radius);
     return camera;
 }
 
@@ -62,6 +74,15 @@ std::array<double, std::size(kTowardsEye)> seen_areas(const Scene& scene, const 
 }  // namespace
 
 Camera framing_camera(const Bounds& bounds) { return camera_from(bounds, kTowardsEye[0]); }
+
+Camera with_planes_around(const Camera& camera, const Bounds& bounds) {
+    Camera fitted = camera;
+    if (bounds.empty) return fitted;
+    const glm::dvec3 ahead = camera.target - camera.eye;
+    const double depth = glm::dot(centre_of(bounds) - camera.eye, ahead / std::sqrt(glm::dot(ahead, ahead)));
+    set_planes(fitted, depth, radius_of(bounds));
+    return fitted;
+}
 
 Camera framing_camera(const Scene& scene) {
     const Bounds bounds = world_bounds(scene);

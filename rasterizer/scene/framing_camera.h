@@ -13,8 +13,15 @@ namespace crevice {
 // the default camera.
 Camera framing_camera(const Bounds& bounds);
 
-// The same of a scene's bounds, but from its right side or from above where the surfaces as seen from there are one and a
-// half times as large as from the front: of flat models, which would be seen edge-on. What hides what is not asked.
+// `camera` with near and far as close around the sphere of `bounds` as its eye and target allow: for an eye that was put
+// somewhere else. Where the eye stands within the sphere, near is a kPlanesRatio-th of far, the ratio of the
+// tutorials' planes. Empty bounds leave the camera as it is.
+inline constexpr double kPlanesRatio = 1000;
+Camera with_planes_around(const Camera& camera, const Bounds& bounds);
+
+// The same as framing_camera(bounds) of a scene's bounds, but from its right side or from above where the surfaces as seen
+// from there are one and a half times as large as from the front: of flat models, which would be seen edge-on. What hides
+// what is not asked.
 Camera framing_camera(const Scene& scene);
 
 }  // namespace crevice

@@ -31,6 +31,33 @@ TEST_CASE("camera flags: eye and target stay in the coordinates of an OBJ that w
     CHECK(glm::length(highest + argument.scene.origin - glm::dvec3(500000, 4000002, -42)) < 1e-6);
 }
 
+TEST_CASE(
+    "camera flags: near and far of an OBJ follow the eye, unless they are given; a built-in scene's stay") {
+    const ScratchDirectory scratch;
+    std::ofstream(scratch / "a.obj") << "v -5 0 -5\nv 5 0 -5\nv 5 0 5\nv -5 2 5\nf 1 2 3 4\n";
+    const SceneArgument argument = load_scene((scratch / "a.obj").string());
+    const Camera framed = chosen_camera(argument, {});
+    CHECK(framed == argument.scene.camera);
+    CameraFlags flags;
+    flags.eye = "6,5,8";
+    flags.target = "0,0.5,0";
+    const Camera near_by = chosen_camera(argument, flags);
+    CHECK(near_by.near_plane <
+          4);  // (5, 0, 5) is seen at a depth of 5.6, which lay before the framing camera's
+    CHECK(framed.near_plane > 6);
+    flags.near_plane = "0.25";
+    CHECK(chosen_camera(argument, flags).near_plane == 0.25);
+    CHECK(chosen_camera(argument, flags).far_plane == near_by.far_plane);
+    // A camera that has moved on since.
+    Camera moved = near_by;
+    moved.eye *= 100;
+    CHECK(moved_planes(argument, {flags.eye, {}, {}, {}, {}, {}}, moved).near_plane > 100);
+    CHECK(moved_planes(argument, {}, moved) == moved);
+    const SceneArgument builtin = load_scene("wall_corner");
+    CHECK(chosen_camera(builtin, {"1,2,-9", {}, {}, {}, {}, {}}).near_plane ==
+          builtin.scene.camera.near_plane);
+}
+
 TEST_CASE("scenes: files outside the OBJ's directory are read where that is asked for") {
     const ScratchDirectory scratch;
     std::filesystem::create_directories(scratch / "models");

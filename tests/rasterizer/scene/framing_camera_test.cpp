@@ -81,3 +81,36 @@ TEST_CASE("framing_camera: what is as large from everywhere is seen from the fro
     CHECK(framing_camera(box).eye == framing_camera(world_bounds(box)).eye);
     CHECK(framing_camera(Scene{}).eye == Camera{}.eye);
 }
+
+TEST_CASE("with_planes_around: wherever the eye stands, what lies in front of it lies between near and far") {
+    Bounds bounds;
+    bounds.empty = false;
+    bounds.low = {-1, -2, -3};
+    bounds.high = {4, 2, 1};
+    const glm::dvec3 centre = 0.5 * (bounds.low + bounds.high);
+    const double radius = 0.5 * glm::length(bounds.high - bounds.low);
+    for (const double distance : {0.1, 1.0, 5.0, 50.0, 1e6}) {
+        for (const double aside : {-2.0, 0.0, 0.5}) {  // -2: most of the box lies behind
+            Camera camera;
+            camera.eye = centre + distance * radius * glm::normalize(glm::dvec3(1, 2, -3));
+            camera.target = centre + aside * distance * radius * glm::dvec3(1, 0, 0);
+            const Camera fitted = with_planes_around(camera, bounds);
+            CAPTURE(distance);
+            CAPTURE(aside);
+            validate(fitted);
+            CHECK(fitted.eye == camera.eye);
+            CHECK(fitted.target == camera.target);
+            const double depth = glm::dot(centre - camera.eye, glm::normalize(camera.target - camera.eye));
+            CHECK(fitted.far_plane > depth + radius);
+            CHECK(fitted.near_plane <= std::fmax(depth - radius, fitted.far_plane / kPlanesRatio));
+            // No further than they must be.
+            CHECK(fitted.far_plane <= 1.001 * (std::fmax(depth, 0) + 2 * radius));
+            CHECK(fitted.near_plane >= depth - 1.2 * radius);
+        }
+    }
+    CHECK(with_planes_around(Camera{}, Bounds{}) == Camera{});
+    // The planes of the framing camera are those of its place.
+    const Camera framed = framing_camera(bounds), again = with_planes_around(framed, bounds);
+    CHECK(again.near_plane == doctest::Approx(framed.near_plane));
+    CHECK(again.far_plane == doctest::Approx(framed.far_plane));
+}
