@@ -1,6 +1,6 @@
 #!/bin/sh
-# Installs the libraries into a scratch directory, builds the program of examples/ against them and draws a corner of two walls
-# and a floor, which must not be open everywhere.
+# Installs the libraries into a scratch directory, builds the programs of examples/ against them, draws a corner of two walls
+# and a floor, which must not be open everywhere, and runs AO on the buffers of `crevice render`, which must be that command's own.
 # usage: install_test.sh BUILD_DIRECTORY CXX_COMPILER
 set -eu
 here=$(CDPATH= cd -- "$(dirname -- "$0")" && pwd)
@@ -27,3 +27,8 @@ OBJ
 # A picture of one grey deflates to less.
 test "$(wc -c < "$scratch/corner.png")" -gt 4000
 ! "$scratch/build/occlusion_of_obj" "$scratch/nothing.obj" "$scratch/nothing.png"
+crevice=$1/crevice
+[ -x "$crevice" ] || exit 0  # built without the command
+"$crevice" render columns --size 160x90 --out "$scratch/frame" >/dev/null
+"$scratch/build/ao_of_buffers" "$scratch/frame/normal.npy" "$scratch/frame/view_depth.npy" 60 "$scratch/ao_raw.npy"
+"$crevice" compare "$scratch/ao_raw.npy" "$scratch/frame/ao_raw.npy" >/dev/null
