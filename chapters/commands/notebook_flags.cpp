@@ -1,7 +1,11 @@
 #include "chapters/commands/notebook_flags.h"
 
+#include "chapters/frame/frame_settings.h"
 #include "chapters/terminal/parse.h"
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/no_such.h"
+#include "scenes/builtin_scenes.h"
+#include "ssao/ao_methods.h"
 
 namespace crevice {
 
@@ -28,6 +32,25 @@ BookLanguage language_of(const std::string& word) {
     throw UsageError("--lang: not a language of the book (" + word + "); give en, zh or both");
 }
 
+// A scene that the chapters can make; nothing: each its own.
+std::string scene_of(const std::string& word) {
+    if (word.empty() || find_builtin_scene(word) != nullptr) return word;
+    std::vector<std::string> known;
+    for (const BuiltinScene& scene : builtin_scenes()) known.push_back(scene.name);
+    throw no_such("--scene", "built-in scene", word, known);
+}
+
+// Refused where no method has such a parameter; a chapter whose methods do not have it says so itself.
+void require_known_parameter(const std::string& word) {
+    const std::string name = word.substr(0, word.find('='));
+    for (const Method& method : ao_methods()) {
+        for (const Parameter<FrameSettings>& parameter : frame_parameters(method))
+            if (parameter.name == name) return;
+    }
+    throw UsageError("--param: no method has such a parameter (" + word +
+                     "); write NAME=VALUE, with a name that crevice params METHOD lists");
+}
+
 }  // namespace
 
 NotebookOptions notebook_options_of(const NotebookWords& words) {
@@ -35,7 +58,8 @@ NotebookOptions notebook_options_of(const NotebookWords& words) {
     options.out = words.out;
     if (words.size) options.size = parse_size("--size", *words.size);
     options.seed = static_cast<std::uint32_t>(parse_whole("--seed", words.seed, 0, 0xffffffffLL));
-    options.scene = words.scene;
+    options.scene = scene_of(words.scene);
+    for (const std::string& word : words.parameters) require_known_parameter(word);
     options.words = words.parameters;
     options.cell = words.cell;
     options.language = language_of(words.language);

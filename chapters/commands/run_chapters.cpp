@@ -53,8 +53,9 @@ void tell_what_is_untranslated(const Notebook& book) {
 }
 
 // Runs the chapter's function to its end. Its mistakes are failed checks of its own; a reader's wish to leave passes
-// through, and so does a disk that is full.
-void run_to_end(const Chapter& chapter, Notebook& book) {
+// through, and so does a disk that is full and, where the reader `tries` a parameter, the refusal of that. Returns whether
+// it came to its end.
+bool run_to_end(const Chapter& chapter, Notebook& book, bool tries) {
     const std::string claim = "chapter " + chapter.name() + " runs to its end";
     try {
         chapter.run(book);
@@ -62,20 +63,26 @@ void run_to_end(const Chapter& chapter, Notebook& book) {
         const bool empty = std::all_of(book.cells().begin(), book.cells().end(),
                                        [](const NotebookCell& cell) { return cell.outputs.empty(); });
         if (empty) book.fail("chapter " + chapter.name() + " writes something", "");
+        return true;
     } catch (const OutputError&) {
         throw;
     } catch (const std::exception& error) {
+        if (tries && dynamic_cast<const UsageError*>(&error) != nullptr) throw;
         book.fail(claim, error.what());
+        return false;
     }
 }
 
 // Returns the number of failed checks. A reader who steps through may set a parameter: then everything up to the cell
-// where that happened runs again in silence. Of one cell alone, and of a chapter that was left, there is no page.
+// where that happened runs again in silence, and once more without it where a method refuses it. Of one cell alone, and
+// of a chapter that was left, there is no page.
 int run_chapter(const Chapter& chapter, NotebookOptions options, std::span<const Chapter* const> running) {
+    const std::size_t given = options.words.size();
     for (;;) {
         Notebook book(options, chapter.source());
+        bool ended = false, left = false;
         try {
-            run_to_end(chapter, book);
+            ended = run_to_end(chapter, book, options.words.size() > given);
             if (options.cell.empty()) write_page(chapter, book, running);
             if (options.language == BookLanguage::zh) tell_what_is_untranslated(book);
         } catch (const LeaveChapter& wish) {
@@ -84,13 +91,19 @@ int run_chapter(const Chapter& chapter, NotebookOptions options, std::span<const
                 options.silent_until = wish.cell;
                 continue;
             }
+            left = true;
+        } catch (const UsageError& refusal) {
+            if (options.words.size() == given) throw;
+            std::cout << "  " << refusal.what() << "; taken back\n";
+            options.words.pop_back();
+            continue;
         }
-        if (options.cell.empty())
+        if (!left && options.cell.empty())
             std::cout << chapter.name() << ": " << book.checks() - book.failed_checks() << " of "
                       << book.checks() << " checks hold\n";
-        // What a chapter claims, it claims of its own scenes and parameters.
+        // What a chapter claims, it claims of its own scenes and parameters; that it runs, of all.
         const bool changed = !options.words.empty() || !options.scene.empty();
-        return changed ? 0 : book.failed_checks();
+        return changed && (ended || left) ? 0 : book.failed_checks();
     }
 }
 
@@ -117,9 +130,10 @@ int run_chapters(std::span<const Chapter* const> chapters, const NotebookOptions
         failed_checks += failed_here;
     }
     if (!failed.empty()) std::cout << "failed:" << failed << "\n";
-    if (options.cell.empty()) {
+    const std::vector<BookEntry> entries = book_entries({}, options);
+    if (options.cell.empty() && !entries.empty()) {
         const std::filesystem::path page = options.out / "index.html";
-        write_file_atomically(page, book_index(book_entries({}, options), options.language));
+        write_file_atomically(page, book_index(entries, options.language));
         std::cout << page.string() << std::endl;
     }
     return static_cast<int>(failed_checks > 0 ? ExitCode::check_failed : ExitCode::done);

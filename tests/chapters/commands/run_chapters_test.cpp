@@ -5,17 +5,16 @@
 
 #include <doctest/doctest.h>
 
+#include "chapters/commands/notebook_flags.h"
 #include "rasterizer/base/error.h"
 #include "tests/tools/bytes_in.h"
+#include "tests/tools/crevice_says.h"
+#include "tests/tools/error_message.h"
 #include "tests/tools/scratch_directory.h"
 
 using namespace crevice;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 NotebookOptions options_in(const ScratchDirectory& scratch) {
     NotebookOptions options;
@@ -105,6 +104,39 @@ TEST_CASE("chapters: of one cell alone there is no page; a changed parameter doe
     CHECK(code == 1);
     CHECK(!std::filesystem::exists(elsewhere / "97_failing.html"));
     CHECK(!std::filesystem::exists(elsewhere / "index.html"));
+}
+
+TEST_CASE("chapters: one that breaks off has failed, with a changed parameter, too") {
+    const ScratchDirectory scratch;
+    NotebookOptions options = options_in(scratch);
+    const Chapter* const throwing_alone[] = {&kThrowing};
+    options.words = {"radius=2"};
+    int code = -1;
+    printed([&] { code = run_chapters(throwing_alone, options); });
+    CHECK(code == 1);
+}
+
+TEST_CASE("chapters: a scene or a parameter that no chapter can know is a mistake of usage") {
+    NotebookWords words;
+    words.scene = "column";
+    CHECK(contains(message_of<UsageError>([&] { notebook_options_of(words); }), "did you mean columns?"));
+    words.scene = "cornell";
+    words.parameters = {"radius=0.4", "thickness=1", "fade_start=3"};
+    CHECK(notebook_options_of(words).words.size() == 3);
+    words.parameters.push_back("nonsense=1");
+    CHECK(contains(message_of<UsageError>([&] { notebook_options_of(words); }), "(nonsense=1)"));
+}
+
+TEST_CASE("chapters: stepping through, a parameter that is refused is taken back, and the reader goes on") {
+    const ScratchDirectory scratch;
+    const Outcome outcome =
+        crevice_says("chapter 07 --size 64x36 --step --lang en --out '" + scratch.path().string() + "'; }",
+                     "{ printf '\\nset nonsense=1\\nset epsilon=0\\n\\nq\\n' | ");
+    CAPTURE(outcome.text);
+    CHECK(outcome.code == 0);
+    CHECK(contains(outcome.text, "(nonsense); give one of"));
+    CHECK(contains(outcome.text, "; taken back\n"));
+    CHECK(!contains(outcome.text, "runs to its end"));
 }
 
 TEST_CASE("chapters: chosen by number, topic or name; an unknown one lists what there is") {
