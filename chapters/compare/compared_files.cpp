@@ -187,8 +187,8 @@ std::set<std::string> paired_names(const std::vector<std::string>& in_a, const s
         return name != npy && holds(in_a, npy) && holds(in_b, npy);
     });
     if (left_out > 0)
-        warnings << "note: " << left_out
-                 << " pictures are not compared: both directories have a .npy of the same name\n";
+        warnings << "note: " << left_out << (left_out == 1 ? " picture is" : " pictures are")
+                 << " not compared: both directories have a .npy of the same name\n";
     return names;
 }
 

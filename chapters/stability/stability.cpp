@@ -11,6 +11,7 @@
 #include "chapters/stability/stability_page.h"
 #include "chapters/terminal/exit_code.h"
 #include "chapters/terminal/output_directory.h"
+#include "chapters/terminal/parse.h"
 #include "chapters/terminal/progress.h"
 #include "rasterizer/base/no_such.h"
 #include "rasterizer/base/write_file.h"
@@ -73,7 +74,9 @@ int stability(const StabilityOptions& options, std::ostream& out) {
     const std::vector<StiffCase> stiff = chosen_of(stiff_cases(options.quick), options.only_case);
     const std::vector<RoundingCase> judged = chosen_of(rounding_cases(options.quick), options.only_case);
     if (stiff.empty() && judged.empty()) refuse_case(options);
-    const Method* const only = options.only_method.empty() ? nullptr : &find_method(options.only_method);
+    const Method* const only = options.only_method.empty() ? nullptr : named_as({{"method", "--ao"}}, [&] {
+        return &find_method(options.only_method);
+    });
     try_output_directory(options.out);
     std::vector<StabilityCell> cells;
     std::vector<CaseRounding> rounding;

@@ -126,7 +126,7 @@ TEST_CASE("compared files: of directories a picture is left out where both have 
     write_npy(scratch / "a" / "lit.npy", Image<float>({3, 3}, 1.0f));
     std::ostringstream warnings;
     const auto entries = compared_entries(scratch / "a", scratch / "b", warnings);
-    CHECK(contains(warnings.str(), "1 pictures are not compared"));
+    CHECK(contains(warnings.str(), "1 picture is not compared"));
     REQUIRE(entries.size() == 3);
     CHECK(entries[0].title() == "ao.npy");
     CHECK(entries[1].title() == "lit.npy");
