@@ -14,6 +14,7 @@ namespace {
 constexpr double kWidth = 760, kHeight = 400;  // of the picture, SVG units
 constexpr double kLeft = 70, kRight = 190, kTop = 40, kBottom = 55;
 constexpr double kLabelWidth = 110;                 // room that the name of a dashed line may need, SVG units
+constexpr double kCharacterWidth = 6.5;             // of such a name, on the average and with room, SVG units
 constexpr double kSpanMargin = 12, kSpanLine = 30;  // of the bars of ratios, in the lower left corner
 constexpr std::string_view kDashes = " stroke-dasharray=\"4 4\"";  // of lines that are no curves
 constexpr double kCap = 4;                                         // half the height of such a bar's ends
@@ -113,14 +114,19 @@ std::string drawn_curve(const PlotCurve& curve, const Axes& axes, std::string_vi
                  (curve.style == PlotStyle::dots ? "" : drawn_line(curve, axes, colour)) + marks);
 }
 
+// Where an upright line is too near to the right end for its name to stand on that side.
+bool name_at_the_left(const PlotLine& line, const Axes& axes) {
+    return axes.x.at(line.at) > axes.x.to - kLabelWidth;
+}
+
 // An upright line with its name at its top.
 std::string upright_line(const PlotLine& line, double top, const Axes& axes) {
     const double x = axes.x.at(line.at);
-    const bool at_the_right = x > axes.x.to - kLabelWidth;
+    const bool at_the_left = name_at_the_left(line, axes);
     return group("class=\"upright\"",
                  svg_polyline({{x, axes.y.from}, {x, axes.y.to}}, kSvgSoft, kDashes) +
-                     svg_text({at_the_right ? x - 4 : x + 4, top}, line.label,
-                              at_the_right ? TextAnchor::end : TextAnchor::start, kSvgSoft));
+                     svg_text({at_the_left ? x - 4 : x + 4, top}, line.label,
+                              at_the_left ? TextAnchor::end : TextAnchor::start, kSvgSoft));
 }
 
 // A level line with its name at its right end.
@@ -131,18 +137,20 @@ std::string level_line(const PlotLine& line, const Axes& axes) {
                      svg_text({axes.x.to - 4, y - 4}, line.label, TextAnchor::end, kSvgSoft));
 }
 
-// Lines that were asked for; the names of upright ones one lower than the other where they are close.
+// Lines that were asked for; the names of upright ones one lower than the other where they would overlap.
 std::string drawn_lines(const Plot& plot, const Axes& axes) {
     std::string svg;
-    double last = -INFINITY, top = kTop + 14;
+    double taken_to = -INFINITY, top = kTop + 14;
     for (const PlotLine& line : plot.lines) {
         if (line.level) {
             svg += level_line(line, axes);
             continue;
         }
-        const double x = axes.x.at(line.at);
-        top = x - last < 60 ? top + 16 : kTop + 14;
-        last = x;
+        const double x = axes.x.at(line.at), width = kCharacterWidth * static_cast<double>(line.label.size());
+        const double from = name_at_the_left(line, axes) ? x - width : x;
+        const bool is_lower = from < taken_to;
+        top = is_lower ? top + 16 : kTop + 14;
+        taken_to = std::max(is_lower ? taken_to : -INFINITY, from + width);
         svg += upright_line(line, top, axes);
     }
     return svg;

@@ -132,6 +132,18 @@ async function checkPage(browser, file, width, scheme) {
   await context.close();
 }
 
+// Who opens the book for the first time reads it in the language of the browser.
+async function checkFirstLanguage(browser, file) {
+  for (const [locale, language] of [["zh-CN", "zh"], ["en-GB", "en"], ["fr-FR", "en"]]) {
+    const context = await browser.newContext({ locale });
+    const page = await context.newPage();
+    await page.goto("file://" + path.resolve(file));
+    const shown = await page.evaluate(() => document.documentElement.lang);
+    expect(path.basename(file), `a browser in ${locale} begins with ${language}`, shown === language, shown);
+    await context.close();
+  }
+}
+
 async function main() {
   const pages = fs.readdirSync(out).filter((file) => file.endsWith(".html")).sort();
   if (screenshots !== undefined) fs.mkdirSync(screenshots, { recursive: true });
@@ -141,6 +153,7 @@ async function main() {
       for (const scheme of ["light", "dark"]) await checkPage(browser, path.join(out, page), width, scheme);
     process.stdout.write(`${page}\n`);
   }
+  await checkFirstLanguage(browser, path.join(out, "index.html"));
   await browser.close();
   for (const failure of failures) console.log(failure);
   console.log(`${pages.length} pages, ${failures.length} failures`);

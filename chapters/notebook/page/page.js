@@ -9,17 +9,28 @@ function setLanguage(language) {
   root.dataset.lang = root.lang = language;
   for (const button of document.querySelectorAll("[data-set-lang]"))
     button.setAttribute("aria-pressed", String(button.dataset.setLang === language));
-  try { localStorage.setItem("crevice-language", language); } catch { /* some browsers keep nothing for files */ }
+}
+
+// What the reader has chosen on some page, else the browser's language, else the page's own.
+function firstLanguage() {
+  let chosen = null;
+  try { chosen = localStorage.getItem("crevice-language"); } catch { /* some browsers keep nothing for files */ }
+  const own = document.documentElement.dataset.lang;
+  return [chosen, navigator.language.slice(0, 2), own].find((language) => ["en", "zh"].includes(language));
+}
+
+function chooseLanguage(language) {
+  setLanguage(language);
+  try { localStorage.setItem("crevice-language", language); } catch { /* as above */ }
 }
 
 function setUpLanguages() {
   const buttons = document.querySelectorAll("[data-set-lang]");
   if (buttons.length === 0) return;
-  let language = document.documentElement.dataset.lang;
-  try { language = localStorage.getItem("crevice-language") || language; } catch { /* as above */ }
   const asked = new URLSearchParams(location.search).get("lang");
-  setLanguage(asked === "zh" || asked === "en" ? asked : language);
-  for (const button of buttons) button.addEventListener("click", () => setLanguage(button.dataset.setLang));
+  if (asked === "en" || asked === "zh") chooseLanguage(asked);
+  else setLanguage(firstLanguage());
+  for (const button of buttons) button.addEventListener("click", () => chooseLanguage(button.dataset.setLang));
 }
 
 // ---- mathematics and code ----------------------------------------------------------------------------------------
@@ -29,7 +40,22 @@ function setMathematics() {
   for (const element of document.querySelectorAll("x-equation")) {
     const displayMode = element.getAttribute("type") === "display";
     katex.render(element.textContent, element, { displayMode, throwOnError: true });
+    if (!displayMode) keepPunctuation(element);
   }
+}
+
+// A formula in a line is a block to the browser, which would begin the next line with the comma behind it. One of several
+// blocks may be longer than a line, and stays.
+function keepPunctuation(formula) {
+  const next = formula.nextSibling;
+  if (next === null || next.nodeType !== Node.TEXT_NODE || formula.querySelectorAll(".base").length !== 1) return;
+  const [marks] = /^[.,;:!?)\]\u3001\u3002\uff01\uff09\uff0c\uff1a\uff1b\uff1f]*/.exec(next.data);
+  if (marks === "") return;
+  next.data = next.data.slice(marks.length);
+  const whole = document.createElement("span");
+  whole.className = "unbroken";
+  formula.replaceWith(whole);
+  whole.append(formula, marks);
 }
 
 function colourCode() {
