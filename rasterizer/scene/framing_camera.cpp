@@ -28,10 +28,12 @@ double radius_of(const Bounds& bounds) {
 
 glm::dvec3 centre_of(const Bounds& bounds) { return 0.5 * bounds.low + 0.5 * bounds.high; }
 
-// Near and far around a sphere whose centre lies at view depth `depth`; all of them in front of the eye, wherever that is.
+// Near and far around a sphere whose centre lies at view depth `depth`; all of them in front of the eye, wherever that is,
+// and no closer to each other than floats can tell them apart, however far away the sphere is.
 void set_planes(Camera& camera, double depth, double radius) {
     camera.far_plane = std::max(depth, 0.0) + 2 * radius;
-    camera.near_plane = std::max(depth - kMargin * radius, camera.far_plane / kPlanesRatio);
+    camera.near_plane =
+        std::clamp(depth - kMargin * radius, camera.far_plane / kPlanesRatio, camera.far_plane / 2);
 }
 
 Camera camera_from(const Bounds& bounds, const glm::dvec3& direction) {

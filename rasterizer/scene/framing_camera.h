@@ -15,7 +15,7 @@ Camera framing_camera(const Bounds& bounds);
 
 // `camera` with near and far as close around the sphere of `bounds` as its eye and target allow: for an eye that was put
 // somewhere else. Where the eye stands within the sphere, near is a kPlanesRatio-th of far, the ratio of the
-// tutorials' planes. Empty bounds leave the camera as it is.
+// tutorials' planes; from far away it is half of far. Empty bounds leave the camera as it is.
 inline constexpr double kPlanesRatio = 1000;
 Camera with_planes_around(const Camera& camera, const Bounds& bounds);
 

@@ -89,7 +89,7 @@ TEST_CASE("with_planes_around: wherever the eye stands, what lies in front of it
     bounds.high = {4, 2, 1};
     const glm::dvec3 centre = 0.5 * (bounds.low + bounds.high);
     const double radius = 0.5 * glm::length(bounds.high - bounds.low);
-    for (const double distance : {0.1, 1.0, 5.0, 50.0, 1e6}) {
+    for (const double distance : {0.1, 1.0, 5.0, 50.0, 1e6, 1e12}) {
         for (const double aside : {-2.0, 0.0, 0.5}) {  // -2: most of the box lies behind
             Camera camera;
             camera.eye = centre + distance * radius * glm::normalize(glm::dvec3(1, 2, -3));
@@ -105,7 +105,8 @@ TEST_CASE("with_planes_around: wherever the eye stands, what lies in front of it
             CHECK(fitted.near_plane <= std::fmax(depth - radius, fitted.far_plane / kPlanesRatio));
             // No further than they must be.
             CHECK(fitted.far_plane <= 1.001 * (std::fmax(depth, 0) + 2 * radius));
-            CHECK(fitted.near_plane >= depth - 1.2 * radius);
+            CHECK(fitted.near_plane >= std::fmin(depth - 1.2 * radius, 0.499 * fitted.far_plane));
+            CHECK(static_cast<float>(fitted.near_plane) < static_cast<float>(fitted.far_plane));
         }
     }
     CHECK(with_planes_around(Camera{}, Bounds{}) == Camera{});
