@@ -37,11 +37,12 @@ build() {
     cd "$start"
 }
 
-# The word after --out among the arguments, else "out".
+# The word after --out or --out= among the arguments, else "out".
 out_of() {
     out=out previous=
     for word in "$@"; do
         [ "$previous" != --out ] || out=$word
+        case $word in --out=*) out=${word#--out=} ;; esac
         previous=$word
     done
     printf '%s\n' "$out"

@@ -20,7 +20,7 @@ float radius_of(const std::string& word) {
 }  // namespace
 
 void add_ray_flags(CommandLine& command, RayWords& words, const char* default_radius) {
-    command.option("--rays", words.rays, "rays a point, 1..1048576");
+    command.option("--rays", words.rays, "rays a point, 1..1048576 (truth: rounded up to a multiple of 8)");
     command.option("--radius", words.radius,
                    std::string("how far an occluder may be, scene units or inf; default: ") + default_radius);
     command.option("--weight", words.weight, "how directions are spread: cosine or uniform");
