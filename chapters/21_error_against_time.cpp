@@ -115,11 +115,8 @@ book.number("rays", std::to_string(r.soft.rays));
 book.number("t", at_worst(r.soft.image.mean));
 book.number("d", at_worst(xjun.parts.total.difference));
 std::vector<std::vector<std::string>> steps_of_pixel;
-double sum_of_steps = 0;
-for (const ErrorPart& part : xjun.parts.parts) {
+for (const ErrorPart& part : xjun.parts.parts)
     steps_of_pixel.push_back({part.step, at_worst(part.difference)});
-    sum_of_steps += static_cast<double>(part.difference.at(worst.x, worst.y));
-}
 book.table({"step", "changes the pixel by"}, steps_of_pixel,
            "Pixel ({x}, {y}), where the frame is furthest from the truth: T is {t} there, and the steps "
            "add up to {d}.");

@@ -161,8 +161,9 @@ DecodedImage loaded_with(const Load& load, const std::string& bytes, const std::
     const StbPixels<Code> pixels(load(encoded(bytes), length(bytes), &info.size.width, &info.size.height,
                                       &info.channels, STBI_rgb_alpha));
     if (!pixels) fail_damaged(name, stbi_failure_reason());
-    const std::size_t count = static_cast<std::size_t>(info.size.width) * info.size.height;
-    for (std::size_t i = 0; damaged_alpha && i < count; ++i) {
+    const auto width = static_cast<std::size_t>(info.size.width),
+               height = static_cast<std::size_t>(info.size.height);
+    for (std::size_t i = 0; damaged_alpha && i < width * height; ++i) {
         if (pixels.get()[4 * i + 3] == *damaged_alpha)
             fail_damaged(name, "PNG, a pixel whose colour the palette lacks");
     }

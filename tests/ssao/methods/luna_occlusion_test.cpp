@@ -214,7 +214,7 @@ TEST_CASE("settings out of their range are refused by name") {
         change(settings);
         CHECK_THROWS_WITH_AS(validate(settings), doctest::Contains(name), UsageError);
         const AoInputs inputs = plain_inputs({2, 2}, 5);
-        CHECK_THROWS_WITH_AS(luna_occlusion(inputs, settings, {}).ao, doctest::Contains(name), UsageError);
+        CHECK_THROWS_WITH_AS(luna_occlusion(inputs, settings, {}), doctest::Contains(name), UsageError);
     };
     for (const int samples : {0, -1, 15}) refused("samples: ", [=](LunaSettings& s) { s.samples = samples; });
     for (const float bad : {-0.1f, kNan, kInfinity, -kInfinity}) {
