@@ -16,7 +16,8 @@ using glm::dvec3;
 constexpr dvec3 kUp = {0, 1, 0};
 // How much smaller than the circle a polygon may be, in radii. No answer below changes faster than in
 // proportion to a relative change of the radius.
-const double kPolygonError = 1 - kInnerCircle;
+// A function, for kInnerCircle may come about later than a constant here.
+double polygon_error() { return 1 - kInnerCircle; }
 
 double square(double a) { return a * a; }
 double cube(double a) { return a * a * a; }
@@ -29,7 +30,8 @@ std::string named(const char* name, double value) {
 
 ClosedForm coaxial_disc() {
     const double a = 1;
-    ClosedForm form{"coaxial disc of radius 1", scene_of_shapes({disc(a, 2)}), kInfinity, kPolygonError, {}};
+    ClosedForm form{
+        "coaxial disc of radius 1", scene_of_shapes({disc(a, 2)}), kInfinity, polygon_error(), {}};
     for (const double h : {0.25, 1.0, 2.0})
         form.points.push_back(
             {named("h", h), point_at({0, 2 - h, 0}, kUp), h * h / (a * a + h * h), h / std::hypot(a, h)});
@@ -52,7 +54,7 @@ ClosedForm pit() {
     ClosedForm form{"pit of radius 1 and depth 1.5",
                     scene_of_shapes({tube(a, -d), disc(a, -d)}),
                     kInfinity,
-                    2 * kPolygonError,
+                    2 * polygon_error(),
                     {}};
     form.points.push_back({"centre of the floor", point_at({0, -d, 0}, kUp), a * a / (a * a + d * d),
                            1 - d / std::hypot(a, d)});
