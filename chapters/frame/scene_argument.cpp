@@ -50,7 +50,8 @@ std::optional<std::string> warning_of_smallness(const std::string& path, const B
     const double extent = std::max({size.x, size.y, size.z});
     if (!(extent > 0) || extent >= kSmallestExtent) return std::nullopt;
     return path + ": the model is too small for the range of float (its largest extent is " +
-           significant_text(extent, 3) + ", less than 3e-29); normals and occlusion may be lost, scale it up";
+           significant_text(extent, 3) + ", less than " + significant_text(kSmallestExtent, 1) +
+           "); normals and occlusion may be lost, scale it up";
 }
 
 void require_fit(const Scene& scene, const std::string& name, const Method& method) {

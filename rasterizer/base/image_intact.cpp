@@ -4,17 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "rasterizer/base/png_layout.h"
+
 namespace crevice {
 namespace {
 
 std::uint32_t byte_at(std::string_view bytes, std::size_t at) {
     return static_cast<unsigned char>(bytes[at]);
-}
-
-std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < 4; ++i) value = value << 8 | byte_at(bytes, at + i);
-    return value;
 }
 
 // The remainders of all bytes for the CRC of ISO 3309, which PNG uses (PNG specification, annex D).
@@ -35,22 +31,17 @@ std::uint32_t crc_of(std::string_view bytes) {
     return ~crc;
 }
 
-constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1a\n";
-
-// Around the content of a chunk stand its length, its kind and its check sum.
-constexpr std::size_t kAroundChunk = 12;
-
 std::string damage_in_png(std::string_view bytes) {
     std::size_t at = kPngSignature.size();
-    while (bytes.size() - at >= kAroundChunk) {
+    while (bytes.size() - at >= kAroundChunkContent) {
         const std::size_t length = big_endian(bytes, at);
-        if (length > bytes.size() - at - kAroundChunk) break;
+        if (length > bytes.size() - at - kAroundChunkContent) break;
         const std::string_view kind = bytes.substr(at + 4, 4);
         if (crc_of(bytes.substr(at + 4, length + 4)) != big_endian(bytes, at + 8 + length)) {
             return "PNG, wrong check sum at byte " + std::to_string(at);
         }
         if (kind == "IEND") return {};
-        at += length + kAroundChunk;
+        at += length + kAroundChunkContent;
     }
     return "PNG, cut short";
 }
@@ -136,14 +127,14 @@ std::string damage_in_image(std::string_view bytes) {
 
 std::size_t png_end_chunk(std::string_view bytes) {
     std::size_t at = kPngSignature.size();
-    while (bytes.substr(at + 4, 4) != "IEND") at += big_endian(bytes, at) + kAroundChunk;
+    while (bytes.substr(at + 4, 4) != "IEND") at += big_endian(bytes, at) + kAroundChunkContent;
     return at;
 }
 
 std::size_t png_pixel_bytes(std::string_view bytes) {
     const std::size_t end = png_end_chunk(bytes);
     std::size_t sum = 0;
-    for (std::size_t at = kPngSignature.size(); at < end; at += big_endian(bytes, at) + kAroundChunk) {
+    for (std::size_t at = kPngSignature.size(); at < end; at += big_endian(bytes, at) + kAroundChunkContent) {
         if (bytes.substr(at + 4, 4) == "IDAT") sum += big_endian(bytes, at);
     }
     return sum;

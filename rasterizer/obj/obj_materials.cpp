@@ -102,7 +102,7 @@ std::string text_of(glm::vec3 k) {
     return shortest_text(k.x) + " " + shortest_text(k.y) + " " + shortest_text(k.z);
 }
 
-// "If a material name is not specified, a white material is used" (Wavefront's appendix B1, usemtl).
+// What `usemtl` without a name means (Wavefront's OBJ specification, usemtl).
 Material unnamed_material() {
     Material white{.name = "white", .specular = glm::vec3(0), .shininess = 1, .texture = nullptr};
     white.diffuse = white.ambient = glm::vec3(1);

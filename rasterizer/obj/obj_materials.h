@@ -30,10 +30,10 @@ struct MaterialFiles {
 
 // Kd, Ka and Ks are taken as linear light as they stand (above 1 darkened to 1), Ns as the shininess; without
 // Ka it is Kd, without Ks 0, and a material without Kd is 0.8 grey, or shows its map_Kd as it is, and says
-// so. `usemtl` without a name means white. Textures: material_textures.h. Everything is drawn opaque but for cut-outs. MTL and texture files must
-// lie in the directory of the OBJ or below it, also after following links, unless files.outside. A material,
-// MTL or texture that is missing, refused or damaged gives a warning and the default in its place (a
-// material: 0.8 grey; a texture: none). Only what faces use is read.
+// so. `usemtl` without a name means white. Textures: material_textures.h. Everything is drawn opaque but for
+// cut-outs. MTL and texture files must lie in the directory of the OBJ or below it, also after following links,
+// unless files.outside. A material, MTL or texture that is missing, refused or damaged gives a warning and the
+// default in its place (a material: 0.8 grey; a texture: none). Only what faces use is read.
 ObjMaterials load_obj_materials(const std::filesystem::path& obj_path,
                                 std::span<const MaterialLibrary> libraries,
                                 std::span<const ObjMaterialUse> used, const MaterialFiles& files);

@@ -14,6 +14,7 @@
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/file_bytes.h"
 #include "rasterizer/base/image_intact.h"
+#include "rasterizer/base/png_layout.h"
 #include "rasterizer/lanes/approx_math.h"
 #include "rasterizer/textures/image_kind.h"
 #include "rasterizer/textures/png_chunks.h"

@@ -5,24 +5,16 @@
 #include <cstddef>
 
 #include "rasterizer/base/image_intact.h"
+#include "rasterizer/base/png_layout.h"
 
 namespace crevice {
 namespace {
-
-// Around the content of a chunk stand its length and kind, and behind it its check sum.
-constexpr std::size_t kBeforeContent = 8, kBehindContent = 4;
-
-std::uint32_t number_at(std::string_view bytes, std::size_t at) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
-    return value;
-}
 
 // The check sum is left at zero: stb_image does not look at it.
 std::string chunk_of(std::string_view kind, std::string_view content) {
     std::string chunk("\0\0\0\0", 4);
     for (std::size_t i = 0; i < 4; ++i) chunk[i] = static_cast<char>(content.size() >> (24 - 8 * i) & 255u);
-    return chunk.append(kind).append(content).append(kBehindContent, '\0');
+    return chunk.append(kind).append(content).append(kBehindChunkContent, '\0');
 }
 
 // Where the chunk around `content` begins in the PNG, and where it ends.
@@ -31,7 +23,7 @@ struct Extent {
 };
 Extent extent_of(std::string_view content, std::string_view png) {
     const auto at = static_cast<std::size_t>(content.data() - png.data());
-    return {at - kBeforeContent, at + content.size() + kBehindContent};
+    return {at - kBeforeChunkContent, at + content.size() + kBehindChunkContent};
 }
 
 std::uint8_t unused_alpha(std::string_view alphas) {
@@ -43,12 +35,12 @@ std::uint8_t unused_alpha(std::string_view alphas) {
 }  // namespace
 
 std::optional<std::string_view> png_chunk_content(std::string_view png, std::string_view kind) {
-    for (std::size_t at = kPngSignature.size(); at + kBeforeContent + kBehindContent <= png.size();) {
+    for (std::size_t at = kPngSignature.size(); at + kAroundChunkContent <= png.size();) {
         const std::string_view found = png.substr(at + 4, 4);
-        const std::size_t length = number_at(png, at);
-        if (found == "IDAT" || length > png.size() - at - kBeforeContent - kBehindContent) break;
-        if (found == kind) return png.substr(at + kBeforeContent, length);
-        at += kBeforeContent + length + kBehindContent;
+        const std::size_t length = big_endian(png, at);
+        if (found == "IDAT" || length > png.size() - at - kAroundChunkContent) break;
+        if (found == kind) return png.substr(at + kBeforeChunkContent, length);
+        at += kAroundChunkContent + length;
     }
     return std::nullopt;
 }
@@ -62,7 +54,7 @@ std::optional<float> png_gamma(std::string_view bytes) {
         return std::nullopt;
     const std::optional<std::string_view> chunk = png_chunk_content(bytes, "gAMA");
     if (!chunk || chunk->size() != 4) return std::nullopt;
-    const std::uint32_t gamma = number_at(*chunk, 0);
+    const std::uint32_t gamma = big_endian(*chunk, 0);
     const bool is_srgb = gamma + kSameAsSrgb >= kSrgb && gamma <= kSrgb + kSameAsSrgb;
     if (is_srgb || gamma < kLeast || gamma > kMost) return std::nullopt;
     return static_cast<float>(gamma) / static_cast<float>(kOne);

@@ -8,8 +8,6 @@
 
 namespace crevice {
 
-inline constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1a\n";
-
 // The content of the first chunk of this kind before the pixels; nothing where there is none. Of a PNG that is
 // whole (image_intact.h).
 std::optional<std::string_view> png_chunk_content(std::string_view png, std::string_view kind);
