@@ -23,9 +23,6 @@ class HiddenTriangles {
 
     explicit HiddenTriangles(PixelRect tile) : tile_(tile) {}
 
-    // Whether the next triangle counted makes it read: all before it must have been drawn.
-    bool reads_next() const { return drawn_ + 1 >= next_reading_; }
-
     // Reads the ranges when enough triangles have been drawn since.
     template <class F>
     CREVICE_INLINE void count_triangle(const Image<std::int32_t>& codes) {

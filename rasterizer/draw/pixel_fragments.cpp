@@ -31,9 +31,7 @@ struct Pixel {
         }
         return true;
     }
-    std::int64_t at_centre(const Edge& edge) const {
-        return edge.at_origin + edge.per_column * x + edge.per_row * y;
-    }
+    std::int64_t at_centre(const Edge& edge) const { return edge.at(x, y); }
 };
 
 // Which triangle of its mesh it is: the first that has these three vertices, in this order or turned over.

@@ -25,7 +25,7 @@ enum class FragmentVerdict {
 };
 
 // A triangle, or a piece that clipping left of one, whose snapped outline reaches into the pixel's square. Those that hold
-// no pixel's centre in their bounding box are not set up, and not among them.
+// no pixel's centre in their bounding box, or are tiny and cover none, are not set up, and not among them.
 struct PixelFragment {
     ScreenTriangle triangle;
     std::int32_t number = kNoTriangle;  // ScreenGeometry::triangle(); none for what faces away

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "rasterizer/draw/tiny_triangles.h"
 #include "rasterizer/draw/triangle_setup.h"
 #include "rasterizer/lanes/wide.h"
 
@@ -24,6 +25,7 @@ struct SnappedTriangles {
     I x0, y0, x1, y1;  // ScreenTriangle::bounds
     Mask<F> back_facing;
     Mask<F> drawn;  // has area, may cover a pixel centre, is not culled
+    I covered;      // ScreenTriangle::covered
 
     CREVICE_INLINE SnappedTriangles(const SnappedCorner<F>& a, const SnappedCorner<F>& b,
                                     const SnappedCorner<F>& c, Mask<F> wanted, bool cull_back_faces)
@@ -39,6 +41,25 @@ struct SnappedTriangles {
           back_facing(area < D(0)),
           drawn(wanted & (area != D(0)) & (x0 < x1) & (y0 < y1)) {
         if (cull_back_faces) drawn = drawn & !back_facing;
+        find_covered(a, b, c);
+    }
+
+ private:
+    CREVICE_INLINE void find_covered(const SnappedCorner<F>& a, const SnappedCorner<F>& b,
+                                     const SnappedCorner<F>& c) {
+        const I side(kTinyTriangle_px), width = x1 - x0, height = y1 - y0, zero(0);
+        const Mask<F> tiny = drawn & (width <= side) & (height <= side);
+        covered = zero;
+        if (!any(tiny)) return;
+        const auto corner = [&](I x, I y) __attribute__((always_inline)) {
+            const I steps(kSubpixelSteps), half(kSubpixelSteps / 2);
+            return TinyCorner<F>{select(tiny, x - (x0 * steps + half), zero),
+                                 select(tiny, y - (y0 * steps + half), zero)};
+        };
+        covered = tiny_coverage<F>(
+            corner(a.x, a.y), corner(select(back_facing, c.x, b.x), select(back_facing, c.y, b.y)),
+            corner(select(back_facing, b.x, c.x), select(back_facing, b.y, c.y)), width, height, tiny);
+        drawn = drawn & ((covered != zero) | !tiny);
     }
 };
 
@@ -186,6 +207,7 @@ class SetUpTriangles {
                         select(s.snapped.back_facing, Int<F>(kBackFacing), zero) |
                         select(s.shows_back, Int<F>(kShowsBack), zero) |
                         select(s.small, Int<F>(kSmall), zero));
+        put(covered_, s.snapped.covered);
         put(z_per_x_, s.z.per_x);
         put(z_per_y_, s.z.per_y);
     }
@@ -220,6 +242,7 @@ class SetUpTriangles {
         t.back_facing = (flags_[l] & kBackFacing) != 0;
         t.shows_back = (flags_[l] & kShowsBack) != 0;
         t.small = (flags_[l] & kSmall) != 0;
+        t.covered = static_cast<std::uint16_t>(covered_[l]);
     }
 
  private:
@@ -236,7 +259,7 @@ class SetUpTriangles {
     std::array<Stored<std::int32_t>, 4> bounds_;
     std::array<Stored<float>, 3> z_, inverse_w_;
     Stored<float> z_per_e1_, z_per_e2_, z_low_, z_high_, area_;
-    Stored<std::int32_t> flags_;
+    Stored<std::int32_t> flags_, covered_;
     Stored<double> z_per_x_, z_per_y_;
 };
 

@@ -39,7 +39,6 @@ struct TileRaster {
 
     CREVICE_INLINE void draw_all(int number_of_tile, const Run& run) {
         HiddenTriangles hidden(tile);
-        TinyTriangles<F> tiny;
         const ScreenGeometry& geometry = drawing.geometry;
         for (std::size_t b = 0; b < geometry.blocks.size(); ++b) {
             const TriangleBlock& block = geometry.blocks[b];
@@ -51,29 +50,22 @@ struct TileRaster {
                 if (reached.empty()) continue;
                 const std::int32_t number = geometry.number_of(b, indices[i]);
                 if (run.leaves_out(Skip::hidden_triangles)) {
-                    // So that what is left out is the same at every lane count.
-                    if (hidden.reads_next()) draw(tiny);
                     if (is_hidden(hidden, t, number, reached)) continue;
                 }
-                if (!kAsksHoles && TinyTriangles<F>::has(t, tile)) {
-                    tiny.add(t, number);
-                    if (tiny.full()) draw(tiny);
-                    continue;
-                }
-                draw(tiny);
-                if (t.small) {
+                if (!kAsksHoles && t.covered != 0 && reached == t.bounds) {
+                    draw_tiny(t, number);
+                } else if (t.small) {
                     draw<Int<F>>(block, t, number, reached);
                 } else {
                     draw<Double<F>>(block, t, number, reached);
                 }
             }
         }
-        draw(tiny);
     }
 
     // A triangle that comes so many places later in a tile's list is asked for already: they lie far apart in memory.
     static constexpr std::size_t kExpected = 4;
-    static void expect(const ScreenTriangle& t) {
+    CREVICE_INLINE static void expect(const ScreenTriangle& t) {
         const char* const first = reinterpret_cast<const char*>(&t);
         __builtin_prefetch(first);
         __builtin_prefetch(first + sizeof t - 1);
@@ -90,19 +82,18 @@ struct TileRaster {
         return true;
     }
 
-    CREVICE_INLINE void draw(TinyTriangles<F>& tiny) {
-        tiny.take(
-            drawing.format, [this](std::int32_t number, int x, int y, std::int32_t code)
-                                __attribute__((always_inline)) {
-                                    const std::int32_t stored = drawing.tested.at(x, y);
-                                    const bool passes = depth_passes<float>(drawing.test, code, stored);
-                                    if (drawing.depth != nullptr) {
-                                        if (code == stored) note_tie({x, y, x + 1, y + 1});
-                                        if (passes) drawing.depth->at(x, y) = code;
-                                    }
-                                    if (drawing.triangle != nullptr && passes)
-                                        drawing.triangle->at(x, y) = number;
-                                });
+    CREVICE_INLINE void draw_tiny(const ScreenTriangle& t, std::int32_t number) {
+        tiny_fragments(
+            t, [&](int x, int y, float z_ndc) __attribute__((always_inline)) {
+                const std::int32_t code = depth_code(drawing.format, z_ndc, t.depth_bias),
+                                   stored = drawing.tested.at(x, y);
+                const bool passes = depth_passes<float>(drawing.test, code, stored);
+                if (drawing.depth != nullptr) {
+                    if (code == stored) note_tie({x, y, x + 1, y + 1});
+                    if (passes) drawing.depth->at(x, y) = code;
+                }
+                if (drawing.triangle != nullptr && passes) drawing.triangle->at(x, y) = number;
+            });
     }
 
     // E is the type of the edge values: Int<F> for small triangles, Double<F> for the others.

@@ -1,121 +1,70 @@
-// Triangles of a few pixels, as many at a time as there are lanes: one lane a triangle. Drawn one by one, most of the
-// lanes of a group of pixels lie beside them, and most of the time goes to setting up their edges.
+// Triangles of a few pixels. Drawn group by group, most lanes of a group would lie beside them, and most of the time
+// would go to setting up their edges. So the set-up, which has a triangle in every lane, finds the pixels that they cover:
+// those that cover none go no further (of a finely tessellated mesh a third), of the others the raster takes pixel by pixel.
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <bit>
-#include <cstdint>
 
 #include "rasterizer/draw/lane_edge.h"
 
 namespace crevice {
 
-// Waits for as many triangles as there are lanes, then finds all their fragments. Their order stays that of submission.
+// One corner of each triangle, clockwise with the others, from the first pixel centre of its bounds, in 1/256 pixel.
 template <class F>
-class TinyTriangles {
- public:
-    static constexpr int kSide_px = 4;
-
-    // Whether it is one, and lies in the tile as a whole.
-    static bool has(const ScreenTriangle& t, PixelRect tile) {
-        const PixelRect& b = t.bounds;
-        return b.x1 - b.x0 <= kSide_px && b.y1 - b.y0 <= kSide_px && b.x0 >= tile.x0 && b.y0 >= tile.y0 &&
-               b.x1 <= tile.x1 && b.y1 <= tile.y1;
-    }
-
-    // Must not be called when full().
-    void add(const ScreenTriangle& t, std::int32_t number) {
-        const auto lane = static_cast<std::size_t>(count_++);
-        for (std::size_t i = 0; i < 3; ++i) {
-            x_[i][lane] = t.x[i];
-            y_[i][lane] = t.y[i];
-        }
-        z0_[lane] = t.z0;
-        z_per_e1_[lane] = t.z_per_e1;
-        z_per_e2_[lane] = t.z_per_e2;
-        left_[lane] = t.bounds.x0;
-        top_[lane] = t.bounds.y0;
-        number_[lane] = number;
-        depth_bias_[lane] = t.depth_bias;
-        columns_ = std::max(columns_, t.bounds.x1 - t.bounds.x0);
-        rows_ = std::max(rows_, t.bounds.y1 - t.bounds.y0);
-    }
-    bool full() const { return count_ == kLanes<F>; }
-
-    // Calls fragment(number, x, y, code) for every pixel that one of the triangles covers, triangle by triangle, and
-    // forgets them. Depths get their codes one by one: fewer pixels are covered than looked at.
-    template <class Fragment>
-    CREVICE_INLINE void take(DepthFormat format, const Fragment& fragment) {
-        if (count_ == 0) return;
-        alignas(64) float z_ndc[kSide_px * kSide_px][kLanes<F>];
-        alignas(64) std::int32_t covered[kLanes<F>];
-        cover(z_ndc, covered);
-        for (int lane = 0; lane < count_; ++lane) {
-            const auto at = static_cast<std::size_t>(lane);
-            for (auto left = static_cast<std::uint32_t>(covered[lane]); left != 0; left &= left - 1) {
-                const int pixel = std::countr_zero(left);
-                fragment(number_[at], left_[at] + pixel % kSide_px, top_[at] + pixel / kSide_px,
-                         depth_code(format, z_ndc[pixel][lane], depth_bias_[at]));
-            }
-        }
-        count_ = columns_ = rows_ = 0;
-    }
-
- private:
-    using I = Int<F>;
-    template <class T>
-    using Lane = std::array<T, kLanes<F>>;
-
-    // An edge of each triangle, less its threshold, at the centre of the first pixel.
-    struct Edges {
-        I here, per_column, per_row, threshold;
-    };
-    CREVICE_INLINE Edges edges(std::size_t from, std::size_t to, I centre_x, I centre_y) const {
-        const I x = load<F>(x_[from].data()), y = load<F>(y_[from].data());
-        const I dx = load<F>(x_[to].data()) - x, dy = load<F>(y_[to].data()) - y, zero(0), one(1);
-        const I threshold = select(((dy == zero) & (dx > zero)) | (dy < zero), zero, one);
-        const I steps(kSubpixelSteps);
-        return {dx * (centre_y - y) - dy * (centre_x - x) - threshold, (zero - dy) * steps, dx * steps,
-                threshold};
-    }
-
-    // Of each triangle: bit y * kSide_px + x where it covers that pixel of its bounds, and the depths there.
-    CREVICE_INLINE void cover(float (&z_ndc)[kSide_px * kSide_px][kLanes<F>],
-                              std::int32_t (&covered)[kLanes<F>]) const {
-        const I half(kSubpixelSteps / 2), steps(kSubpixelSteps);
-        const I centre_x = load<F>(left_.data()) * steps + half,
-                centre_y = load<F>(top_.data()) * steps + half;
-        Edges a = edges(1, 2, centre_x, centre_y), b = edges(2, 0, centre_x, centre_y),
-              c = edges(0, 1, centre_x, centre_y);
-        const struct {
-            F z0, z_per_e1, z_per_e2;
-        } plane = {load<F>(z0_.data()), load<F>(z_per_e1_.data()), load<F>(z_per_e2_.data())};
-        I bits(0);
-        for (int y = 0; y < rows_; ++y) {
-            I e0 = a.here, e1 = b.here, e2 = c.here;
-            for (int x = 0; x < columns_; ++x) {
-                const Mask<F> inside = none_negative<F>(e0, e1, e2);
-                const int pixel = y * kSide_px + x;
-                bits = bits | select(inside, I(1 << pixel), I(0));
-                store(z_ndc[pixel],
-                      z_ndc_at<F>(plane, F(to_float(e1 + b.threshold)), F(to_float(e2 + c.threshold))));
-                e0 = e0 + a.per_column;
-                e1 = e1 + b.per_column;
-                e2 = e2 + c.per_column;
-            }
-            a.here = a.here + a.per_row;
-            b.here = b.here + b.per_row;
-            c.here = c.here + c.per_row;
-        }
-        store(covered, bits);
-    }
-
-    std::array<Lane<std::int32_t>, 3> x_{}, y_{};
-    Lane<float> z0_{}, z_per_e1_{}, z_per_e2_{};
-    Lane<std::int32_t> left_{}, top_{}, number_{};
-    Lane<double> depth_bias_{};
-    int count_ = 0, columns_ = 0, rows_ = 0;  // of the largest
+struct TinyCorner {
+    Int<F> x, y;
 };
+
+// ScreenTriangle::covered of triangles that are `tiny`, of these widths and heights of bounds in pixels. What the corners
+// of others hold must not overflow when multiplied.
+template <class F>
+CREVICE_INLINE Int<F> tiny_coverage(const TinyCorner<F>& a, const TinyCorner<F>& b, const TinyCorner<F>& c,
+                                    Int<F> width, Int<F> height, Mask<F> tiny) {
+    using I = Int<F>;
+    // An edge at the first centre, less its threshold, and how it changes from pixel to pixel.
+    struct TinyEdge {
+        I here, per_column, per_row;
+        CREVICE_INLINE TinyEdge(const TinyCorner<F>& from, const TinyCorner<F>& to)
+            : here(from.x * to.y - from.y * to.x),
+              per_column((from.y - to.y) * I(kSubpixelSteps)),
+              per_row((to.x - from.x) * I(kSubpixelSteps)) {
+            const I zero(0);
+            const Mask<F> top = (per_column == zero) & (per_row > zero), left = per_column > zero;
+            here = here - select(top | left, zero, I(1));
+        }
+    };
+    TinyEdge of_a(b, c), of_b(c, a), of_c(a, b);
+    I covered(0);
+    for (int y = 0; y < kTinyTriangle_px; ++y) {
+        const Mask<F> in_row = tiny & (I(y) < height);
+        if (!any(in_row)) break;
+        I e0 = of_a.here, e1 = of_b.here, e2 = of_c.here;
+        for (int x = 0; x < kTinyTriangle_px; ++x) {
+            const Mask<F> in_bounds = in_row & (I(x) < width);
+            if (!any(in_bounds)) break;
+            const Mask<F> inside = in_bounds & none_negative<F>(e0, e1, e2);
+            covered = covered | select(inside, I(1 << (y * kTinyTriangle_px + x)), I(0));
+            e0 = e0 + of_a.per_column;
+            e1 = e1 + of_b.per_column;
+            e2 = e2 + of_c.per_column;
+        }
+        of_a.here = of_a.here + of_a.per_row;
+        of_b.here = of_b.here + of_b.per_row;
+        of_c.here = of_c.here + of_c.per_row;
+    }
+    return covered;
+}
+
+// Calls fragment(x, y, z_ndc) for every pixel that a tiny triangle covers.
+template <class Fragment>
+CREVICE_INLINE void tiny_fragments(const ScreenTriangle& t, const Fragment& fragment) {
+    const Edge edge1 = triangle_edge(t, 1), edge2 = triangle_edge(t, 2);
+    for (std::uint32_t left = t.covered; left != 0; left &= left - 1) {
+        const int pixel = std::countr_zero(left);
+        const int x = t.bounds.x0 + pixel % kTinyTriangle_px, y = t.bounds.y0 + pixel / kTinyTriangle_px;
+        fragment(x, y,
+                 z_ndc_at<float>(t, static_cast<float>(edge1.at(x, y)), static_cast<float>(edge2.at(x, y))));
+    }
+}
 
 }  // namespace crevice

@@ -41,10 +41,14 @@ struct ScreenTriangle {
     // sliver over. Where back faces are culled, what is drawn shows its front.
     bool shows_back;
     bool small;  // at most kSmallTriangle_px wide and high
+    // Of a tiny triangle, whose bounds are at most kTinyTriangle_px wide and high: bit y * kTinyTriangle_px + x where it
+    // covers that pixel of its bounds. Else 0.
+    std::uint16_t covered;
 };
 
 // Products of two extents of a triangle this small, in 1/256 pixel, fit 32 bits.
 inline constexpr int kSmallTriangle_px = 64;
+inline constexpr int kTinyTriangle_px = 4;
 
 // Barycentric coordinates of the corners of a piece, with respect to the triangle that was clipped.
 struct ClippedCorners {
@@ -87,7 +91,7 @@ struct SetUpTriangle {
     std::array<std::uint8_t, 3> order;
 };
 
-// Nothing when the triangle has no area, covers no pixel centre of its bounding box, or is culled. Material,
+// Nothing when the triangle has no area, is culled, is tiny and covers no pixel's centre, or has none in its bounding box. Material,
 // instance, vertex and clipped are left to the caller.
 std::optional<SetUpTriangle> set_up_triangle(const std::array<const ProjectedVertex*, 3>& corners,
                                              const SetupSettings& settings);
@@ -101,6 +105,8 @@ double depth_bias(const SetupSettings& settings, float z0, float z1, float z2, d
 struct Edge {
     std::int64_t at_origin, per_column, per_row;
     std::int32_t threshold;  // 0 for top and left edges, else 1
+
+    std::int64_t at(int x, int y) const { return at_origin + per_column * x + per_row * y; }
 };
 inline Edge triangle_edge(const ScreenTriangle& t, int i) {
     const auto from = static_cast<std::size_t>((i + 1) % 3), to = static_cast<std::size_t>((i + 2) % 3);

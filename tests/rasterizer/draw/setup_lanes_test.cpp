@@ -34,6 +34,7 @@ std::string unlike_member(const ScreenTriangle& a, const ScreenTriangle& b) {
     if (!(a.bounds == b.bounds)) return "bounds";
     if (a.clipped != b.clipped || a.instance != b.instance || a.material != b.material) return "origin";
     if (a.back_facing != b.back_facing || a.shows_back != b.shows_back || a.small != b.small) return "flags";
+    if (a.covered != b.covered) return "covered pixels";
     return "";
 }
 

@@ -1,8 +1,9 @@
-// Triangles of a few pixels: drawn one a lane they leave what they leave when they are drawn one after the other, as
-// they are where somebody asks for holes.
+// Triangles of a few pixels: the set-up knows which they cover, and drawn pixel by pixel they leave what they leave when
+// they are drawn group by group, as they are where somebody asks for holes.
+#include "rasterizer/draw/tiny_triangles.h"
+
 #include <doctest/doctest.h>
 
-#include "rasterizer/draw/tiny_triangles.h"
 #include "tests/tools/clip_space_scene.h"
 #include "tests/tools/random_sequence.h"
 
@@ -31,7 +32,7 @@ ClipSpaceScene gravel(RandomSequence& random, Size size, int count) {
     return scene;
 }
 
-// Cuts nothing out, so that no triangle counts as tiny.
+// Cuts nothing out, so that no triangle is drawn as a tiny one.
 void no_hole(const FragmentGroup&) {}
 
 // How many are left out as hidden, of two layers of 32 triangles and an incomplete one behind.
@@ -46,7 +47,7 @@ int hidden_of_layers(Size size, const Run& run) {
         scene.add_triangle(corner(0, 0), corner(4, 0), corner(0, 4));
         scene.add_triangle(corner(4, 0), corner(4, 4), corner(0, 4));
     };
-    // The first reading of depths comes with the 64th triangle, in the middle of a group of lanes.
+    // The first reading of depths comes with the 64th triangle.
     for (int i = 0; i < 15; ++i) add_square(i, 0.75);
     for (int i = 0; i < 16; ++i) add_square(i, 0.25);
     for (int i = 0; i < 16; ++i) add_square(i, 0.5);
@@ -105,18 +106,67 @@ TEST_CASE("tiny triangles: what lies behind them is left out at every lane count
     });
 }
 
-TEST_CASE("tiny triangles: only those that lie in the tile as a whole, with a bias or without") {
-    ScreenTriangle t{};
-    t.bounds = {10, 20, 14, 24};
-    const PixelRect tile = {8, 16, 16, 24};
-    CHECK(TinyTriangles<float>::has(t, tile));
-    CHECK_FALSE(TinyTriangles<float>::has(t, {8, 16, 13, 24}));
-    CHECK_FALSE(TinyTriangles<float>::has(t, {11, 16, 16, 24}));
-    CHECK_FALSE(TinyTriangles<float>::has(t, {8, 21, 16, 24}));
-    CHECK_FALSE(TinyTriangles<float>::has(t, {8, 16, 16, 23}));
-    t.bounds.x1 = 15;
-    CHECK_FALSE(TinyTriangles<float>::has(t, tile));
-    t.bounds.x1 = 14;
-    t.depth_bias = 1e-9;
-    CHECK(TinyTriangles<float>::has(t, tile));
+TEST_CASE("tiny triangles: the set-up knows the covered pixels, and drops those that cover none") {
+    int covering = 0, dropped = 0, larger = 0;
+    for (std::uint64_t seed = 0; seed < 20000; ++seed) {
+        RandomSequence random(seed);
+        // On a coarse grid in one of two, so that centres lie on edges and corners.
+        const int step = random.whole(0, 1) == 0 ? 1 : kSubpixelSteps / 4,
+                  reach = random.whole(1, 5) * kSubpixelSteps;
+        const std::int32_t left = random.whole(-4000, 4000) * step, top = random.whole(-4000, 4000) * step;
+        std::array<ProjectedVertex, 3> corners{};
+        for (ProjectedVertex& v : corners) {
+            v.x = left + random.whole(0, reach / step) * step;
+            v.y = top + random.whole(0, reach / step) * step;
+            v.inverse_w = 1;
+        }
+        // Twice the area of the triangle of corners a and b and a point, positive inside where a, b, c are clockwise.
+        const auto side = [&](std::size_t a, std::size_t b, std::int64_t x, std::int64_t y) {
+            return std::int64_t{corners[b].x - corners[a].x} * (y - corners[a].y) -
+                   std::int64_t{corners[b].y - corners[a].y} * (x - corners[a].x);
+        };
+        if (side(0, 1, corners[2].x, corners[2].y) < 0) std::swap(corners[1], corners[2]);
+        const std::int64_t area = side(0, 1, corners[2].x, corners[2].y);
+        const auto covers = [&](int px, int py) {
+            for (std::size_t a = 0; a < 3; ++a) {
+                const std::size_t b = (a + 1) % 3;
+                const std::int64_t e = side(a, b, px * kSubpixelSteps + kSubpixelSteps / 2,
+                                            py * kSubpixelSteps + kSubpixelSteps / 2);
+                const bool owns = corners[b].y < corners[a].y ||
+                                  (corners[b].y == corners[a].y && corners[b].x > corners[a].x);
+                if (e < 0 || (e == 0 && !owns)) return false;
+            }
+            return area > 0;
+        };
+        CAPTURE(seed);
+        const auto set_up = set_up_triangle({&corners[0], &corners[1], &corners[2]}, {});
+        int expected = 0, actual = 0;
+        for (int y = top / kSubpixelSteps - 1; y < top / kSubpixelSteps + 8; ++y) {
+            for (int x = left / kSubpixelSteps - 1; x < left / kSubpixelSteps + 8; ++x)
+                expected += covers(x, y);
+        }
+        if (!set_up) {
+            REQUIRE(expected == 0);
+            ++dropped;
+            continue;
+        }
+        const ScreenTriangle& t = set_up->triangle;
+        const bool tiny =
+            t.bounds.x1 - t.bounds.x0 <= kTinyTriangle_px && t.bounds.y1 - t.bounds.y0 <= kTinyTriangle_px;
+        if (!tiny) {
+            REQUIRE(t.covered == 0);
+            ++larger;
+            continue;
+        }
+        tiny_fragments(t, [&](int x, int y, float) {
+            REQUIRE(covers(x, y));
+            ++actual;
+        });
+        REQUIRE(expected > 0);
+        REQUIRE(actual == expected);
+        ++covering;
+    }
+    CHECK(covering > 5000);
+    CHECK(dropped > 2000);
+    CHECK(larger > 500);
 }
