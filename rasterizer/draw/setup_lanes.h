@@ -25,7 +25,6 @@ struct SnappedTriangles {
     I x0, y0, x1, y1;  // ScreenTriangle::bounds
     Mask<F> back_facing;
     Mask<F> drawn;  // has area, may cover a pixel centre, is not culled
-    I covered;      // ScreenTriangle::covered
 
     CREVICE_INLINE SnappedTriangles(const SnappedCorner<F>& a, const SnappedCorner<F>& b,
                                     const SnappedCorner<F>& c, Mask<F> wanted, bool cull_back_faces)
@@ -41,25 +40,24 @@ struct SnappedTriangles {
           back_facing(area < D(0)),
           drawn(wanted & (area != D(0)) & (x0 < x1) & (y0 < y1)) {
         if (cull_back_faces) drawn = drawn & !back_facing;
-        find_covered(a, b, c);
     }
 
- private:
-    CREVICE_INLINE void find_covered(const SnappedCorner<F>& a, const SnappedCorner<F>& b,
+    // ScreenTriangle::covered. Tiny triangles that cover nothing are not drawn. The corners are those given before.
+    CREVICE_INLINE I drop_uncovering(const SnappedCorner<F>& a, const SnappedCorner<F>& b,
                                      const SnappedCorner<F>& c) {
         const I side(kTinyTriangle_px), width = x1 - x0, height = y1 - y0, zero(0);
         const Mask<F> tiny = drawn & (width <= side) & (height <= side);
-        covered = zero;
-        if (!any(tiny)) return;
-        const auto corner = [&](I x, I y) __attribute__((always_inline)) {
-            const I steps(kSubpixelSteps), half(kSubpixelSteps / 2);
-            return TinyCorner<F>{select(tiny, x - (x0 * steps + half), zero),
-                                 select(tiny, y - (y0 * steps + half), zero)};
+        if (!any(tiny)) return zero;
+        const I steps(kSubpixelSteps), half(kSubpixelSteps / 2), centre_x = x0 * steps + half,
+                                                                 centre_y = y0 * steps + half;
+        const auto from_centre = [&](I x, I y) __attribute__((always_inline)) {
+            return TinyCorner<F>{select(tiny, x - centre_x, zero), select(tiny, y - centre_y, zero)};
         };
-        covered = tiny_coverage<F>(
-            corner(a.x, a.y), corner(select(back_facing, c.x, b.x), select(back_facing, c.y, b.y)),
-            corner(select(back_facing, b.x, c.x), select(back_facing, b.y, c.y)), width, height, tiny);
+        const I covered = tiny_coverage<F>(
+            from_centre(a.x, a.y), from_centre(select(back_facing, c.x, b.x), select(back_facing, c.y, b.y)),
+            from_centre(select(back_facing, b.x, c.x), select(back_facing, b.y, c.y)), width, height, tiny);
         drawn = drawn & ((covered != zero) | !tiny);
+        return covered;
     }
 };
 
@@ -207,7 +205,6 @@ class SetUpTriangles {
                         select(s.snapped.back_facing, Int<F>(kBackFacing), zero) |
                         select(s.shows_back, Int<F>(kShowsBack), zero) |
                         select(s.small, Int<F>(kSmall), zero));
-        put(covered_, s.snapped.covered);
         put(z_per_x_, s.z.per_x);
         put(z_per_y_, s.z.per_y);
     }
@@ -222,7 +219,7 @@ class SetUpTriangles {
     }
 
     // Written in place, member by member: a processor waits when it copies what it has just written in smaller parts.
-    // Whole; material, instance and vertex are left to the caller.
+    // Whole; material, instance, vertex and covered are left to the caller.
     CREVICE_INLINE void write(int lane, const SetupSettings& settings, ScreenTriangle& t) const {
         const auto l = static_cast<std::size_t>(lane);
         for (std::size_t i = 0; i < 3; ++i) {
@@ -242,7 +239,6 @@ class SetUpTriangles {
         t.back_facing = (flags_[l] & kBackFacing) != 0;
         t.shows_back = (flags_[l] & kShowsBack) != 0;
         t.small = (flags_[l] & kSmall) != 0;
-        t.covered = static_cast<std::uint16_t>(covered_[l]);
     }
 
  private:
@@ -259,7 +255,7 @@ class SetUpTriangles {
     std::array<Stored<std::int32_t>, 4> bounds_;
     std::array<Stored<float>, 3> z_, inverse_w_;
     Stored<float> z_per_e1_, z_per_e2_, z_low_, z_high_, area_;
-    Stored<std::int32_t> flags_, covered_;
+    Stored<std::int32_t> flags_;
     Stored<double> z_per_x_, z_per_y_;
 };
 

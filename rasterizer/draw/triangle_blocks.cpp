@@ -55,7 +55,7 @@ class BlockBuilder {
     // Triangles that may be drawn and are whole, until there are as many as lanes.
     template <class F>
     struct Survivors {
-        std::int32_t vertex[3][kLanes<F>] = {};
+        std::int32_t vertex[3][kLanes<F>] = {}, covered[kLanes<F>] = {};
         int count = 0;
     };
 
@@ -88,14 +88,16 @@ class BlockBuilder {
             }
         }
         const Mask<F> clipped = wanted & has(somewhere, kNeedsClipping);
-        const SnappedTriangles<F> snapped(snapped_corner<F>(vertex[0]), snapped_corner<F>(vertex[1]),
-                                          snapped_corner<F>(vertex[2]), wanted & !clipped,
-                                          setup_.cull_back_faces);
+        const SnappedCorner<F> a = snapped_corner<F>(vertex[0]), b = snapped_corner<F>(vertex[1]),
+                               c = snapped_corner<F>(vertex[2]);
+        SnappedTriangles<F> snapped(a, b, c, wanted & !clipped, setup_.cull_back_faces);
+        const I covered = snapped.drop_uncovering(a, b, c);
         std::uint32_t some = lane_bits(snapped.drawn | clipped);
         if (some == 0) return;
         const std::uint32_t needs_clipping = lane_bits(clipped);
-        std::int32_t index[3][kLanes<F>];
+        std::int32_t index[3][kLanes<F>], covered_of[kLanes<F>];
         for (std::size_t i = 0; i < 3; ++i) store(index[i], vertex[i]);
+        store(covered_of, covered);
         for (; some != 0; some &= some - 1) {
             const int lane = std::countr_zero(some);
             if ((needs_clipping >> lane & 1) != 0) {
@@ -106,6 +108,7 @@ class BlockBuilder {
                 continue;
             }
             for (int i = 0; i < 3; ++i) survivors.vertex[i][survivors.count] = index[i][lane];
+            survivors.covered[survivors.count] = covered_of[lane];
             if (++survivors.count == kLanes<F>) set_up(source, survivors);
         }
     }
@@ -130,6 +133,7 @@ class BlockBuilder {
         for (int lane = 0; lane < count; ++lane) {
             ScreenTriangle& t = block_.triangles.add();
             set_up.write(lane, setup_, t);
+            t.covered = static_cast<std::uint16_t>(survivors.covered[lane]);
             const std::array<std::uint8_t, 3> order = set_up.order(lane);
             for (std::size_t i = 0; i < 3; ++i)
                 t.vertex[i] = static_cast<std::uint32_t>(survivors.vertex[order[i]][lane]);

@@ -34,11 +34,15 @@ std::optional<SetUpTriangle> set_up_triangle(const std::array<const ProjectedVer
         return LaneCorner<float>{v.x, v.y, v.x_rest, v.y_rest, v.z_ndc, v.inverse_w, static_cast<int>(i)};
     };
     const LaneCorner<float> given[3] = {corner(0), corner(1), corner(2)};
-    const SetupLanes<float> lanes(given, true, settings.cull_back_faces);
-    if (!lanes.snapped.drawn) return std::nullopt;
-    const SetUpTriangles<float> set_up(lanes);
+    const auto snapped_corner = [&](int i) { return SnappedCorner<float>{given[i].x, given[i].y}; };
+    const SnappedCorner<float> a = snapped_corner(0), b = snapped_corner(1), c = snapped_corner(2);
+    SnappedTriangles<float> snapped(a, b, c, true, settings.cull_back_faces);
+    const std::int32_t covered = snapped.drop_uncovering(a, b, c);
+    if (!snapped.drawn) return std::nullopt;
+    const SetUpTriangles<float> set_up(SetupLanes<float>(given, true, settings.cull_back_faces));
     SetUpTriangle result;
     set_up.write(0, settings, result.triangle);
+    result.triangle.covered = static_cast<std::uint16_t>(covered);
     result.order = set_up.order(0);
     return result;
 }
