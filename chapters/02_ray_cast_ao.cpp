@@ -151,8 +151,7 @@ const int fan_rays = 16;
 const RayScene sphere = ray_scene(sphere_on_plane_scene(), glm::dvec3(0));
 const RayFan fan = ray_fan(sphere, {-1.2, 0}, random_angles(fan_rays, book.seed()), 2,
                            sphere_outline(), "Rays from a point beside a sphere");
-book.number("n", std::to_string(fan_rays));
-book.number("h", std::to_string(fan.blocked));
+book.numbers({{"n", fan_rays}, {"h", fan.blocked}});
 book.number("open_share", 1 - static_cast<double>(fan.blocked) / fan_rays, 3);
 book.draw("fan", fan.svg,
           "N = {n} random rays of length 2 from a point p beside a sphere. h = {h} of them meet it "
@@ -198,10 +197,8 @@ book.listing("ssao/bakes/vertex_ao.cpp", "means_of_triangles",
 // %% cost
 const std::vector<SurfacePoint> centroids = triangle_centroids(rays);
 const OctreeCount asked = ask_the_octree(rays, centroids);
-book.number("rays_cast", std::to_string(tutorial.rays_cast));
-book.number("triangles", std::to_string(centroids.size()));
-book.number("boxes", significant_text(asked.boxes, 3));
-book.number("tested", significant_text(asked.triangles, 3));
+book.numbers({{"rays_cast", tutorial.rays_cast}, {"triangles", centroids.size()}, {"boxes", significant_text(asked.boxes, 3)},
+              {"tested", significant_text(asked.triangles, 3)}});
 book.check(
     "The octree gives every ray the same answer as the tree that this book uses, a bounding volume "
     "hierarchy. A ray is tested against {boxes} boxes and {tested} of the {triangles} triangles.",
@@ -236,8 +233,7 @@ book.plot("error",
            {by_random, by_sobol}},
           "RMS error against 4,096 rays, over every 64th triangle of the head. Random rays follow "
           "a straight line.");
-book.number("random_slope", slope_of(by_random), 3);
-book.number("sobol_slope", slope_of(by_sobol), 3);
+book.numbers(3, {{"random_slope", slope_of(by_random)}, {"sobol_slope", slope_of(by_sobol)}});
 book.check(
     "Four times the random rays halve the error: on these axes their line has the slope "
     "{random_slope}, and $1/\\sqrt N$ has -0.5.",
@@ -263,8 +259,7 @@ book.plot("sphere_on_plane", by_sphere.plot,
           "low, where uniform rays count it more.");
 book.plot("long_wall", by_wall.plot,
           "At the distance 4 the rays just reach the wall: from there on nothing is in the way.");
-book.number("off_sphere", significant_text(by_sphere.worst, 2));
-book.number("off_wall", significant_text(by_wall.worst, 2));
+book.numbers({{"off_sphere", significant_text(by_sphere.worst, 2)}, {"off_wall", significant_text(by_wall.worst, 2)}});
 book.check("With 4,096 rays the estimates are off by {off_sphere} and {off_wall} at most.",
            by_sphere.worst < 0.01 && by_wall.worst < 0.01);
 
@@ -292,8 +287,7 @@ book.compare(
     {"no_limit", ao_picture(shown), "Hits count at any distance, as in Luna."},
     {"limit", ao_picture(near_only),
      "Only within half a unit: sockets and contacts stay, the wide shade on the floor goes."});
-book.number("mean_far", buffer_statistics(shown).mean, 3);
-book.number("mean_near", buffer_statistics(near_only).mean, 3);
+book.numbers(3, {{"mean_far", buffer_statistics(shown).mean}, {"mean_near", buffer_statistics(near_only).mean}});
 book.check("The limit only opens: the mean goes from {mean_far} to {mean_near}.",
            buffer_statistics(near_only).mean > buffer_statistics(shown).mean);
 

@@ -101,21 +101,12 @@ const Texel at = followed_texel(shown.inputs.size());
 const Explanation texel = view.explanation(shown, at.x, at.y);
 const double radius = static_cast<double>(shown.settings.radius);
 const std::size_t blocked = strongest(texel), free = farthest_behind(texel);
-book.number("x", std::to_string(at.x));
-book.number("y", std::to_string(at.y));
-book.number("p", text(texel.p_view));
-book.number("n", text(texel.n_view));
-book.number("q", text(texel.samples[blocked].q_view));
-book.number("r", text(texel.samples[blocked].r_view));
-book.number("r_z", text(texel.samples[blocked].r_view.z));
-book.number("q_z", text(texel.samples[blocked].q_view.z));
-book.number("dz", text(texel.samples[blocked].dz));
-book.number("dp", text(texel.samples[blocked].dp));
-book.number("occlusion", text(texel.samples[blocked].weight));
-book.number("taken", text(texel.samples[blocked].contribution));
-book.number("behind", text(-texel.samples[free].dz));
-book.number("blocked", std::to_string(blocked + 1));
-book.number("free", std::to_string(free + 1));
+book.numbers({{"x", at.x}, {"y", at.y}, {"p", text(texel.p_view)}, {"n", text(texel.n_view)},
+              {"q", text(texel.samples[blocked].q_view)}, {"r", text(texel.samples[blocked].r_view)},
+              {"r_z", text(texel.samples[blocked].r_view.z)}, {"q_z", text(texel.samples[blocked].q_view.z)},
+              {"dz", text(texel.samples[blocked].dz)}, {"dp", text(texel.samples[blocked].dp)},
+              {"occlusion", text(texel.samples[blocked].weight)}, {"taken", text(texel.samples[blocked].contribution)},
+              {"behind", text(-texel.samples[free].dz)}, {"blocked", blocked + 1}, {"free", free + 1}});
 book.number("sky", static_cast<double>(kBackgroundOverFar * view.camera().far_plane), 0);
 book.draw("occluded_sample",
           sample_diagram(shown.inputs, at.x, at.y, texel, blocked, radius, "One sample that is occluded"),
@@ -237,10 +228,8 @@ for (const ExplainedSample& sample : texel.samples) {
                     text(sample.contribution), sample.verdict});
 }
 book.table({"no.", "q (x, y, z)", "z of r", "dz", "dp", "occlusion", "takes", "because"}, rows);
-book.number("sum", text(sum));
-book.number("mean", text(sum / kCubeVectors));
-book.number("access", text(1 - sum / kCubeVectors));
-book.number("ao", text(shown.raw.at(at.x, at.y)));
+book.numbers({{"sum", text(sum)}, {"mean", text(sum / kCubeVectors)}, {"access", text(1 - sum / kCubeVectors)},
+              {"ao", text(shown.raw.at(at.x, at.y))}});
 book.check("All fourteen together take {sum}, on average {mean}. One minus that, {access}, raised to the power 4 for "
            "contrast, is {ao}: exactly the value of the texel in the AO map.",
            texel.value_of_sum(sum) == shown.raw.at(at.x, at.y));
@@ -306,9 +295,7 @@ for (const auto& [value, caption] : {std::pair{"0", "Epsilon 0: shade at the foo
     epsilon_means.push_back(mean_over_surfaces(ao.raw, ao.inputs));
 }
 book.show_row(by_epsilon);
-book.number("epsilon_0", epsilon_means[0], 4);
-book.number("epsilon_1", epsilon_means[1], 4);
-book.number("epsilon_2", epsilon_means[2], 4);
+book.numbers(4, {{"epsilon_0", epsilon_means[0]}, {"epsilon_1", epsilon_means[1]}, {"epsilon_2", epsilon_means[2]}});
 book.check("A larger epsilon only ever opens: the mean over the surfaces, without the sky that the figures under the "
            "pictures include, goes from {epsilon_0} to {epsilon_1} to {epsilon_2}.",
            epsilon_means[0] < epsilon_means[1] && epsilon_means[1] < epsilon_means[2]);
@@ -330,9 +317,7 @@ for (const auto& [value, caption] : {std::pair{"1", "Fade end 1, Luna's: shade w
     fade_means.push_back(mean_over_surfaces(ao.raw, ao.inputs));
 }
 book.show_row(by_fade);
-book.number("fade_0", fade_means[0], 4);
-book.number("fade_1", fade_means[1], 4);
-book.number("fade_2", fade_means[2], 4);
+book.numbers(4, {{"fade_0", fade_means[0]}, {"fade_1", fade_means[1]}, {"fade_2", fade_means[2]}});
 book.check("A wider range only ever closes: the mean over the surfaces goes from {fade_0} to {fade_1} to {fade_2}.",
            fade_means[0] > fade_means[1] && fade_means[1] > fade_means[2]);
 

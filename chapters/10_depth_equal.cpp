@@ -201,8 +201,7 @@ book.show_row({{"less_equal", looser.picture(), "LESS_EQUAL alone: a column in t
                {"bias", biased.picture(), "LESS_EQUAL with a bias of 256 steps: closed."},
                {"large_bias", too_far.picture(), "With 65536 steps what is behind shines through: at the ridge of the roof, in the frames of door and windows."}});
 book.table({"cure", "holes", "wrong surface", "reach at z = 10, units"}, rows);
-book.number("holes_left", percent_text(looser.shares.holes));
-book.number("hidden_seen", percent_text(too_far.shares.wrong));
+book.numbers({{"holes_left", percent_text(looser.shares.holes)}, {"hidden_seen", percent_text(too_far.shares.wrong)}});
 book.check("One formula leaves no hole and no wrong pixel.", shared.shares.holes == 0 && shared.shares.wrong == 0);
 book.check("LESS_EQUAL alone leaves {holes_left} of the surface unlit.", looser.shares.holes > 0);
 book.number("bias_left", percent_text(biased.shares.holes + biased.shares.wrong));
@@ -242,8 +241,7 @@ const auto row = [](const char* in_first, const char* in_second, const char* tes
 book.table({"cut in the first drawing", "in the second", "test", "holes", "wrong surface"},
            {row("yes", "yes", "EQUAL", both), row("yes", "no", "EQUAL", only_first), row("yes", "no", "LESS_EQUAL", closed),
             row("no", "yes", "EQUAL", only_second)});
-book.number("panel", percent_text(closed.shares.wrong));
-book.number("gaps", percent_text(only_second.shares.holes));
+book.numbers({{"panel", percent_text(closed.shares.wrong)}, {"gaps", percent_text(only_second.shares.holes)}});
 book.check("Cut in both, EQUAL leaves no hole.", both.shares.holes == 0 && both.shares.wrong == 0);
 book.check("Cut in the first alone, EQUAL still gives the same picture, to the bit: the depth itself has the holes.",
            content_hash(only_first.image) == content_hash(both.image));

@@ -115,9 +115,7 @@ book.table({"the stone in front of the sphere", "accessibility", "points seen"},
             row_of("the sphere above the picture", without.mean, without.seen),
             row_of("the same, cut from a larger picture", larger.mean, larger.seen)},
            "The mean over many points of the stone around the ring.");
-book.number("with", with.mean, 3);
-book.number("without", without.mean, 3);
-book.number("larger", larger.mean, 3);
+book.numbers(3, {{"with", with.mean}, {"without", without.mean}, {"larger", larger.mean}});
 book.check("With the sphere out of the picture accessibility rises from {with} to {without}; more than half of the shade is lost.",
            truth_of_top < with.mean && with.seen > 20 && without.seen > 20 && 1 - without.mean < 0.5 * (1 - with.mean));
 book.check("Computed in a larger picture, of which this one is the middle, it is {larger}: the shade is back.", larger.mean < without.mean - 0.1);
@@ -151,8 +149,7 @@ book.draw("plate_section", sample_diagram(wall.inputs, wall.x, wall.y, wall.texe
 const BorderGain gain = border_gain();
 book.show_row({{"noise_wall", ao_picture(gain.ao), "AO of a wall with random dents: soft grey all over, up to the rim."},
                {"rim", difference_picture(gain.gained), "Its AO minus that of the larger picture, cut to size: red is too bright."}});
-book.number("rim", gain.rim, 3);
-book.number("inside", gain.inside, 3);
+book.numbers(3, {{"rim", gain.rim}, {"inside", gain.inside}});
 book.check("The outermost four pixels are too bright by {rim} on average; in the middle the two differ by {inside}.",
            gain.rim > 0.01 && gain.rim > 3 * gain.inside);
 
@@ -223,11 +220,8 @@ for (int i = 0; i < kDirections; ++i) {
 }
 const auto [least, most] = std::minmax_element(by_direction.y.begin(), by_direction.y.end());
 book.show_row(around);
-book.number("views", std::to_string(by_direction.x.size()));
-book.number("hidden", std::to_string(kDirections - static_cast<int>(by_direction.x.size())));
-book.number("least", *least, 3);
-book.number("most", *most, 3);
-book.number("truth", truth, 3);
+book.numbers({{"views", by_direction.x.size()}, {"hidden", kDirections - static_cast<int>(by_direction.x.size())}});
+book.numbers(3, {{"least", *least}, {"most", *most}, {"truth", truth}});
 book.plot("turntable", {"One point from all sides", {"direction of the eye, degrees", false, 0, 360}, {"accessibility", false, 0, 1},
                         {by_direction, by_rays}},
           "{views} of 16 directions have a dot. From the other {hidden} the shelf hides the point, so no pixel shows it and there is nothing to "
@@ -256,8 +250,8 @@ book.compare({"one_layer", ao_picture(one_layer), "Rays against the sheet that t
 book.show("one_layer_minus_all", difference_picture(lost),
           "Depth buffer minus scene. Red: shade is lost, because what casts it is hidden from the eye. Blue: shade is invented, because the sheet closes "
           "the gap between a near thing and the far one beside it.");
-book.number("lost", static_cast<double>(buffer_statistics(lost).max), 3);
-book.number("invented", -static_cast<double>(buffer_statistics(lost).min), 3);
+book.numbers(3, {{"lost", static_cast<double>(buffer_statistics(lost).max)},
+                 {"invented", -static_cast<double>(buffer_statistics(lost).min)}});
 book.check("Single pixels come out too light by up to {lost}, where the occluder is hidden, and too dark by up to {invented}, where the sheet closes a "
            "gap. A method that reads only this buffer cannot know better there.",
            buffer_statistics(lost).max > 0.3f && buffer_statistics(lost).min < -0.3f);
@@ -274,8 +268,8 @@ book.check("Single pixels come out too light by up to {lost}, where the occluder
 const MisplacedFloor bare = misplaced_floor();
 book.compare({"floor_misplaced", grey_picture(bare.misplaced, 0.85f, 1), "A bare floor with depths half a texel off, black is 0.85: it shades itself in speckles."},
              {"floor", grey_picture(bare.exact, 0.85f, 1), "With the depth at the texel's centre: open."});
-book.number("floor_least", static_cast<double>(buffer_statistics(bare.exact).min), 3);
-book.number("misplaced_least", static_cast<double>(buffer_statistics(bare.misplaced).min), 3);
+book.numbers(3, {{"floor_least", static_cast<double>(buffer_statistics(bare.exact).min)},
+                 {"misplaced_least", static_cast<double>(buffer_statistics(bare.misplaced).min)}});
 book.check("The darkest texel of the floor is {misplaced_least} when misplaced, {floor_least} otherwise.",
            buffer_statistics(bare.exact).min > 0.99f && buffer_statistics(bare.misplaced).min < 0.9f);
 

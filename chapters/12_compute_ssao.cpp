@@ -154,13 +154,10 @@ const PixelRect group = {2 * first.x, 2 * first.y, 2 * (first.x + kAoGroup), 2 *
 const float z = inputs.view_depth.at(first.x, first.y);
 const float focal_px = static_cast<float>(inputs.picture.height) / (2 * inputs.rays.ray_scale.y);
 const int side = 2 * kAoGroup + 2 + 2 * kApron_px;
-book.number("apron", std::to_string(kApron_px));
-book.number("side", std::to_string(side));
-book.number("kilobytes", side * side * 4 / 1024.0, 1);
-book.number("widest", std::to_string(kWidestApron));
-book.number("z", static_cast<double>(z), 1);
+book.numbers({{"apron", kApron_px}, {"side", side}, {"widest", kWidestApron}});
+book.numbers(1, {{"kilobytes", side * side * 4 / 1024.0}, {"z", static_cast<double>(z)},
+                 {"reach", static_cast<double>(shown.settings.radius * focal_px / z)}});
 book.number("f", static_cast<double>(focal_px), 0);
-book.number("reach", static_cast<double>(shown.settings.radius * focal_px / z), 1);
 book.draw("apron", group_diagram(group, kApron_px, samples_of_group(view, shown), "A group, its apron, and two texels' samples"),
           "A group on the floor in the lower half of the picture, {apron} pixels of apron around it. Samples that leave the apron are orange; "
           "those of the texel in the corner are the first to do so.");
@@ -222,9 +219,8 @@ book.plot("reads_by_apron", {"Reads of the depth map a texel", {"apron, pixels"}
           "Copies grow with the apron, strays shrink. Their sum is least in between.");
 book.table({"apron, pixels", "memory of a group, KB", "samples that stray", "reads a texel"}, rows);
 const auto best = std::min_element(counted.begin(), counted.end(), [](const auto& a, const auto& b) { return a.all() < b.all(); });
-book.number("best", std::to_string(best->apron_px));
+book.numbers({{"best", best->apron_px}, {"direct", 4 * kCubeVectors}});
 book.number("best_reads", best->all(), 1);
-book.number("direct", std::to_string(4 * kCubeVectors));
 book.check("The best apron, {best} pixels, leaves {best_reads} reads of {direct}: groups save more than half.", best->all() < 0.5 * 4 * kCubeVectors);
 book.check("Without an apron too many samples stray, and with the widest too much is copied: the best lies between.",
            best != counted.begin() && best != counted.end() - 1);

@@ -109,11 +109,8 @@ const Texel worst = worst_pixel(xjun.parts.total.difference);
 const auto at_worst = [&](const Image<float>& image) {
     return decimal_text(static_cast<double>(image.at(worst.x, worst.y)), 3);
 };
-book.number("x", std::to_string(worst.x));
-book.number("y", std::to_string(worst.y));
-book.number("rays", std::to_string(r.soft.rays));
-book.number("t", at_worst(r.soft.image.mean));
-book.number("d", at_worst(xjun.parts.total.difference));
+book.numbers({{"x", worst.x}, {"y", worst.y}, {"rays", r.soft.rays}, {"t", at_worst(r.soft.image.mean)},
+              {"d", at_worst(xjun.parts.total.difference)}});
 std::vector<std::vector<std::string>> steps_of_pixel;
 for (const ErrorPart& part : xjun.parts.parts)
     steps_of_pixel.push_back({part.step, at_worst(part.difference)});
@@ -199,16 +196,14 @@ for (const Region region : kRegions) {
                            decimal_text(e.rmse(), 4), decimal_text(e.p50, 4), decimal_text(e.p95, 4),
                            decimal_text(e.max_abs, 4)});
 }
-book.number("ssim", limit_error.ssim, 3);
-book.number("flip", limit_error.flip_mean.value_or(0), 3);
+book.numbers(3, {{"ssim", limit_error.ssim}, {"flip", limit_error.flip_mean.value_or(0)}});
 book.table({"where", "pixels", "bias", "RMSE", "half are below", "95 % are below", "largest"},
            region_rows,
            "C against T by the kind of place. Two measures of how alike pictures *look* say SSIM {ssim} "
            "(1 is equal) and FLIP "
            "{flip} (0 is equal).");
-book.number("edge", limit_error.over(Region::edge).rmse(), 4);
-book.number("crease", limit_error.over(Region::crease).rmse(), 4);
-book.number("flat", limit_error.over(Region::flat).rmse(), 4);
+book.numbers(4, {{"edge", limit_error.over(Region::edge).rmse()}, {"crease", limit_error.over(Region::crease).rmse()},
+                 {"flat", limit_error.over(Region::flat).rmse()}});
 book.check(
     "Flat places err by {flat}, edges by {edge}, creases by {crease}: the method is wrong where there is "
     "something to see.",
@@ -243,19 +238,15 @@ book.plot(
 
 // %% curve_checks
 const auto gain = [](const PlotCurve& curve) { return curve.y.front() / curve.y.back(); };
-book.number("cast_gain", gain(of_xjun.cast), 1);
-book.number("raw_gain", gain(of_xjun.raw), 1);
-book.number("cast_gain_luna", gain(of_luna.cast), 1);
-book.number("raw_gain_luna", gain(of_luna.raw), 1);
+book.numbers(1, {{"cast_gain", gain(of_xjun.cast)}, {"raw_gain", gain(of_xjun.raw)}, {"cast_gain_luna", gain(of_luna.cast)},
+                 {"raw_gain_luna", gain(of_luna.raw)}});
 book.check(
     "32 rays instead of one divide the error by {cast_gain}, 14 samples instead of one by {raw_gain} "
     "only (Luna: "
     "{cast_gain_luna} and {raw_gain_luna}): rays converge to the truth, samples do not.",
     gain(of_xjun.cast) > 3 * gain(of_xjun.raw) && gain(of_luna.cast) > 3 * gain(of_luna.raw));
-book.number("blurred_1", of_xjun.blurred.y.front(), 4);
-book.number("raw_4", of_xjun.raw.y[2], 4);
-book.number("blurred_1_luna", of_luna.blurred.y.front(), 4);
-book.number("raw_4_luna", of_luna.raw.y[2], 4);
+book.numbers(4, {{"blurred_1", of_xjun.blurred.y.front()}, {"raw_4", of_xjun.raw.y[2]},
+                 {"blurred_1_luna", of_luna.blurred.y.front()}, {"raw_4_luna", of_luna.raw.y[2]}});
 book.check(
     "One sample with blur errs by {blurred_1}, four without by {raw_4} (Luna: {blurred_1_luna} and "
     "{raw_4_luna}): with few "
@@ -290,10 +281,8 @@ book.table({"rays of the reference", "RMSE, plain", "RMSE, debiased"}, noise_row
 book.compare({"t_8", ao_picture(fewer.front().image.mean),
               "T from 8 rays a pixel: grain that no method can match."},
              {"t_all", ao_picture(r.soft.image.mean), "T from {rays} rays a pixel: smooth."});
-book.number("plain_8", plain.front(), 4);
-book.number("plain_all", plain.back(), 4);
-book.number("debiased_8", debiased.front(), 4);
-book.number("debiased_all", debiased.back(), 4);
+book.numbers(4, {{"plain_8", plain.front()}, {"plain_all", plain.back()}, {"debiased_8", debiased.front()},
+                 {"debiased_all", debiased.back()}});
 book.check(
     "With 8 rays the plain error is {plain_8} and with {rays} it is {plain_all}; debiased it is "
     "{debiased_8} and {debiased_all}.",
@@ -310,9 +299,7 @@ book.check(
 const double surface = limit_error.over(Region::surface).rmse(),
              everywhere = limit_error.over(Region::all).rmse();
 const double hard = reference_error(r.limit.image.mean, r.hard.image, kinds).over(Region::surface).rmse();
-book.number("surface", surface, 4);
-book.number("everywhere", everywhere, 4);
-book.number("hard", hard, 4);
+book.numbers(4, {{"surface", surface}, {"everywhere", everywhere}, {"hard", hard}});
 book.compare(
     {"hard", ao_picture(r.hard.image.mean), "Rays that count every occluder within the radius fully."},
     {"soft", ao_picture(r.soft.image.mean), "T: occluders fade as the method says."});

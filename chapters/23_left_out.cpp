@@ -234,8 +234,7 @@ book.table(
 
 // %% same_bits
 const KeptAndLeftOut* const all[] = {&first, &of_above, &of_cornell, &of_ball, &of_noise, &of_empty};
-book.number("scenes", std::to_string(std::size(all)));
-book.number("kinds", std::to_string(kSkipCount));
+book.numbers({{"scenes", std::size(all)}, {"kinds", kSkipCount}});
 book.check(
     "In all {scenes} scenes, every bit of the six buffers is the same with each of the {kinds} kinds of "
     "work kept, and "

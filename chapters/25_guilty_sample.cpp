@@ -125,8 +125,7 @@ const PixelProbe on_floor = acne.probe(dark);
 const Explanation& of_floor = on_floor.ao.explanation;
 const std::size_t liar = floor_judge.guilty_sample(of_floor).value_or(0);
 name_numbers(book, "acne", on_floor, liar);
-book.number("grains", std::to_string(grains.size()));
-book.number("grains_left", std::to_string(grains_left.size()));
+book.numbers({{"grains", grains.size()}, {"grains_left", grains_left.size()}});
 book.compare({"acne_again", ao_picture(acne.ao()), "Without dp: grain on every plane.", acne.render_command()},
              {"acne_cured", ao_picture(acne_cured.ao()), "With dp, as by default: open planes are white.",
               acne_cured.render_command()});
@@ -156,8 +155,7 @@ book.draw("acne_section", acne.section(on_floor, liar, "The guilty sample of the
 
 // %% acne_checked
 const ExplainedSample cured_liar = acne_cured.explanation(dark).samples[liar];
-book.number("acne_cured_dp", text(cured_liar.dp));
-book.number("acne_cured_ao", text(acne_cured.ao().at(dark.x, dark.y)));
+book.numbers({{"acne_cured_dp", text(cured_liar.dp)}, {"acne_cured_ao", text(acne_cured.ao().at(dark.x, dark.y))}});
 book.check("Sample {acne_sample} takes {acne_takes}, although the ray to its q meets nothing.",
            of_floor.samples[liar].contribution > 0 && floor_judge.is_free(of_floor, liar));
 book.check("With the test, its dp is {acne_cured_dp}, and the texel has {acne_cured_ao}.",
@@ -211,11 +209,8 @@ const Explanation& of_rim = on_rim.ao.explanation;
 const std::size_t far_liar = rim_judge.guilty_sample(of_rim).value_or(0);
 name_numbers(book, "halo", on_rim, far_liar);
 const float radius = kXjunSettings.radius, radii = of_rim.samples[far_liar].dz / radius;
-book.number("halo_radii", static_cast<double>(radii), 1);
-book.number("radius", static_cast<double>(radius), 1);
-book.number("rims", std::to_string(rims.size()));
-book.number("rims_published", std::to_string(rims_published.size()));
-book.number("rims_left", std::to_string(rims_left.size()));
+book.numbers(1, {{"halo_radii", static_cast<double>(radii)}, {"radius", static_cast<double>(radius)}});
+book.numbers({{"rims", rims.size()}, {"rims_published", rims_published.size()}, {"rims_left", rims_left.size()}});
 book.compare({"halo_again", ao_picture(halo.ao()), "Fade end 1e30, no range check: rims along the columns and on the ground.",
               halo.render_command()},
              {"halo_cured", ao_picture(halo_cured.ao()), "Fade end {radius}, the radius: the rim is gone.",
@@ -242,8 +237,7 @@ book.draw("halo_section", halo.section(on_rim, far_liar, "The guilty sample of t
 
 // %% halo_checked
 const ExplainedSample cured_far = halo_cured.explanation(rim).samples[far_liar];
-book.number("halo_verdict", cured_far.verdict);
-book.number("halo_cured_ao", text(halo_cured.ao().at(rim.x, rim.y)));
+book.numbers({{"halo_verdict", cured_far.verdict}, {"halo_cured_ao", text(halo_cured.ao().at(rim.x, rim.y))}});
 book.check("Sample {halo_sample} takes {halo_takes}, although the ray to its q meets nothing.",
            of_rim.samples[far_liar].contribution > 0 && rim_judge.is_free(of_rim, far_liar) && radii > 1);
 book.check("With fade end {radius} its verdict is \"{halo_verdict}\", and the texel has {halo_cured_ao}.",
@@ -268,11 +262,11 @@ const PixelProbe at_border = bands.probe(highest.dark);
 const Explanation beyond = bands.explanation(highest.light);
 const ChangedSample changed = changed_most(at_border.ao.explanation, beyond);
 name_numbers(book, "bands", at_border, changed.sample);
-book.number("bands_share", percent_text(changed.share));
-book.number("bands_next_ao", text(bands.ao().at(highest.light.x, highest.light.y)));
-book.number("bands_next_dz", text(beyond.samples[changed.sample].dz));
-book.number("bands_next_takes", text(beyond.samples[changed.sample].contribution));
-book.number("bands_next_verdict", beyond.samples[changed.sample].verdict);
+book.numbers({{"bands_share", percent_text(changed.share)},
+              {"bands_next_ao", text(bands.ao().at(highest.light.x, highest.light.y))},
+              {"bands_next_dz", text(beyond.samples[changed.sample].dz)},
+              {"bands_next_takes", text(beyond.samples[changed.sample].contribution)},
+              {"bands_next_verdict", beyond.samples[changed.sample].verdict}});
 book.compare({"bands_again", ao_picture(bands.ao()), "No random turn: bands round the foot.", bands.render_command()},
              {"bands_cured", ao_picture(bands_cured.ao()), "Turned at random, texel by texel: grain, which the blur of chapter 08 removes.",
               bands_cured.render_command()});
@@ -304,9 +298,7 @@ const double apart_cured = mean_distance(bands_cured.explanation(highest.dark), 
 const auto share_of = [](const auto& some, const auto& all) { return static_cast<double>(some.size()) / static_cast<double>(all.size()); };
 const double lone = share_of(alone, borders), lone_cured = share_of(alone_cured, borders_cured);
 book.number("apart_cured", apart_cured, 2);
-book.number("borders", std::to_string(borders.size()));
-book.number("lone", percent_text(lone));
-book.number("lone_cured", percent_text(lone_cured));
+book.numbers({{"borders", borders.size()}, {"lone", percent_text(lone)}, {"lone_cured", percent_text(lone_cured)}});
 book.check("Sample {bands_sample} makes {bands_share} of all that changes across the border.", changed.share >= 0.9);
 book.check("Both texels have the same fourteen vectors. With random turns, their vectors are {apart_cured} units apart on average.",
            apart < 1e-5 && apart_cured > 1000 * apart);

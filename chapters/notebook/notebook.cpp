@@ -100,6 +100,14 @@ void Notebook::number(const std::string& name, const std::string& text) {
         throw UsageError(source_.name + ": two numbers have one name (" + name + "); rename one");
 }
 
+void Notebook::numbers(int decimals, const std::vector<Measured>& measured) {
+    for (const Measured& number_of : measured) number(number_of.name, number_of.value, decimals);
+}
+
+void Notebook::numbers(const std::vector<Worded>& worded) {
+    for (const Worded& number_of : worded) number(number_of.name, number_of.text);
+}
+
 void Notebook::lacks(const std::string& heading) {
     const std::string line = "<!-- " + heading + " -->";
     if (std::find(untranslated_.begin(), untranslated_.end(), line) == untranslated_.end())

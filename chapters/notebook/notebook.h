@@ -7,12 +7,14 @@
 // and their Chinese comes from chapters/zh (translation.h).
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <filesystem>
 #include <iosfwd>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "chapters/notebook/cells.h"
@@ -69,6 +71,19 @@ class Notebook {
     // Throws UsageError when the name has been used.
     void number(const std::string& name, double value, int decimals);
     void number(const std::string& name, const std::string& text);
+    // Several: all with so many digits after the point; or each as it is, whole numbers included.
+    struct Measured {
+        const char* name;
+        double value;
+    };
+    void numbers(int decimals, const std::vector<Measured>& measured);
+    struct Worded {
+        const char* name;
+        std::string text;
+        Worded(const char* said_as, std::string words) : name(said_as), text(std::move(words)) {}
+        Worded(const char* said_as, std::integral auto whole) : name(said_as), text(std::to_string(whole)) {}
+    };
+    void numbers(const std::vector<Worded>& worded);
 
     // Each of the following lands under the cell that `line` is in. Throws UsageError where that is prose, or a cell
     // before one that has put something out: a function of the setup returns what it made, and the cell shows it.
