@@ -131,8 +131,7 @@ book.compare(
     {"lit_without_ao", lit_picture(without_ao),
      "With the lamps' direct light: round things look round, but still nothing stands on "
      "anything."});
-book.number("colours", std::to_string(colours));
-book.number("materials", std::to_string(materials));
+book.numbers({{"colours", colours}, {"materials", materials}});
 book.check(
     "The ambient picture has {colours} colours: one for each of the {materials} materials at most, "
     "and the sky's.",
@@ -152,8 +151,7 @@ const int fan_rays = 18;
 const RayScene wall = ray_scene(wall_corner_scene(), glm::dvec3(0));
 const RayFan fan = ray_fan(wall, {-1, 0}, half_circle(fan_rays), 2, {{-4, 0}, {0, 0}, {0, 4}},
                            "What a point before a wall sees");
-book.number("fan_rays", std::to_string(fan_rays));
-book.number("blocked", std::to_string(fan.blocked));
+book.numbers({{"fan_rays", fan_rays}, {"blocked", fan.blocked}});
 book.draw(
     "fan", fan.svg,
     "The point p is one unit away from a wall. Of {fan_rays} directions that are spread evenly "
@@ -219,8 +217,7 @@ const BufferStatistics taken = buffer_statistics(change);
 const double apart = compare_images(change, ambient_change).max_abs;
 book.show("change", difference_picture(change),
           "With ambient occlusion minus without: blue is darker. Nothing is red.");
-book.number("most", significant_text(-taken.min, 3));
-book.number("apart", significant_text(apart, 2));
+book.numbers({{"most", significant_text(-taken.min, 3)}, {"apart", significant_text(apart, 2)}});
 book.check("Accessibility only takes light away, up to {most} of a colour channel.",
            taken.max <= 0);
 book.check(
@@ -271,13 +268,13 @@ book.check("Multiplying everything takes {lost_more} times as much light from th
 //    touches here".
 // 4. A half; a quarter. Half of the directions over the floor are blocked, and by symmetry half of the cosine; the
 //    second wall takes half of the rest.
-// 5. The same for both, for it asks only what is blocked. Chapter 18 shows a correction for light that bounces.
+// 5. The same for both, for it asks only what is blocked. Chapter 20 shows a correction for light that bounces.
 //
 // </details>
 
 // %% errata_numbers tags=["setup"]
-book.number("ground_ambient", exact_text(scene.materials[0].ambient.x));
-book.number("ground_diffuse", exact_text(scene.materials[0].diffuse.x));
+book.numbers({{"ground_ambient", exact_text(scene.materials[0].ambient.x)},
+              {"ground_diffuse", exact_text(scene.materials[0].diffuse.x)}});
 
 // %% errata [markdown]
 // <details><summary>Errata of the tutorials</summary>

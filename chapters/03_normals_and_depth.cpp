@@ -6,10 +6,11 @@
 
 #include <glm/geometric.hpp>
 
-#include "chapters/diagrams/pass_graph.h"
 #include "chapters/diagrams/stretched_slope.h"
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/buffer_count.h"
+#include "chapters/props/depth_steps.h"
+#include "chapters/props/frame_passes.h"
 #include "chapters/props/number_words.h"
 #include "chapters/props/switched_ao.h"
 #include "chapters/props/wrong_normals.h"
@@ -17,53 +18,6 @@
 
 namespace crevice {
 namespace {
-
-// The lab's frame.
-std::vector<GraphPass> frame_passes(const AoInputs& inputs) {
-    const char* const kFloat = "one 32-bit float";
-    const char* const kFourFloats = "four 32-bit floats";
-    const Size picture = inputs.picture, ao_map = inputs.size();
-    const GraphImage normals{"normal, view depth", kFourFloats, picture, 16, {"2a texels"}};
-    const GraphImage depth{"depth buffer", "D32_FLOAT", picture, 4, {"4 light"}};
-    const GraphImage filtered{"depth map, with a border", kFloat, inputs.depth_map.size, 4, {"2b occlusion"}};
-    const GraphImage texels{
-        "normal, view depth of texels", kFourFloats, ao_map, 16, {"2b occlusion", "3a rows", "3b columns"}};
-    const GraphImage raw{"raw AO map", kFloat, ao_map, 4, {"3a rows"}};
-    const GraphImage between{"AO map between the halves", kFloat, ao_map, 4, {"3b columns"}};
-    const GraphImage blurred{"blurred AO map", kFloat, ao_map, 4, {"3a rows", "4 light"}};
-    const GraphImage lit{"picture", "R8G8B8A8_UNORM", picture, 4, {}};
-    return {{"1 normals, depth", "triangles", {normals, depth}},
-            {"2a texels", "", {filtered, texels}},
-            {"2b occlusion", "random vectors", {raw}},
-            {"3a rows", "", {between}},
-            {"3b columns", "", {blurred}},
-            {"4 light", "triangles, textures", {lit}}};
-}
-
-PlotCurve ndc_curve(const CameraMatrices& m) {
-    PlotCurve curve{"d = A + B / z", {}, {}, {}, {}, PlotStyle::smooth};
-    for (double z = 1; z <= 20; z += 0.125) {
-        curve.x.push_back(z);
-        curve.y.push_back(static_cast<double>(m.depth_a) + static_cast<double>(m.depth_b) / z);
-    }
-    return curve;
-}
-
-// Rows of: view depth, its ndc depth, and how far apart two depths are that a 24-bit buffer can just tell apart.
-std::vector<std::vector<std::string>> depth_rows(const CameraMatrices& m) {
-    constexpr float kSteps = 16777216;  // of D24
-    std::vector<std::vector<std::string>> rows;
-    for (const float z : {1.0f, 2.0f, 10.0f, 100.0f, 1000.0f}) {
-        rows.push_back({exact_text(z), exact_text(m.depth_a + m.depth_b / z),
-                        significant_text(static_cast<double>(z * z / -m.depth_b / kSteps), 3)});
-    }
-    return rows;
-}
-
-std::vector<std::string> row_of(const std::string& name, const ComparedNormals& both) {
-    return {name, significant_text(both.off.most_deg, 3), percent_text(both.off.share),
-            percent_text(both.shade_lost), percent_text(both.shade_invented)};
-}
 
 // Cells stand at the margin, where notebooks look for them.
 // clang-format off
@@ -82,8 +36,7 @@ const SwitchedAo shown = view.ao();
 const Image<float> open_everywhere;  // an empty map
 book.show("colours",
           lit_picture(shade(view.scene(), view.camera(), shown.gbuffer.depth, open_everywhere)),
-          "The colours of the scene, lit without ambient occlusion. How far is it from the house "
-          "to the columns?");
+          "The colours of the scene, lit without ambient occlusion. How far is it from the house to the columns?");
 
 // %% idea [markdown]
 // ## The idea
@@ -100,10 +53,10 @@ book.show("colours",
 // %% graph
 const std::vector<GraphPass> passes = frame_passes(shown.inputs);
 book.draw("passes", pass_graph("The passes of a frame and the images between them", passes),
-          "Four passes, from top to bottom; a grey line goes from an image to a pass that reads "
-          "it. Pass 2 first finds a normal and a depth for each texel of the AO maps (AO: ambient occlusion), "
-          "which have half the picture's width and height, then the raw AO. Pass 3 blurs along rows from one "
-          "map into another and along columns back again, several times over.");
+          "Four passes, from top to bottom; a grey line goes from an image to a pass that reads it. Pass 2 first finds a "
+          "normal and a depth for each texel of the AO maps (AO: ambient occlusion), which have half the picture's width and "
+          "height, then the raw AO. Pass 3 blurs along rows from one map into another and along columns back again, several "
+          "times over.");
 book.table(
     {"image", "X_Jun", "Luna", "this book"},
     {{"normal, view space", "R16G16B16A16_FLOAT", "R16G16B16A16_FLOAT", "three 32-bit floats"},
@@ -114,8 +67,8 @@ book.table(
       "a 32-bit float, half size"},
      {"normal and depth that the blur reads", "pass 1's", "pass 1's", "those of the texels"},
      {"random vectors", "R8G8B8A8_UNORM, 256 x 256", "the same", "the same values"}},
-    "The book computes with floats, so that no error of a format hides in its pictures; chapter 04 "
-    "shows what the tutorials' formats do.");
+    "The book computes with floats, so that no error of a format hides in its pictures; chapter 04 shows what the tutorials' "
+    "formats do.");
 
 // %% first_pass [markdown]
 // The AO maps are half as wide and half as high because occlusion changes slowly along a surface, and a quarter of the
@@ -133,8 +86,8 @@ book.table(
 
 // %% buffers
 book.show({"normal", normal_picture(shown.gbuffer.normal),
-          "Normals as colours: red where they point to the right, green where they point up, blue "
-          "where they point away from you. The floor is green, what faces you lacks blue, and the "
+          "Normals as colours: red where they point to the right, green where they point up, blue where they point away from "
+          "you. The floor is green, what faces you lacks blue, and the "
           "sky, which has no normal, is black.", view.render_command({}, "normal")});
 book.show({"view_depth", view_depth_picture(shown.gbuffer.view_depth),
           "View depth: white at the nearest point, darker evenly with z down to a dark grey at the end "
@@ -158,26 +111,23 @@ book.show({"view_depth", view_depth_picture(shown.gbuffer.view_depth),
 const CameraMatrices m = camera_matrices(view.camera(), book.size());
 const Image<float> ndc = ndc_depth(shown.gbuffer.depth);
 const double half_z = static_cast<double>(m.depth_b) / (0.5 - static_cast<double>(m.depth_a));
-book.number("near", view.camera().near_plane, 0);
-book.number("far", view.camera().far_plane, 0);
-book.number("depth_a", exact_text(m.depth_a));
-book.number("depth_b", exact_text(m.depth_b));
-book.number("half_z", half_z, 3);
-book.number("nearest_d", buffer_statistics(ndc).min, 3);
+book.numbers(0, {{"near", view.camera().near_plane}, {"far", view.camera().far_plane}});
+book.numbers({{"depth_a", exact_text(m.depth_a)}, {"depth_b", exact_text(m.depth_b)}});
+book.numbers(3, {{"half_z", half_z}, {"nearest_d", buffer_statistics(ndc).min}});
 book.plot("ndc_curve",
           {"NDC depth over view depth",
            {"view depth z, scene units"},
            {"NDC depth d", false, 0, 1},
            {ndc_curve(m)},
            {{half_z, "half of the range"}}},
-          "With the planes of this scene at $z_n = {{near}}$ and $z_f = {{far}}$, $A$ is {depth_a} and $B$ {depth_b}. "
-          "Half of the range is spent below z = {half_z}.");
+          "With the planes of this scene at $z_n = {{near}}$ and $z_f = {{far}}$, $A$ is {depth_a} and $B$ {depth_b}. Half of "
+          "the range is spent below z = {half_z}.");
 book.show({"ndc_depth", ndc_depth_picture(ndc),
-    "NDC depth, stretched: white is {nearest_d}, the nearest surface of the picture, and black is "
-    "1. It falls off faster than view depth: the last columns are much closer to the sky's black than in the "
+    "NDC depth, stretched: white is {nearest_d}, the nearest surface of the picture, and black is 1. It falls off faster than "
+    "view depth: the last columns are much closer to the sky's black than in the "
     "picture of view depth.", view.render_command({}, "ndc_depth")});
 book.table(
-    {"z", "d", "one step of D24 is, in units of z"}, depth_rows(m),
+    {"z", "d", "one step of D24 is, in units of z"}, d24_rows(m),
     "A 24-bit depth buffer has $2^{24}$ steps from 0 to 1. Far away one of them spans a lot of scene.");
 
 // %% one_pixel_text [markdown]
@@ -206,23 +156,19 @@ book.show_row(
      {"foot_depth", view_depth_picture(near_by.gbuffer.view_depth),
       "View depth of the same pixels: the column is nearly white, for it stands close to the eye.",
       foot.probe_command({}, at)}});
-book.number("x", std::to_string(at.x));
-book.number("y", std::to_string(at.y));
+book.numbers({{"x", at.x}, {"y", at.y}});
 book.table({"pixel", "normal n", "view depth z", "NDC depth d"}, pixel_rows,
-           "The four pixels of texel ({x}, {y}). The ground is level, so all have the same normal, "
-           "which points up and, because the camera looks down, a little towards the eye.");
+           "The four pixels of texel ({x}, {y}). The ground is level, so all have the same normal, which points up and, "
+           "because the camera looks down, a little towards the eye.");
 
 // %% one_pixel_back
 const float d = foot_ndc.at(2 * at.x, 2 * at.y),
             z = near_by.gbuffer.view_depth.at(2 * at.x, 2 * at.y);
 const float z_back = foot_m.depth_b / (d - foot_m.depth_a);
-book.number("d", exact_text(d));
-book.number("z", text(z));
-book.number("z_back", text(z_back));
-book.check(
-    "Put the first of them to the test: $B / (d - A)$ of $d = {{d}}$ is {z_back}, and the view "
-    "depth that the pass wrote is {z}.",
-    std::fabs(z_back / z - 1) < 1e-4f);
+book.numbers({{"d", exact_text(d)}, {"z", text(z)}, {"z_back", text(z_back)}});
+book.check("Put the first of them to the test: $B / (d - A)$ of $d = {{d}}$ is {z_back}, and the view depth that the pass "
+           "wrote is {z}.",
+           std::fabs(z_back / z - 1) < 1e-4f);
 
 // %% background_text [markdown]
 // ## Where there is nothing
@@ -242,28 +188,23 @@ book.table({"image", "where it shows the sky", "asked beyond its rim", "chapter"
             {"depth map that samples read", "{sky}", "{sky}", "06"},
             {"normal, view depth of a texel", "0, 0, 0; infinite", "the tap does not count", "07, 08"},
             {"AO maps", "1", "the outermost texel again", "07, 09"}},
-           "Nothing, image by image. {sky} is a hundred times the far plane. A texel of which only some pixels show the "
-           "sky has a surface: chapter 07 says which.");
+           "Nothing, image by image. {sky} is a hundred times the far plane. A texel of which only some pixels show the sky "
+           "has a surface: chapter 07 says which.");
 
 // %% promises
 const BufferCount count = count_pixels(shown.gbuffer, ndc, m);
-book.number("surface", std::to_string(count.surface));
-book.number("facing", std::to_string(count.facing));
-book.number("background", std::to_string(count.background));
-book.number("length_error", significant_text(static_cast<double>(count.length_error), 2));
-book.number("depth_error", significant_text(static_cast<double>(count.depth_error), 2));
+book.numbers({{"surface", count.surface}, {"facing", count.facing}, {"background", count.background},
+              {"length_error", significant_text(static_cast<double>(count.length_error), 2)},
+              {"depth_error", significant_text(static_cast<double>(count.depth_error), 2)}});
 book.check("Each of the {surface} normals has the length 1, within {length_error}.",
            count.length_error < 1e-6f);
-book.check(
-    "{facing} of them face the eye: $n \\cdot p < 0$. The others lie on round outlines, where a "
-    "mean of vertex normals may turn away although its triangle does not.",
-    count.facing > 0.99 * count.surface);
+book.check("{facing} of them face the eye: $n \\cdot p < 0$. The others lie on round outlines, where a mean of vertex normals "
+           "may turn away although its triangle does not.",
+           count.facing > 0.99 * count.surface);
 book.check("View depth and $B / (d - A)$ are the same to {depth_error} of their value.",
            count.depth_error < 1e-4f);
-book.check(
-    "All {background} pixels of the sky hold the normal 0, an infinite view depth and the NDC "
-    "depth 1.",
-    count.dirty == 0);
+book.check("All {background} pixels of the sky hold the normal 0, an infinite view depth and the NDC depth 1.",
+           count.dirty == 0);
 
 // %% matrix_text [markdown]
 // ## The matrix for normals
@@ -283,9 +224,8 @@ book.check(
 
 // %% slope
 book.draw("slope", stretched_slope(2),
-          "A slope is stretched to twice its width (dashed before, full after). Stretched along "
-          "with it, its normal leans over and is no longer perpendicular (red); the inverse "
-          "transpose leaves it so (green).");
+          "A slope is stretched to twice its width (dashed before, full after). Stretched along with it, its normal leans "
+          "over and is no longer perpendicular (red); the inverse transpose leaves it so (green).");
 
 // %% the_code [markdown]
 // ## The code
@@ -300,9 +240,8 @@ book.listing("rasterizer/scene/normal_matrix.cpp", "normal_matrix",
              "A matrix with a negative determinant mirrors; the sign keeps normals outside.");
 book.listing_part("rasterizer/draw/surfaces.cpp", "find_group", "const TrianglePixels<F> pixels",
                   "const Vec3<F> n = normalize_or",
-                  "Per pixel: the vertex normals are interpolated over the triangle, then "
-                  "normalised. The mean of two unit vectors at an angle is shorter than they are, "
-                  "so this second normalisation is needed.");
+                  "Per pixel: the vertex normals are interpolated over the triangle, then normalised. The mean of two unit "
+                  "vectors at an angle is shorter than they are, so this second normalisation is needed.");
 
 // %% translation_text [markdown]
 // ## What can go wrong
@@ -326,23 +265,20 @@ book.compare({"translation_wrong", normal_picture(moved.wrong),
              {"translation_right", normal_picture(moved.right),
               "Erased: every normal is right; floor and roof face upwards, green."});
 book.compare({"translation_ao_wrong", ao_picture(moved.ao_wrong),
-              "*Accessibility* from the wrong normals: white where a point is open, black where its surroundings are "
-              "hidden. The shade at the columns' feet and under the balls is gone; the outer sides of the front "
+              "*Accessibility* from the wrong normals: white where a point is open, black where its surroundings are hidden. "
+              "The shade at the columns' feet and under the balls is gone; the outer sides of the front "
               "columns have got dark lines."},
              {"translation_ao_right", ao_picture(moved.ao_right),
               "From the right normals: shade round the feet and below the balls."});
-book.number("moved_share", percent_text(moved.off.share));
+book.numbers({{"moved_share", percent_text(moved.off.share)}, {"moved_lost", percent_text(moved.shade_lost)},
+              {"moved_invented", percent_text(moved.shade_invented)}});
 book.number("moved_deg", moved.off.most_deg, 0);
-book.number("moved_lost", percent_text(moved.shade_lost));
-book.number("moved_invented", percent_text(moved.shade_invented));
-book.check(
-    "With the translation left in, {moved_share} of the normals are off by more than a degree, one "
-    "by {moved_deg} degrees.",
-    moved.off.share > 0.5 && moved.off.most_deg > 120);
-book.check(
-    "More shade is lost than invented: as a mean over the whole AO map, it gets lighter by {moved_lost} of "
-    "its range and darker by {moved_invented}.",
-    moved.shade_lost > 2 * moved.shade_invented);
+book.check("With the translation left in, {moved_share} of the normals are off by more than a degree, one by {moved_deg} "
+           "degrees.",
+           moved.off.share > 0.5 && moved.off.most_deg > 120);
+book.check("More shade is lost than invented: as a mean over the whole AO map, it gets lighter by {moved_lost} of its range "
+           "and darker by {moved_invented}.",
+           moved.shade_lost > 2 * moved.shade_invented);
 
 // %% world_text [markdown]
 // **W itself for the normals.** That is right as long as an object is only turned, or scaled alike in all directions.
@@ -365,22 +301,19 @@ book.compare({"stretch_ao_wrong", ao_picture(round.ao_wrong),
               "take their own surface for something in the way."},
              {"stretch_ao_right", ao_picture(round.ao_right),
               "By the inverse transpose: only the contacts with the floor are dark."});
-book.number("box_deg", significant_text(aligned.off.most_deg, 2));
+book.numbers({{"box_deg", significant_text(aligned.off.most_deg, 2)}, {"round_lost", percent_text(round.shade_lost)},
+              {"round_invented", percent_text(round.shade_invented)}});
 book.number("round_deg", round.off.most_deg, 0);
-book.number("round_lost", percent_text(round.shade_lost));
-book.number("round_invented", percent_text(round.shade_invented));
-book.check(
-    "W turns the normals of Luna's box by {box_deg} degrees at most, those of the others by up to "
-    "{round_deg}.",
-    aligned.off.most_deg < 0.01 && round.off.most_deg > 30 && round.off.share > 0.03);
+book.check("W turns the normals of Luna's box by {box_deg} degrees at most, those of the others by up to {round_deg}.",
+           aligned.off.most_deg < 0.01 && round.off.most_deg > 30 && round.off.share > 0.03);
 book.check("This time more shade is invented than lost: {round_invented} against {round_lost}.",
            round.shade_invented > round.shade_lost);
 book.table(
     {"matrix", "largest angle off, degrees", "pixels off by over 1 degree", "shade lost",
      "shade invented"},
-    {row_of("translation left in, columns", moved), row_of("W itself, boxes and ball", round)},
-    "Both mistakes, counted over the pixels of the pictures above. Shade lost and invented: by how "
-    "much the AO map gets lighter and darker, as a mean over all of it.");
+    {normals_row("translation left in, columns", moved), normals_row("W itself, boxes and ball", round)},
+    "Both mistakes, counted over the pixels of the pictures above. Shade lost and invented: by how much the AO map gets "
+    "lighter and darker, as a mean over all of it.");
 
 // %% float4_text [markdown]
 // **A zero in the wrong place.** SSAO explored, a blog article on the same pass, multiplies the row `float4(n, 0)` by
@@ -400,12 +333,10 @@ for (const bool erased : {false, true}) {
 }
 book.number("vertex_deg", significant_text(most[1], 3));
 book.table({"normal by", "translation of W", "largest angle off, degrees"}, products,
-           "M is the tutorials' $(W^{-1})^\\top V$. This table goes over the normals of all vertices, seen or "
-           "not: the worst is off by {vertex_deg} degrees, the worst pixel of the picture by {moved_deg}.");
-book.check(
-    "`float4(n, 0)` does as the 3 x 3 part does: both are right only where the translation of W "
-    "was erased.",
-    most[0] == most[1] && most[2] == most[3] && most[1] > 120 && most[3] < 0.1);
+           "M is the tutorials' $(W^{-1})^\\top V$. This table goes over the normals of all vertices, seen or not: the worst "
+           "is off by {vertex_deg} degrees, the worst pixel of the picture by {moved_deg}.");
+book.check("`float4(n, 0)` does as the 3 x 3 part does: both are right only where the translation of W was erased.",
+           most[0] == most[1] && most[2] == most[3] && most[1] > 120 && most[3] < 0.1);
 
 // %% exercises [markdown]
 // ## Exercises

@@ -9,64 +9,16 @@
 #include "chapters/props/depth_error_plot.h"
 #include "chapters/props/number_words.h"
 #include "chapters/props/position_ways.h"
+#include "chapters/props/sky_in_half.h"
 #include "chapters/props/stored_depth.h"
 #include "chapters/props/switched_ao.h"
+#include "chapters/props/wrong_positions.h"
 #include "chapters/terminal/number_text.h"
 #include "ssao/methods/luna_ssao.h"
 #include "ssao/methods/xjun_ssao.h"
 
 namespace crevice {
 namespace {
-
-// A way to a position: its name in pictures, and in words.
-struct Way {
-    const char* name;
-    const char* words;
-    Position position;
-};
-constexpr Way kWays[] = {
-    {"far_plane", "a ray to the far plane, X_Jun's", by_far_plane},
-    {"near_plane", "a ray to the near plane, Luna's", by_near_plane},
-    {"unit_ray", "a ray of length 1, z taken for a distance", by_unit_ray},
-    {"unit_corners", "corner rays normalised before they are interpolated", by_unit_corners},
-    {"full_size", "the whole size of the far plane for half of it", by_full_size},
-    {"misprint", "(p.z / v / z) v, as printed", as_misprinted}};
-
-// The picture of one of three ways that are wrong, and of the right one.
-struct WrongWay {
-    Notebook::Named wrong, right;
-};
-WrongWay wrong_way(const SwitchedView& view, const SwitchedAo& shown, const Way& way, const char* caption,
-                   const char* right_caption) {
-    const auto cubes = [&](Position position) { return unit_cubes(shown.gbuffer, view.camera(), position); };
-    return {{std::string("cubes_") + way.name, cubes(way.position), caption},
-            {std::string("cubes_not_") + way.name, cubes(by_far_plane), right_caption}};
-}
-
-// What happens to the sky's 100,000 in a buffer of 16-bit floats.
-struct SkyInHalf {
-    float sky;
-    Image<float> ao;
-    double nan = 0, nan_blurred = 0;  // percent of the texels
-};
-SkyInHalf sky_in_half(const SwitchedView& view, Size size, BufferFormat format) {
-    const GBuffer gbuffer = normal_depth(view.scene(), view.camera(), size, {.buffer_format = format});
-    const AoInputs inputs = ao_inputs(gbuffer, view.camera(), xjun_fetch({.as_published = true}));
-    SkyInHalf result{stored_as(1e5f, format), ao_with_std_max(inputs)};
-    const double texels = static_cast<double>(result.ao.size.width) * result.ao.size.height / 100;
-    result.nan = static_cast<double>(buffer_statistics(result.ao).nan) / texels;
-    const Image<float> blurred = bilateral_blur(result.ao, inputs).ao;
-    result.nan_blurred = static_cast<double>(buffer_statistics(blurred).nan) / texels;
-    return result;
-}
-std::vector<std::string> row_of(const char* rounding, const SkyInHalf& half) {
-    return {rounding,
-            exact_text(half.sky),
-            exact_text(half.sky - half.sky),
-            exact_text(10 + 0 * (half.sky - 10)),
-            significant_text(half.nan, 3),
-            significant_text(half.nan_blurred, 3)};
-}
 
 // Cells stand at the margin, where notebooks look for them.
 // clang-format off
@@ -83,8 +35,7 @@ void position_from_depth(Notebook& book) {
 const SwitchedView view(book, "columns");
 const SwitchedAo shown = view.ao();
 book.show("cubes_bent", unit_cubes(shown.gbuffer, view.camera(), by_unit_ray),
-          "Unit cubes at wrongly rebuilt positions. The farther from the middle of the picture, "
-          "the more they bend.");
+          "Unit cubes at wrongly rebuilt positions. The farther from the middle of the picture, the more they bend.");
 
 // %% idea [markdown]
 // ## The idea
@@ -105,14 +56,12 @@ const float p_z = inputs.view_depth.at(at.x, at.y),
             far = static_cast<float>(foot.camera().far_plane);
 const Vec3<float> far_point = interpolated(inputs.rays, u, v, far),
                   p = (p_z / far_point.z) * far_point;
-book.number("x", std::to_string(at.x));
-book.number("y", std::to_string(at.y));
+book.numbers({{"x", at.x}, {"y", at.y}});
 book.number("fov_y", 57.29577951308232 * foot.camera().fov_y_rad, 0);
 book.draw("eye_ray", eye_ray(inputs, at.x, at.y, p),
-          "A vertical cut through the depth buffer at texel ({x}, {y}), which chapter 03 began to "
-          "follow. The ray that leaves the eye through the texel meets the ground at p; e is another point of it, "
-          "here the one on the near plane. The dashed lines are the upper and the lower rim of the view; what is "
-          "hatched, the depth buffer does not know.");
+          "A vertical cut through the depth buffer at texel ({x}, {y}), which chapter 03 began to follow. The ray that leaves "
+          "the eye through the texel meets the ground at p; e is another point of it, here the one on the near plane. The "
+          "dashed lines are the upper and the lower rim of the view; what is hatched, the depth buffer does not know.");
 
 // %% derivation [markdown]
 // ## Along the ray
@@ -146,24 +95,16 @@ book.draw("eye_ray", eye_ray(inputs, at.x, at.y, p),
 
 // %% numbers_of_one_texel
 const double tangent = static_cast<double>(inputs.rays.ray_scale.y);
-book.number("map", size_text(inputs.size()));
-book.number("u", decimal_text(static_cast<double>(u), 4));
-book.number("v", decimal_text(static_cast<double>(v), 4));
-book.number("far", exact_text(far));
-book.number("half_height", static_cast<double>(far) * tangent, 2);
-book.number("half_width", static_cast<double>(far * inputs.rays.ray_scale.x), 2);
-book.number("far_point", text(far_point));
-book.number("p_z", text(p_z));
-book.number("p", text(p));
-book.check(
-    "Texel ({x}, {y}) of the {map} map has the centre u = {u}, v = {v}. The far plane, {far} away, "
-    "reaches {half_width} to each side and {half_height} up and down, so the ray ends at "
-    "({far_point}). With the depth {p_z} of the texel, p = ({p}): the position that the kernel "
-    "uses.",
-    [&] {
-        const Vec3<float> off = p - inputs.rays.p_view(u, v, p_z);
-        return dot(off, off) < 1e-10f;
-    }());
+book.numbers({{"map", size_text(inputs.size())}, {"u", decimal_text(static_cast<double>(u), 4)},
+              {"v", decimal_text(static_cast<double>(v), 4)}, {"far", exact_text(far)}, {"far_point", text(far_point)},
+              {"p_z", text(p_z)}, {"p", text(p)}});
+book.numbers(2, {{"half_height", static_cast<double>(far) * tangent},
+                 {"half_width", static_cast<double>(far * inputs.rays.ray_scale.x)}});
+const Vec3<float> off = p - inputs.rays.p_view(u, v, p_z);
+book.check("Texel ({x}, {y}) of the {map} map has the centre u = {u}, v = {v}. The far plane, {far} away, reaches "
+           "{half_width} to each side and {half_height} up and down, so the ray ends at ({far_point}). With the depth {p_z} "
+           "of the texel, p = ({p}): the position that the kernel uses.",
+           dot(off, off) < 1e-10f);
 
 // %% half_size [markdown]
 // The centre of a texel of the half-size map is the corner where four pixels of the picture meet. Its depth must belong
@@ -193,8 +134,7 @@ book.listing("rasterizer/spaces.h", "p_view",
              "A position from u, v and a view depth, as every method of this book calls it.");
 book.listing("chapters/props/position_ways.h", "by_far_plane", "X_Jun's way, for comparison.");
 book.listing("chapters/props/position_ways.h", "interpolated",
-             "What a rasterizer makes of the corners: `on_plane` is the corner (x, y) of the "
-             "rectangle at that depth.");
+             "What a rasterizer makes of the corners: `on_plane` is the corner (x, y) of the rectangle at that depth.");
 
 // %% picture
 const AoInputs whole = ao_inputs(shown.gbuffer, view.camera(), xjun_fetch(kXjunSettings));
@@ -215,16 +155,12 @@ for (const Way& way : kWays) {
     worst.push_back(error.most);
 }
 book.table({"p by", "off by, scene units, mean", "at most"}, rows);
-book.number("exact", significant_text(std::max(worst[0], worst[1]), 2));
-book.number("least", significant_text(*std::min_element(worst.begin() + 2, worst.end()), 2));
-book.check(
-    "Rays to the far and to the near plane give p to within {exact} units, the last bits of a "
-    "float.",
-    std::max(worst[0], worst[1]) < 1e-4);
-book.check(
-    "Each of the others is off by {least} units or more somewhere. Chapter 05 looks for occluders "
-    "within half a unit.",
-    *std::min_element(worst.begin() + 2, worst.end()) > 0.5);
+book.numbers({{"exact", significant_text(std::max(worst[0], worst[1]), 2)},
+              {"least", significant_text(*std::min_element(worst.begin() + 2, worst.end()), 2)}});
+book.check("Rays to the far and to the near plane give p to within {exact} units, the last bits of a float.",
+           std::max(worst[0], worst[1]) < 1e-4);
+book.check("Each of the others is off by {least} units or more somewhere. Chapter 05 looks for occluders within half a unit.",
+           *std::min_element(worst.begin() + 2, worst.end()) > 0.5);
 
 // %% traps [markdown]
 // ## What can go wrong
@@ -273,9 +209,8 @@ for (const std::size_t i : {0u, 2u, 3u, 4u})
                          ao_picture(ao_at(whole, kWays[i].position)), kCaptions[i]});
 book.show_row(occlusion);
 const Vec3<float> misprint = as_misprinted(inputs.rays, 0.3f, 0.8f, 7);
-book.check(
-    "Luna's formula as it is printed, `(p.z / v / z) v` (the point e is called v there), is (1, 1, 1) for every pixel.",
-    std::fabs(misprint.x - 1) + std::fabs(misprint.y - 1) + std::fabs(misprint.z - 1) < 1e-5f);
+book.check("Luna's formula as it is printed, `(p.z / v / z) v` (the point e is called v there), is (1, 1, 1) for every pixel.",
+           std::fabs(misprint.x - 1) + std::fabs(misprint.y - 1) + std::fabs(misprint.z - 1) < 1e-5f);
 
 // %% formats_text [markdown]
 // ## What a stored depth is worth
@@ -297,24 +232,19 @@ book.show_row(
       "View depth in 16-bit floats: always too near (blue), in stripes of one step each."},
      {"stored_d16", difference_picture(errors[1].off, 0.01f),
       "NDC depth in 16 bits: too near or too far (red), the more the farther."}},
-    "The rebuilt minus the true view depth, from -0.01 to 0.01 units. With 24 bits the picture "
-    "would be white.");
+    "The rebuilt minus the true view depth, from -0.01 to 0.01 units. With 24 bits the picture would be white.");
 book.table({"stored", "off by at most, units", "over z", "over z²"}, stored_rows,
-           "D24 and the 32-bit float D32F come out alike: from twice the near plane on $d$ is above 1/2, and there the "
-           "steps of a float are $2^{-24}$, exactly those of D24.");
-book.number("half_share", significant_text(1024 * errors[0].most_of_z, 4));
-book.number("d16_share", significant_text(1.001 * 131072 * errors[1].most_of_z2, 4));
-book.check(
-    "A 16-bit float of z is off by less than z / 1024: the largest error is {half_share} of that.",
-    errors[0].most_of_z < 1.0 / 1024);
-book.check(
-    "A 16-bit NDC depth is off by about half a step, $z^2 / |B| / 2^{17}$: the largest error is "
-    "{d16_share} of that.",
-    errors[1].most_of_z2 < 1.05 / (1.001 * 131072));
-book.check(
-    "In this scene the 16-bit float of z is the coarser of the two, and 24 bits are at least fifty times "
-    "better than both.",
-    errors[1].most < errors[0].most && 50 * errors[2].most < errors[1].most);
+           "D24 and the 32-bit float D32F come out alike: from twice the near plane on $d$ is above 1/2, and there the steps "
+           "of a float are $2^{-24}$, exactly those of D24.");
+book.numbers({{"half_share", significant_text(1024 * errors[0].most_of_z, 4)},
+              {"d16_share", significant_text(1.001 * 131072 * errors[1].most_of_z2, 4)}});
+book.check("A 16-bit float of z is off by less than z / 1024: the largest error is {half_share} of that.",
+           errors[0].most_of_z < 1.0 / 1024);
+book.check("A 16-bit NDC depth is off by about half a step, $z^2 / |B| / 2^{17}$: the largest error is {d16_share} of that.",
+           errors[1].most_of_z2 < 1.05 / (1.001 * 131072));
+book.check("In this scene the 16-bit float of z is the coarser of the two, and 24 bits are at least fifty times better than "
+           "both.",
+           errors[1].most < errors[0].most && 50 * errors[2].most < errors[1].most);
 
 // %% bounds_text [markdown]
 // How large may the error get in other scenes? The next table takes eight pairs of near and far planes and the largest
@@ -326,20 +256,17 @@ book.check(
 // %% bounds
 const DepthErrorTable table = depth_error_table();
 book.table(table.header, table.rows,
-           "Largest relative error of a view depth. Where it is above 1, the depth is lost. The last column computes "
-           "B / (d - A) in floats, as a shader does, the others without rounding; where it is infinite, d comes to A "
-           "itself, and the division is by 0.");
-book.number("of_bound", percent_text(table.most_of_bound));
-book.number("reversed", significant_text(table.worst_reversed, 2));
-book.check(
-    "No error exceeds the bound that follows from the formula above, and the largest comes to {of_bound} "
-    "of it.",
-    table.most_of_bound <= 1);
+           "Largest relative error of a view depth. Where it is above 1, the depth is lost. The last column computes B / (d - "
+           "A) in floats, as a shader does, the others without rounding; where it is infinite, d comes to A itself, and the "
+           "division is by 0.");
+book.numbers({{"of_bound", percent_text(table.most_of_bound)}, {"reversed", significant_text(table.worst_reversed, 2)}});
+book.check("No error exceeds the bound that follows from the formula above, and the largest comes to {of_bound} of it.",
+           table.most_of_bound <= 1);
 book.check("Reversed floats are off by no more than {reversed} of z, whatever the planes.",
            table.worst_reversed < 2e-7);
 book.plot("depth_error", depth_error_plot(),
-          "The relative error over z with planes at 1 and 1000. Dots are measured, lines are "
-          "bounds. Bits that run out grow with z; reversed floats stay level.");
+          "The relative error over z with planes at 1 and 1000. Dots are measured, lines are bounds. Bits that run out grow "
+          "with z; reversed floats stay level.");
 
 // %% walls_text [markdown]
 // **A step of the depth buffer looks like an occluder.** When two neighbours on a slanted wall fall on two steps, and
@@ -369,13 +296,11 @@ const double from_d16 = std::sqrt(epsilon_b * 65535), from_d24 = std::sqrt(epsil
 const auto as_searched = [&](DepthFormat format, double z) {
     return std::fabs(depth_of_step(wall_scene.camera, format, epsilon) / z - 1) < 1e-3;
 };
-book.number("from_d16", from_d16, 0);
-book.number("from_d24", from_d24, 0);
+book.numbers(0, {{"from_d16", from_d16}, {"from_d24", from_d24}});
 book.number("epsilon", epsilon, 2);
-book.check(
-    "Between planes at 1 and 1000, a step is longer than an epsilon of {epsilon} from z = "
-    "{from_d16} on with 16 bits, from z = {from_d24} on with 24.",
-    as_searched(DepthFormat::d16, from_d16) && as_searched(DepthFormat::d24, from_d24));
+book.check("Between planes at 1 and 1000, a step is longer than an epsilon of {epsilon} from z = {from_d16} on with 16 bits, "
+           "from z = {from_d24} on with 24.",
+           as_searched(DepthFormat::d16, from_d16) && as_searched(DepthFormat::d24, from_d24));
 book.check("With 16 bits the walls at 25 and 45 are open, those at 65, 85 and 105 striped.",
            std::min(walls[0].means[0], walls[0].means[1]) > 0.99 &&
                std::max({walls[0].means[2], walls[0].means[3], walls[0].means[4]}) < 0.97);
@@ -403,14 +328,12 @@ book.compare({"sky_nearest", ao_picture(nearest.ao),
               "than elsewhere: both are without the power to which chapter 07 raises accessibility for contrast.)"});
 book.table({"rounding", "1e5 becomes", "minus itself", "10 + 0 (it - 10)", "NaN, % of texels",
             "after the blur"},
-           {row_of("toward zero", cut), row_of("to nearest", nearest)},
+           {sky_row("toward zero", cut), sky_row("to nearest", nearest)},
            "The blur carries a NaN to all texels around it.");
-book.number("nan_cut", significant_text(cut.nan, 2));
-book.number("nan_nearest", significant_text(nearest.nan, 3));
-book.check(
-    "Toward zero {nan_cut} % of the texels are NaN, and only where a sample comes back to the point itself, the 0/0 of "
-    "chapter 06; to nearest it is {nan_nearest} %.",
-    cut.nan < 0.1 && nearest.nan > 5);
+book.numbers({{"nan_cut", significant_text(cut.nan, 2)}, {"nan_nearest", significant_text(nearest.nan, 3)}});
+book.check("Toward zero {nan_cut} % of the texels are NaN, and only where a sample comes back to the point itself, the 0/0 of "
+           "chapter 06; to nearest it is {nan_nearest} %.",
+           cut.nan < 0.1 && nearest.nan > 5);
 
 // %% exercises [markdown]
 // ## Exercises
@@ -423,8 +346,7 @@ book.check(
 //    triangle's. Why is nothing wrong any more?
 // 4. Set `scene.camera.near_plane = 4` in `bare_walls()` of `chapters/props/stored_depth.cpp`. From which depth on does
 //    D16 show stripes now?
-// 5. Call `sky_in_half` of `chapters/04_position_from_depth.cpp` with `BufferFormat::float32`, too. How much of the sky
-//    is NaN?
+// 5. In the cell `half_floats` call `sky_in_half` with `BufferFormat::float32`, too. How much of the sky is NaN?
 // 6. (Open) An orthographic camera has no pyramid. What is $p$ there, and which of the traps above are left?
 //
 // <details><summary>Answers</summary>

@@ -8,11 +8,12 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "chapters/diagrams/depth_section.h"
+#include "chapters/diagrams/flipped_samples.h"
 #include "chapters/diagrams/vector_panels.h"
 #include "chapters/notebook/chapter.h"
-#include "chapters/props/crops.h"
+#include "chapters/props/mirrored_vectors.h"
 #include "chapters/props/number_words.h"
+#include "chapters/props/random_map_vectors.h"
 #include "chapters/props/switched_ao.h"
 #include "chapters/terminal/number_text.h"
 #include "ssao/judge/luna_limit.h"
@@ -20,128 +21,6 @@
 
 namespace crevice {
 namespace {
-
-using Vectors = std::array<glm::vec3, kCubeVectors>;
-
-glm::vec3 mirrored(glm::vec3 v, glm::vec3 r) { return v - 2 * glm::dot(v, r) * r; }
-Vectors mirrored(Vectors vectors, glm::vec3 r) {
-    for (glm::vec3& v : vectors) v = mirrored(v, r);
-    return vectors;
-}
-
-// Blue; longer than any sample should be: red.
-VectorPanel panel(const std::string& words, const Vectors& vectors) {
-    VectorPanel result{words, {}};
-    for (const glm::vec3& v : vectors)
-        result.vectors.push_back({v, glm::length(v) > 1.00001f ? kSvgOccluded : kSvgOpen});
-    return result;
-}
-VectorPanel with_mirror(VectorPanel drawn, glm::vec3 r) {
-    drawn.vectors.push_back({r, kSvgPoint, "r"});
-    return drawn;
-}
-
-// The smallest angle between two of the directions, degrees.
-double closest_deg(const Vectors& vectors) {
-    double cosine = -1;
-    for (std::size_t i = 0; i < vectors.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j) {
-            const glm::dvec3 a(vectors[i]), b(vectors[j]);
-            cosine = std::max(cosine, glm::dot(glm::normalize(a), glm::normalize(b)));
-        }
-    }
-    return 57.29577951308232 * std::acos(cosine);
-}
-
-// The samples of a texel in the vertical plane that holds it; those that have been flipped with where they came from.
-std::string samples_diagram(const AoInputs& inputs, Texel at, const Explanation& texel, double radius,
-                            const std::vector<float>& facing) {
-    const SectionPlane plane{at.x, at.y, {0, 1}};
-    const SectionPoint p = plane.at(texel.p_view);
-    const double reach = 1.5 * radius;
-    SectionDrawing drawing({p.z - 1.2 * reach, p.across - 0.9 * reach},
-                           {p.z + 1.2 * reach, p.across + 0.9 * reach});
-    drawing.surface(depth_section(inputs, plane, 3 * reach));
-    drawing.circle(p, radius, kSvgSoft);
-    for (std::size_t i = 0; i < texel.samples.size(); ++i) {
-        const SectionPoint q = plane.at(texel.samples[i].q_view);
-        if (facing[i] < 0) {
-            const SectionPoint before = plane.at(texel.p_view - texel.samples[i].offset);
-            drawing.segment(before, p, kSvgSoft, true);
-            drawing.point(before, "", kSvgSoft, SectionDrawing::Dot::ring);
-        }
-        drawing.segment(p, q, kSvgOpen);
-        drawing.point(q, "", kSvgOpen);
-    }
-    const SectionPoint tip = plane.at(texel.p_view + 1.1f * static_cast<float>(radius) * texel.n_view);
-    drawing.arrow(p, tip, kSvgPoint);
-    drawing.label(tip, 6, 2, "n", kSvgPoint);
-    drawing.point(p, "", kSvgPoint);
-    drawing.label(p, 6, 20, "p", kSvgPoint);
-    return drawing.svg("Fourteen samples around one texel");
-}
-
-// The 14 directions mirrored at every vector of the map.
-std::vector<glm::vec3> all_mirrored(Vectors offsets, const RandomMap& map, bool unit) {
-    for (glm::vec3& o : offsets) o = glm::normalize(o);
-    std::vector<glm::vec3> result;
-    for (std::size_t i = 0; i < map.x.size(); ++i) {
-        const glm::vec3 r(map.x[i], map.y[i], map.z[i]);
-        const Vectors d = mirrored(offsets, unit ? glm::normalize(r) : r);
-        result.insert(result.end(), d.begin(), d.end());
-    }
-    return result;
-}
-
-std::vector<float> sorted_lengths(const std::vector<glm::vec3>& vectors) {
-    std::vector<float> lengths;
-    for (const glm::vec3& v : vectors) lengths.push_back(glm::length(v));
-    std::sort(lengths.begin(), lengths.end());
-    return lengths;
-}
-
-// The share of the lengths in each twentieth from 0 to 3.
-PlotCurve length_shares(const std::vector<float>& sorted) {
-    PlotCurve curve{"raw r", {}, {}, {}, {}, PlotStyle::smooth};
-    const auto first = [&](float value) { return std::lower_bound(sorted.begin(), sorted.end(), value); };
-    for (int bar = 0; bar < 60; ++bar) {
-        const float low = 0.05f * static_cast<float>(bar);
-        curve.x.push_back(static_cast<double>(low + 0.025f));
-        curve.y.push_back(100.0 * static_cast<double>(first(low + 0.05f) - first(low)) /
-                          static_cast<double>(sorted.size()));
-    }
-    return curve;
-}
-
-// How often the flipped directions point where, the normal towards the reader; equal areas, 1 is the mean.
-Image<float> density(const std::vector<glm::vec3>& directions) {
-    constexpr int kCells = 48;
-    Image<float> cells({kCells, kCells}, 0.0f);
-    for (const glm::vec3& d : directions) {
-        const glm::vec3 n = d.z < 0 ? -d : d;
-        const float scale = 1 / std::sqrt(1 + n.z);
-        const auto cell = [&](float a) { return static_cast<int>((a * scale + 1) * 23.99f); };
-        cells.at(cell(n.x), kCells - 1 - cell(n.y)) +=
-            3.14159265f * 24 * 24 / static_cast<float>(directions.size());
-    }
-    return enlarged(cells, 4);
-}
-
-Image3 as_image(const RandomMap& map) {
-    Image3 vectors({kRandomMapSide, kRandomMapSide}, glm::vec3(0));
-    std::copy(map.x.begin(), map.x.end(), vectors.x.pixels.begin());
-    std::copy(map.y.begin(), map.y.end(), vectors.y.pixels.begin());
-    std::copy(map.z.begin(), map.z.end(), vectors.z.pixels.begin());
-    return vectors;
-}
-
-// The share of the map's vectors that are longer or shorter than 1 by more than a twentieth.
-double not_unit_share(const RandomMap& map) {
-    double off = 0;
-    for (std::size_t i = 0; i < map.x.size(); ++i)
-        off += std::fabs(glm::length(glm::vec3(map.x[i], map.y[i], map.z[i])) - 1) > 0.05f ? 1 : 0;
-    return off / static_cast<double>(map.x.size());
-}
 
 // RMS difference of an AO map, without contrast, from its own mean over many seeds.
 double noise_of(const SwitchedView& view, const std::string& vectors) {
@@ -210,36 +89,18 @@ const Vectors offsets = cube_offsets(book.seed());
 const glm::vec3 mirror = glm::normalize(glm::vec3(0.3f, 0.8f, 0.5f));
 const float stretch = 1.2f;
 const Vectors turned = mirrored(offsets, mirror);
-book.draw(
-    "turned",
-    vector_panels(
-        "One set of vectors",
-        {panel("as stored", offsets), with_mirror(panel("mirrored, |r| = 1", turned), mirror),
-         with_mirror(panel("a longer r: no mirror", mirrored(offsets, stretch * mirror)),
-                     stretch * mirror)}),
-    "The fourteen offsets as they are stored; mirrored at the unit vector r; and \"mirrored\" at a "
-    "longer r, which pulls them out of shape: red ones lie outside of the ball.");
-std::vector<std::vector<std::string>> pairs;
-for (std::size_t i = 0; i < offsets.size(); i += 2) {
-    const glm::vec3 way = glm::sign(offsets[i]);
-    pairs.push_back({exact_text(way.x) + ", " + exact_text(way.y) + ", " + exact_text(way.z), text(glm::length(offsets[i])),
-                     text(glm::length(offsets[i + 1]))});
-}
-book.table({"direction, not normalised", "length of its offset", "length of the opposite one"}, pairs,
+book.draw("turned",
+          vector_panels("One set of vectors",
+                        {panel("as stored", offsets), panel_with_mirror("mirrored, |r| = 1", turned, mirror),
+                         panel_with_mirror("a longer r: no mirror", mirrored(offsets, stretch * mirror), stretch * mirror)}),
+          "The fourteen offsets as they are stored; mirrored at the unit vector r; and \"mirrored\" at a longer r, which "
+          "pulls them out of shape: red ones lie outside of the ball.");
+book.table({"direction, not normalised", "length of its offset", "length of the opposite one"}, offset_rows(offsets),
            "The fourteen offsets of this book, two a row.");
-book.number("closest", closest_deg(offsets), 1);
-glm::vec3 mean_direction(0);
-float opposite = 1;  // cosine
-for (std::size_t i = 0; i < turned.size(); i += 2) {
-    const glm::vec3 first = glm::normalize(turned[i]), second = glm::normalize(turned[i + 1]);
-    mean_direction += (first + second) / 14.0f;
-    opposite = std::min(opposite, -glm::dot(first, second));
-}
-book.check(
-    "The mean of the fourteen directions is 0, and no two are closer than {closest} degrees, "
-    "before and after.",
-    glm::length(mean_direction) < 1e-6f &&
-        std::fabs(closest_deg(turned) - closest_deg(offsets)) < 0.01);
+const Evenness before = evenness(offsets), after = evenness(turned);
+book.number("closest", before.closest_deg, 1);
+book.check("The mean of the fourteen directions is 0, and no two are closer than {closest} degrees, before and after.",
+           after.mean < 1e-6f && std::fabs(after.closest_deg - before.closest_deg) < 0.01);
 
 // %% flip_text [markdown]
 // ## To the front
@@ -263,39 +124,29 @@ for (const glm::vec3& o : kernel.offsets) facing.push_back(glm::dot(mirrored(o, 
 const std::size_t flipped = static_cast<std::size_t>(
     std::find_if(facing.begin(), facing.end(), [](float f) { return f < 0; }) - facing.begin());
 const glm::vec3 o = kernel.offsets[flipped];
-book.number("x", std::to_string(at.x));
-book.number("y", std::to_string(at.y));
-book.draw(
-    "hemisphere",
-    samples_diagram(shown.inputs, at, texel, static_cast<double>(shown.settings.radius), facing),
-    "The fourteen samples of texel ({x}, {y}), seen from the side. Dashed: where those were that "
-    "pointed into the ground. The dotted circle is the radius. The plane of the drawing shows all "
-    "vectors shortened that do not lie in it.");
+book.numbers({{"x", at.x}, {"y", at.y}});
+book.draw("hemisphere",
+          flipped_samples_diagram(shown.inputs, at.x, at.y, texel, static_cast<double>(shown.settings.radius), facing,
+                                  "Fourteen samples around one texel"),
+          "The fourteen samples of texel ({x}, {y}), seen from the side. Dashed: where those were that pointed into the "
+          "ground. The dotted circle is the radius. The plane of the drawing shows all vectors shortened that do not lie in "
+          "it.");
 
 // %% one_texel_numbers
-book.number("r", text(r));
-book.number("i", std::to_string(flipped + 1));
-book.number("o", text(o));
-book.number("o_r", text(glm::dot(o, r)));
-book.number("d", text(mirrored(o, r)));
-book.number("d_n", text(facing[flipped]));
-book.number("q", text(texel.samples[flipped].q_view));
+book.numbers({{"r", text(r)}, {"i", flipped + 1}, {"o", text(o)}, {"o_r", text(glm::dot(o, r))}, {"d", text(mirrored(o, r))},
+              {"d_n", text(facing[flipped])}, {"q", text(texel.samples[flipped].q_view)}});
 const glm::vec3 by_hand = texel.p_view - shown.settings.radius * mirrored(o, r);
-book.check(
-    "The random vector of this texel is r = ({r}). For offset number {i}, o = ({o}), $o \\cdot r$ "
-    "is {o_r}, so d = ({d}). As $d \\cdot n$ = {d_n} is negative, the sample lies on the other "
-    "side: q = p - R d = ({q}).",
-    glm::length(by_hand - texel.samples[flipped].q_view) < 1e-5f);
+book.check("The random vector of this texel is r = ({r}). For offset number {i}, o = ({o}), $o \\cdot r$ is {o_r}, so d = "
+           "({d}). As $d \\cdot n$ = {d_n} is negative, the sample lies on the other side: q = p - R d = ({q}).",
+           glm::length(by_hand - texel.samples[flipped].q_view) < 1e-5f);
 
 // %% seven [markdown]
 // Flipping has a price. Of two opposite directions, one always points into the surface, and flipping lays it onto the
 // other: of the fourteen directions only **seven** are left, with two samples of different lengths along each.
 
 // %% seven_directions
-book.check(
-    "Every second direction is the reverse of the one before it, so flipping sends both the same "
-    "way.",
-    opposite > 0.99999f);
+book.check("Every second direction is the reverse of the one before it, so flipping sends both the same way.",
+           after.opposite > 0.99999f);
 
 // %% map_text [markdown]
 // ## Where r comes from
@@ -308,15 +159,13 @@ book.check(
 
 // %% the_map
 book.show("random_map", normal_picture(as_image(map)),
-          "The random map. The colour of each texel is its vector: x is red, y green, z blue, and "
-          "grey stands for 0.");
+          "The random map. The colour of each texel is its vector: x is red, y green, z blue, and grey stands for 0.");
 book.number("step", 1024.0 / shown.inputs.size().width, 1);
 book.number("not_unit", percent_text(not_unit_share(map)));
-book.check(
-    "From one texel of the AO map to the next it is {step} vectors of the random map, so "
-    "neighbours turn their sets differently. {not_unit} of the vectors in the map, before any are "
-    "mixed, are more than a twentieth longer or shorter than 1.",
-    not_unit_share(map) > 0.8);
+book.check("From one texel of the AO map to the next it is {step} vectors of the random map, so neighbours turn their sets "
+           "differently. {not_unit} of the vectors in the map, before any are mixed, are more than a twentieth longer or "
+           "shorter than 1.",
+           not_unit_share(map) > 0.8);
 
 // %% code_text [markdown]
 // ## The code
@@ -326,20 +175,17 @@ book.check(
 
 // %% kernels tags=["setup"]
 book.listing("ssao/inputs/random_vectors.cpp", "cube_offsets",
-             "The fourteen offsets. `hash_of` gives every sample a random number that depends on "
-             "the seed alone.");
+             "The fourteen offsets. `hash_of` gives every sample a random number that depends on the seed alone.");
 book.listing("rasterizer/base/hash.h", "hash_of",
              "Where every random number of this book comes from: whole numbers mixed until no pattern is left.");
 book.listing("ssao/inputs/random_vectors.cpp", "random_map", "The random map, one byte a component.");
 book.listing("ssao/methods/luna_occlusion.h", "random_vector",
-             "r of a texel. `raw` leaves it as the map has it, as the tutorials do; `none` leaves "
-             "the offsets where they are.");
+             "r of a texel. `raw` leaves it as the map has it, as the tutorials do; `none` leaves the offsets where they are.");
 book.listing("ssao/methods/luna_occlusion.h", "sample_point",
              "One sample: mirror, flip, step away from p.");
 book.listing("ssao/methods/luna_occlusion.h", "visible",
-             "A sample that comes to lie before the near plane, between it and the eye or even behind the eye, "
-             "has no place on the screen. It takes nothing from p, but it is counted among the fourteen "
-             "all the same.");
+             "A sample that comes to lie before the near plane, between it and the eye or even behind the eye, has no place "
+             "on the screen. It takes nothing from p, but it is counted among the fourteen all the same.");
 
 // %% picture [markdown]
 // ## The picture it makes
@@ -374,17 +220,15 @@ book.plot("lengths",
            {"share of the samples, %"},
            {length_shares(raw)},
            {{1, "unit r"}}},
-          "With the vectors as they are stored in the map (before the filter mixes and shortens them), lengths spread "
-          "from almost nothing to several radii. With unit vectors all of them stand at 1.");
+          "With the vectors as they are stored in the map (before the filter mixes and shortens them), lengths spread from "
+          "almost nothing to several radii. With unit vectors all of them stand at 1.");
 book.table({"mean |d| / |o|", "1 % are below", "1 % are above", "the largest"},
            {{decimal_text(mean, 3), text(p1), text(p99), text(raw.back())}});
-book.number("p99", text(p99));
-book.number("longest", text(raw.back()));
+book.numbers({{"p99", text(p99)}, {"longest", text(raw.back())}});
 book.check("A unit vector keeps every length.", unit.front() > 0.99999f && unit.back() < 1.00001f);
-book.check(
-    "As published, one sample in a hundred lies more than {p99} times too far away, the worst "
-    "{longest} times. It cannot be more than five.",
-    p99 > 2.5f && raw.back() > 4 && raw.back() < 5);
+book.check("As published, one sample in a hundred lies more than {p99} times too far away, the worst {longest} times. It "
+           "cannot be more than five.",
+           p99 > 2.5f && raw.back() > 4 && raw.back() < 5);
 
 // %% raw_and_unit
 const Words raw_words = {"random_vectors=raw"};
@@ -395,17 +239,15 @@ book.compare({"ao_raw", ao_picture(published.raw),
              {"ao_unit", ao_picture(shown.raw), "Unit vectors: the same shade in finer grain.",
               view.render_command()});
 book.show("raw_minus_unit", difference_picture(difference_of(published.raw, shown.raw)),
-          "The first minus the second: less shade at the foot (red), more further out (blue), and "
-          "grain wherever there is shade.");
+          "The first minus the second: less shade at the foot (red), more further out (blue), and grain wherever there is "
+          "shade.");
 const double noise_raw = noise_of(view, "random_vectors=raw"),
              noise_unit = noise_of(view, "random_vectors=unit");
-book.number("noise_raw", noise_raw, 4);
-book.number("noise_unit", noise_unit, 4);
-book.check(
-    "Vectors as they come make at least a quarter more noise: {noise_raw} against {noise_unit}. (The root "
-    "mean square, RMS, of the difference from a mean over 32 seeds, in which the noise has cancelled; in this view, and "
-    "without the power for contrast of chapter 07.)",
-    noise_raw > 1.25 * noise_unit);
+book.numbers(4, {{"noise_raw", noise_raw}, {"noise_unit", noise_unit}});
+book.check("Vectors as they come make at least a quarter more noise: {noise_raw} against {noise_unit}. (The root mean square, "
+           "RMS, of the difference from a mean over 32 seeds, in which the noise has cancelled; in this view, and without the "
+           "power for contrast of chapter 07.)",
+           noise_raw > 1.25 * noise_unit);
 
 // %% near_text [markdown]
 // Long samples may also end between the eye and the near plane, or behind the eye. The tutorials divide by the depth
@@ -422,10 +264,9 @@ const Image<float> often = density(directions);
 book.number("densest", buffer_statistics(often).max, 1);
 book.show(
     "density", grey_picture(often, 0, 4),
-    "Where all flipped directions point, for a surface whose normal points at you. The disc is the hemisphere; "
-    "equal areas stand for equal solid angles. A quarter of white is even. The light spots come up "
-    "to {densest} times as often as they should: there the fourteen directions began, flipped to the front, "
-    "so that some coincide.");
+    "Where all flipped directions point, for a surface whose normal points at you. The disc is the hemisphere; equal areas "
+    "stand for equal solid angles. A quarter of white is even. The light spots come up to {densest} times as often as they "
+    "should: there the fourteen directions began, flipped to the front, so that some coincide.");
 
 // %% exercises [markdown]
 // ## Exercises
@@ -434,8 +275,8 @@ book.show(
 // 2. In `chapters/05_sample_vectors.cpp` set `stretch` to 1.1. By how much can this mirror lengthen an offset at most, as
 //    a formula?
 // 3. With $|r|^2 = 1/2$ and $o$ along $r$: what is $d$, and what does the sample then ask?
-// 4. In `all_mirrored` of the same file, keep only one direction of each opposite pair. Why does the density stay the
-//    same?
+// 4. In `all_mirrored` (`chapters/props/mirrored_vectors.cpp`) keep only one direction of each opposite pair. Why does
+//    the density stay the same?
 // 5. (Open) Find a distribution of $r$ that makes the density even. How would you store it?
 //
 // <details><summary>Answers</summary>

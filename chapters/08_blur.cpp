@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "chapters/diagrams/blur_taps.h"
 #include "chapters/notebook/chapter.h"
+#include "chapters/props/blur_likeness.h"
 #include "chapters/props/blur_reach.h"
 #include "chapters/props/blur_weights_curve.h"
+#include "chapters/props/columns_parts.h"
 #include "chapters/props/crops.h"
 #include "chapters/props/switched_ao.h"
 #include "chapters/terminal/number_text.h"
@@ -20,27 +21,6 @@ namespace crevice {
 namespace {
 
 constexpr int kSeeds = 64;
-constexpr double kLunaSigma = 2.5;  // texels
-
-// Without a minus in front of a zero.
-std::string text(float value, int decimals = 3) {
-    const float step = std::pow(10.0f, static_cast<float>(-decimals));
-    return decimal_text(std::fabs(value) < step / 2 ? 0 : static_cast<double>(value), decimals);
-}
-
-bool inside(Size size, int x, int y) { return x >= 0 && y >= 0 && x < size.width && y < size.height; }
-
-// What the two tests ask of texel (x, y) and one of its neighbours.
-struct Likeness {
-    float cosine, apart;  // n_c . n_i, |z_c - z_i|
-    bool counts(const BlurSettings& blur) const {
-        return cosine >= blur.normal_threshold && apart <= blur.depth_threshold;
-    }
-};
-Likeness likeness(const AoInputs& in, int x, int y, int tap_x, int tap_y) {
-    return {dot(spread<float>(in.normal.at(x, y)), spread<float>(in.normal.at(tap_x, tap_y))),
-            std::fabs(in.view_depth.at(x, y) - in.view_depth.at(tap_x, tap_y))};
-}
 
 // The tutorials' pixel shader: one texel of a pass along (dx, dy).
 float mean_along(const Image<float>& ao, const AoInputs& in, const BlurSettings& blur, int x, int y, int dx,
@@ -70,35 +50,9 @@ Image<float> blurred_naively(Image<float> ao, const AoInputs& in, const BlurSett
     return ao;
 }
 
-// A texel whose row crosses a step in depth, not too high to be drawn: some taps are rejected, and by their depth.
-Texel texel_at_a_step(const AoInputs& in, const BlurSettings& blur) {
-    Texel best;
-    float least = 1e30f;
-    for (int y = 0; y < in.size().height; ++y) {
-        for (int x = kBlurRadius; x + kBlurRadius < in.size().width; ++x) {
-            int counting = 0;
-            float farthest = 0;
-            for (int i = -kBlurRadius; i <= kBlurRadius; ++i) {
-                const Likeness tap = likeness(in, x, y, x + i, y);
-                counting += tap.counts(blur) ? 1 : 0;
-                farthest = std::max(farthest, tap.apart);
-            }
-            if (counting >= 6 && counting <= 8 && farthest > 2 * blur.depth_threshold && farthest < least)
-                least = farthest, best = {x, y};
-        }
-    }
-    return best;
-}
-
-// The left part of the house, and columns beside it.
-PixelRect left_of_house(Size size) {
-    return {size.width / 7, size.height * 2 / 5, size.width * 4 / 7, size.height * 4 / 5};
-}
-
 // Cells stand at the margin, where notebooks look for them.
 // clang-format off
 void blur(Notebook& book) {
-
 // %% question [markdown]
 // # The bilateral blur
 //
@@ -122,47 +76,30 @@ book.compare({"raw", ao_picture(shown.raw), "The raw AO map: shade with sharp ed
 //
 // **Average only over neighbours that show the same surface.**
 //
-// Which neighbours are those? Chapter 07 has found a normal and a view depth for every texel of the map, and the lab has kept
-// them. (The tutorials fetch them from the images of pass 1 once more.) If a neighbour's normal is nearly ours, and its depth too, it most likely lies on our surface. A mean that weighs neighbours by their place *and* by
-// their likeness is called a *bilateral filter*. Here likeness is yes or no.
+// Which neighbours are those? Chapter 07 has found a normal and a view depth for every texel of the map. If a neighbour's normal is
+// nearly ours, and its depth too, it most likely lies on our surface. A mean that weighs neighbours by their place *and* by their
+// likeness is called a *bilateral filter*. Here likeness is yes or no.
 
 // %% one_texel
 const SwitchedView foot = column_foot(book);
 const SwitchedAo near = foot.ao(seed);
 const AoInputs& in = near.inputs;
 const Texel step = texel_at_a_step(in, near.blur);
-std::vector<BlurTap> taps;
-std::vector<std::vector<std::string>> tap_rows;
-double kept_weight = 0;
-for (int i = -kBlurRadius; i <= kBlurRadius; ++i) {
-    const Likeness like = likeness(in, step.x, step.y, step.x + i, step.y);
-    const float weight = near.blur.weights[static_cast<std::size_t>(i + kBlurRadius)];
-    taps.push_back({step.x + i, like.counts(near.blur)});
-    kept_weight += taps.back().counts ? static_cast<double>(weight) : 0;
-    tap_rows.push_back({std::to_string(i), text(weight, 2), text(like.cosine), text(like.apart),
-                        taps.back().counts ? "counts" : "rejected", text(near.raw.at(step.x + i, step.y), 4)});
-}
-book.number("step_x", std::to_string(step.x));
-book.number("step_y", std::to_string(step.y));
-book.draw("taps", blur_taps_diagram(in, step.x, step.y, taps, "A texel and its neighbours on one row, at a step in depth"),
+const TapsOfTexel taps = taps_of(in, near.raw, near.blur, step);
+book.numbers({{"step_x", step.x}, {"step_y", step.y}});
+book.draw("taps", blur_taps_diagram(in, step.x, step.y, taps.taps, "A texel and its neighbours on one row, at a step in depth"),
           "A cut through the depth buffer along the row of texel ({step_x}, {step_y}), seen from above; the eye is on the left. The "
           "blue neighbours of the green texel c lie on its surface. The red ones face another way and lie farther back; "
           "their AO says nothing about c. (It is chosen for the step beside it, and is not the texel that we follow.)");
 
 // %% numbers
-book.number("exponent", kXjunSettings.exponent, 0);
-book.number("middle", text(kXjunBlurWeights[5], 1));
-book.number("inner", text(kXjunBlurWeights[4], 1));
-book.number("outer", text(kXjunBlurWeights[0], 2));
-book.number("cosine", text(kXjunBlur.normal_threshold, 1));
-book.number("angle", std::acos(static_cast<double>(kXjunBlur.normal_threshold)) * 57.29578, 0);
-book.number("depth", text(kXjunBlur.depth_threshold, 1));
-book.number("iterations", std::to_string(kXjunBlur.iterations));
-book.number("luna_iterations", std::to_string(kLunaBlur.iterations));
-book.number("luna_sigma", std::sqrt(variance_of(kLunaBlurWeights)), 1);
-book.number("luna_sigma_3", std::sqrt(kLunaBlur.iterations * variance_of(kLunaBlurWeights)), 1);
-book.number("sigma_1", std::sqrt(variance_of(kXjunBlurWeights)), 1);
-book.number("sigma_4", std::sqrt(kXjunBlur.iterations * variance_of(kXjunBlurWeights)), 1);
+book.numbers(0, {{"exponent", kXjunSettings.exponent}, {"angle", 57.29578f * std::acos(kXjunBlur.normal_threshold)}});
+book.numbers({{"middle", exact_text(kXjunBlurWeights[5])}, {"inner", exact_text(kXjunBlurWeights[4])},
+              {"outer", exact_text(kXjunBlurWeights[0])}, {"cosine", exact_text(kXjunBlur.normal_threshold)},
+              {"depth", exact_text(kXjunBlur.depth_threshold)}, {"iterations", kXjunBlur.iterations},
+              {"luna_iterations", kLunaBlur.iterations}});
+book.numbers(1, {{"sigma_1", sigma_after(1, kXjunBlurWeights)}, {"sigma_4", sigma_after(4, kXjunBlurWeights)},
+                 {"luna_sigma", sigma_after(1, kLunaBlurWeights)}, {"luna_sigma_3", sigma_after(3, kLunaBlurWeights)}});
 
 // %% weights_text [markdown]
 // ## The weights
@@ -181,11 +118,7 @@ book.number("sigma_4", std::sqrt(kXjunBlur.iterations * variance_of(kXjunBlurWei
 // deviations add up: one iteration of X_Jun's weights has {sigma_1} texels, four have {sigma_4}.
 
 // %% weights
-double off = 0;
-for (int i = -kBlurRadius; i <= kBlurRadius; ++i) {
-    const float weight = kLunaBlurWeights[static_cast<std::size_t>(i + kBlurRadius)];
-    off = std::max(off, std::fabs(static_cast<double>(weight) - gaussian_weight(i, kLunaSigma)));
-}
+const double off = off_gaussian(kLunaBlurWeights, 2.5);
 book.plot("weights", {"The weights of the eleven taps", {"distance from the texel, texels"}, {"weight", false, 0},
                       {weights_curve("X_Jun", kXjunBlurWeights), weights_curve("Luna", kLunaBlurWeights)}},
           "Both add up to 1. X_Jun's are flat with a peak in the middle, Luna's a Gaussian.");
@@ -213,10 +146,9 @@ book.check("Luna's eleven weights are the formula's, within {off} billionths.", 
 
 // %% taps_table
 const float across = mean_along(near.raw, in, near.blur, step.x, step.y, 1, 0);
-book.number("kept_weight", kept_weight, 2);
-book.number("raw_step", text(near.raw.at(step.x, step.y), 4));
-book.number("across_step", text(across, 4));
-book.table({"tap i", "weight", "cosine of the normals", "difference in depth", "verdict", "AO"}, tap_rows,
+book.number("kept_weight", taps.kept_weight, 2);
+book.numbers(4, {{"raw_step", near.raw.at(step.x, step.y)}, {"across_step", across}});
+book.table({"tap i", "weight", "cosine of the normals", "difference in depth", "verdict", "AO"}, taps.rows,
            "The eleven taps of the texel in the figure. Those that count have a total weight of {kept_weight}; divided by it, their mean "
            "is {across_step}, where the texel itself had {raw_step}. (Tap 0 is the texel itself: its cosine may come a little below 1, "
            "since a mean of four normals is not of length 1.)");
@@ -251,23 +183,19 @@ book.check("Written like the shader or decided once, four iterations give the sa
 
 // %% iterations
 const Texel at = followed_texel(in.size());
-const PixelRect part = left_of_house(shown.raw.size);
 std::vector<Notebook::Named> pictures;
 std::vector<float> of_texel;
 for (const auto& [iterations, caption] : {std::pair{"1", "After one iteration the grain is coarser and weaker."},
                                           std::pair{"2", "After two, soft blotches are left of it and, on the floor, streaks."},
                                           std::pair{"4", "After four the shade is smooth, and the silhouettes are sharp."}}) {
     const std::string word = std::string("blur_iterations=") + iterations;
-    pictures.push_back({std::string("blurred_") + iterations, ao_picture(enlarged(cropped(view.ao({seed[0], word}).blurred, part), 3)), caption,
+    pictures.push_back({std::string("blurred_") + iterations, ao_part(view.ao({seed[0], word}).blurred, left_of_house(shown.raw.size), 3), caption,
                         view.render_command({seed[0], word}, "ao_blurred")});
     of_texel.push_back(foot.ao({seed[0], word}).blurred.at(at.x, at.y));
 }
 book.show_row(pictures);
-book.number("x", std::to_string(at.x));
-book.number("y", std::to_string(at.y));
-book.number("of_texel_0", text(near.raw.at(at.x, at.y), 4));
-book.number("of_texel_1", text(of_texel[0], 4));
-book.number("of_texel_4", text(of_texel[2], 4));
+book.numbers({{"x", at.x}, {"y", at.y}});
+book.numbers(4, {{"of_texel_0", near.raw.at(at.x, at.y)}, {"of_texel_1", of_texel[0]}, {"of_texel_4", of_texel[2]}});
 
 // %% followed [markdown]
 // The texel that we follow, $({{x}}, {{y}})$ in the view of the column's foot, had {of_texel_0} in the raw map. It has {of_texel_1}
@@ -276,11 +204,7 @@ book.number("of_texel_4", text(of_texel[2], 4));
 
 // %% keeps
 const double drift = buffer_statistics(shown.blurred).mean - buffer_statistics(shown.raw).mean;
-const auto leak = [&](BlurEdges edges) {
-    const BlurSettings once{.iterations = 1, .edges = edges};
-    return leaked_share(bilateral_blur(shown.raw, shown.inputs, once).ao, shown.raw, shown.inputs.view_depth);
-};
-const double leaked = leak(BlurEdges::none);
+const double leaked = leaked_share(shown, BlurEdges::none), held = leaked_share(shown, BlurEdges::fixed);
 book.compare({"leaking", ao_picture(plain.blurred), "The plain Gaussian: shade leaks over every silhouette.",
               view.render_command({seed[0], gaussian[0], gaussian[1]}, "ao_blurred")},
              {"holding", ao_picture(shown.blurred), "The bilateral blur: it stays where it belongs.",
@@ -292,7 +216,7 @@ book.number("leaked", percent_text(leaked));
 book.check("Four iterations change the mean of the map by {drift} only.", std::fabs(drift) < 0.005);
 book.check("In one iteration of the bilateral blur nothing crosses a step in depth. One iteration of the plain blur gives {leaked} of "
            "the texels a value that no raw texel of about their depth nearby had: lighter than the lightest or darker than the "
-           "darkest.", leak(BlurEdges::fixed) == 0 && leaked > 0.01);
+           "darkest.", held == 0 && leaked > 0.01);
 
 // %% error_text [markdown]
 // ## How wrong it is
@@ -300,7 +224,8 @@ book.check("In one iteration of the bilateral blur nothing crosses a step in dep
 // Which blur is better (X_Jun's first exercise)? The mean of many seeds is the method without its noise. Let us measure how far
 // each map is from that, in the whole scene and with X_Jun's contrast, $k = {{exponent}}$ (the noise of chapter 07 by the number
 // of samples was that of $k = 1$, and smaller). Both blurs make four iterations, the plain one with Luna's weights
-// (a standard deviation of {luna_sigma} texels), the bilateral one with X_Jun's ({sigma_1}). *Edges* are texels beside a step in depth, *creases* those where surfaces meet, *flats* all others.
+// (a standard deviation of {luna_sigma} texels), the bilateral one with X_Jun's ({sigma_1}). *Edges* are texels beside a step in
+// depth, *creases* those where surfaces meet, *flats* all others.
 
 // %% errors
 const ReferenceImage limit = luna_limit(shown.inputs, shown.settings, kSeeds);
@@ -316,11 +241,8 @@ for (const Region region : {Region::edge, Region::crease, Region::flat, Region::
 }
 book.table({"texels", "raw", "bilateral", "plain", "no noise, but blurred"}, rows, "RMS error against the mean of 64 seeds.");
 const double noise_left = compare_images(shown.blurred, limit_blurred).rmse, noise_raw = compare_images(shown.raw, limit.mean).rmse;
-book.number("error_raw", error(shown.raw, Region::surface), 4);
-book.number("error_blurred", error(shown.blurred, Region::surface), 4);
-book.number("error_limit", error(limit_blurred, Region::surface), 4);
-book.number("noise_raw", noise_raw, 4);
-book.number("noise_left", noise_left, 4);
+book.numbers(4, {{"error_raw", error(shown.raw, Region::surface)}, {"error_blurred", error(shown.blurred, Region::surface)},
+                 {"error_limit", error(limit_blurred, Region::surface)}, {"noise_raw", noise_raw}, {"noise_left", noise_left}});
 const auto better = [&](Region region) { return error(shown.blurred, region) < error(plain.blurred, region); };
 book.check("The bilateral blur is better than the plain one at edges, in creases and on flats.",
            better(Region::edge) && better(Region::crease) && better(Region::flat));
@@ -343,9 +265,8 @@ book.check("The blur takes away more than half of the noise, and the error that 
 constexpr float kEyeHeight = 3;  // over X_Jun's floor, scene units
 const float focal_px = static_cast<float>(shown.inputs.size().height) / (2 * shown.inputs.rays.ray_scale.y);
 const float limit_z = std::sqrt(kXjunBlur.depth_threshold * kEyeHeight * focal_px);
-book.number("h", text(kEyeHeight, 0));
-book.number("f", text(focal_px, 1));
-book.number("limit_z", text(limit_z, 1));
+book.number("h", kEyeHeight, 0);
+book.numbers(1, {{"f", focal_px}, {"limit_z", limit_z}});
 
 // %% floor_text [markdown]
 // ## What can go wrong: a floor seen at a slant
@@ -373,9 +294,8 @@ book.show("slope_minus_fixed", difference_picture(difference_of(slope.blurred, s
           "What the cure changes in the AO map: blue gets darker, red lighter. The open floor is 1 anyway; what changes is the "
           "shade on surfaces seen at a slant.");
 book.number("without", percent_text(double{1} * of_fixed.without / of_fixed.far_floor));
-book.number("taps_fixed", of_fixed.taps / of_fixed.far_floor, 1);
-book.number("taps_slope", of_slope.taps / of_slope.far_floor, 1);
-book.number("beyond", 1.1 * static_cast<double>(limit_z), 1);
+book.numbers(1, {{"taps_fixed", of_fixed.taps / of_fixed.far_floor}, {"taps_slope", of_slope.taps / of_slope.far_floor},
+                 {"beyond", 1.1 * static_cast<double>(limit_z)}});
 book.check("Beyond z = {beyond}, a tenth past that depth, {without} of the floor's texels keep no tap at all above or below.", of_fixed.without > 0.9 * of_fixed.far_floor);
 book.check("Measured from the plane they keep {taps_slope} of ten on average instead of {taps_fixed}.",
            of_slope.taps > 7 * of_slope.far_floor && of_fixed.taps < 0.5 * of_fixed.far_floor);
@@ -416,22 +336,19 @@ book.check("Measured from the plane they keep {taps_slope} of ten on average ins
 // ```
 
 // %% constants tags=["setup"]
-const auto constant = [](const char* name, const char* meaning, auto value) {
-    return std::vector<std::string>{name, meaning, exact_text(static_cast<float>(value))};
-};
 book.table({"name", "meaning", "X_Jun"},
-           {constant("SKY", "depth where there is nothing", static_cast<double>(kBackgroundOverFar) * view.camera().far_plane),
-            constant("T", "repeats of the random map in each direction", kRandomMapRepeats),
-            constant("N", "offsets", kXjunSettings.samples),
-            constant("R", "radius, scene units", kXjunSettings.radius),
-            constant("epsilon", "least distance in front, scene units", kXjunSettings.epsilon),
-            constant("fade_start", "full occlusion up to here, scene units", kXjunSettings.fade_start),
-            constant("fade_end", "none from here on, scene units", kXjunSettings.fade_end),
-            constant("k", "exponent", kXjunSettings.exponent),
-            constant("M", "iterations of the blur", kXjunBlur.iterations),
-            constant("K", "taps to either side", kBlurRadius),
-            constant("C", "least cosine of two normals", kXjunBlur.normal_threshold),
-            constant("D", "largest difference in depth, scene units", kXjunBlur.depth_threshold)},
+           {{"SKY", "depth where there is nothing", decimal_text(kBackgroundOverFar * view.camera().far_plane, 0)},
+            {"T", "repeats of the random map in each direction", exact_text(kRandomMapRepeats)},
+            {"N", "offsets", std::to_string(kXjunSettings.samples)},
+            {"R", "radius, scene units", exact_text(kXjunSettings.radius)},
+            {"epsilon", "least distance in front, scene units", exact_text(kXjunSettings.epsilon)},
+            {"fade_start", "full occlusion up to here, scene units", exact_text(kXjunSettings.fade_start)},
+            {"fade_end", "none from here on, scene units", exact_text(kXjunSettings.fade_end)},
+            {"k", "exponent", exact_text(kXjunSettings.exponent)},
+            {"M", "iterations of the blur", std::to_string(kXjunBlur.iterations)},
+            {"K", "taps to either side", std::to_string(kBlurRadius)},
+            {"C", "least cosine of two normals", exact_text(kXjunBlur.normal_threshold)},
+            {"D", "largest difference in depth, scene units", exact_text(kXjunBlur.depth_threshold)}},
            "The constants of the algorithm. The weights w of the blur stand above; the angle of view, its aspect and the near "
            "plane are the camera's.");
 
@@ -440,10 +357,9 @@ book.table({"name", "meaning", "X_Jun"},
 //
 // 1. (X_Jun's first) Replace the bilateral filter by a Gaussian. Which is better, and where?
 // 2. Run `crevice chapter 08 --cell iterations --param blur_depth=10`. Only the normals hold shade back now. Which edges stay
-//    sharp, and which do not?
-// 3. Run it with `--param blur_normal=-1` instead. What becomes of the roof and of the steps?
-// 4. Luna's filter is `--param blur_weights=luna` with three iterations. Compute its standard deviation, and compare the maps.
-// 5. A Gaussian over a square may be taken along rows and then along columns, or the other way round, with the same result: it is
+//    sharp, and which do not? And with `--param blur_normal=-1` instead, where only depths do?
+// 3. Luna's filter is `--param blur_weights=luna` with three iterations. Compute its standard deviation, and compare the maps.
+// 4. A Gaussian over a square may be taken along rows and then along columns, or the other way round, with the same result: it is
 //    *separable*. With the two tests it is not any more. Where does the order of the passes matter?
 //
 // <details><summary>Answers</summary>
@@ -451,11 +367,10 @@ book.table({"name", "meaning", "X_Jun"},
 // 1. The bilateral filter, everywhere, as the table shows. On flats, where one neighbour is as good as another, the two are
 //    nearly equal; at edges the plain one paints one surface's shade onto the other.
 // 2. Corners stay sharp. Parallel surfaces at different depths, a column and the wall behind it, share their shade.
-// 3. Shade turns corners: lines on the roof and the contact of column and floor fade.
-// 4. Its weights have a standard deviation of {luna_sigma} texels, three iterations one of {luna_sigma_3}: less noise is removed, and a little more
+//    With depths alone shade turns corners: lines on the roof and the contact of column and floor fade.
+// 3. Its weights have a standard deviation of {luna_sigma} texels, three iterations one of {luna_sigma_3}: less noise is removed, and a little more
 //    detail is kept.
-// 5. Where a row crosses an edge that the column does not. A neighbour of a neighbour may count along one way and not along
-//    the other.
+// 4. Where a row crosses an edge that the column does not: a neighbour of a neighbour may count one way and not the other.
 //
 // </details>
 

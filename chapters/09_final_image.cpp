@@ -4,151 +4,22 @@
 #include <cmath>
 
 #include "chapters/diagrams/lookup_weights.h"
-#include "chapters/frame/presets.h"
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/crops.h"
 #include "chapters/props/limit_scenes.h"
 #include "chapters/props/number_words.h"
 #include "chapters/props/switched_ao.h"
+#include "chapters/props/tutorial_picture.h"
 #include "chapters/terminal/number_text.h"
 #include "scenes/builtin_scenes.h"
 #include "ssao/judge/metrics.h"
 #include "ssao/light/ao_lookup.h"
-#include "ssao/light/scene_shadow.h"
 #include "ssao/light/shade.h"
-#include "ssao/light/sky.h"
 #include "ssao/light/widened_ao.h"
 #include "ssao/methods/luna_ssao.h"
 
 namespace crevice {
 namespace {
-
-// The share of the pixels that show a surface, and are not `left_out` of the second pass.
-double covered_share(const Image3& lit, const Image<float>& view_depth, glm::vec3 left_out) {
-    double surface = 0, covered = 0;
-    for (int y = 0; y < view_depth.size.height; ++y) {
-        for (int x = 0; x < view_depth.size.width; ++x) {
-            if (std::isinf(view_depth.at(x, y))) continue;
-            surface += 1;
-            if (lit.at(x, y) != left_out) covered += 1;
-        }
-    }
-    return covered / surface;
-}
-
-// The share of all pixels that b shows more than a twentieth darker than a.
-double darkened_share(const Image3& a, const Image3& b) {
-    double darker = 0;
-    for (int y = 0; y < a.size().height; ++y) {
-        for (int x = 0; x < a.size().width; ++x) {
-            if (b.y.at(x, y) < 0.95f * a.y.at(x, y)) darker += 1;
-        }
-    }
-    return darker / (a.size().width * a.size().height);
-}
-
-// A tutorial's scene with textures, shadow and sky, and everything that its last pass reads.
-struct Drawn {
-    SwitchedView view;
-    Words words;
-    Scene scene;
-    SwitchedAo ao;
-    ShadowMap shadow;
-
-    Drawn(const Notebook& book, const std::string& name, const std::string& method, const Words& own)
-        : view(book, name, method),
-          words(own),
-          scene(find_builtin_scene(book.scene(name))->make(SceneDetail::surfaces)),
-          ao(view.ao(words)),
-          shadow(throws_shadow(scene) ? scene_shadow(scene) : ShadowMap()) {}
-    // The same with other words.
-    Drawn(const Drawn& other, const Words& own)
-        : view(other.view), words(own), scene(other.scene), ao(view.ao(words)), shadow(other.shadow) {}
-
-    std::string command() const { return view.render_command(words, "lit"); }
-    Image3 lit(const Scene& shown, bool with_shadow, const Image<float>& accessibility) const {
-        const bool shadowed = with_shadow && !shadow.depth.codes.empty();
-        return shade(shown, scene.camera, ao.gbuffer.depth, accessibility, ShadeSettings{}, {},
-                     shadowed ? &shadow : nullptr);
-    }
-    Image3 finished(const Image<float>& accessibility) const {
-        const Image3 picture = lit(scene, true, accessibility);
-        if (scene.sky_cube == nullptr) return picture;
-        return with_sky(picture, ao.gbuffer.depth, scene.camera, *scene.sky_cube);
-    }
-};
-
-// The picture of a tutorial, built up piece by piece.
-struct Steps {
-    Image3 textures, normal_maps, shadow, mirrored, with_ao, finished;
-    double covered = 0;  // share of the surface's pixels that the second drawing lights
-    double in_shadow = 0, in_ao = 0;  // shares of the picture that either darkens visibly
-};
-Steps steps_of(const Drawn& d) {
-    Scene bumpy = d.scene, marked = d.scene;
-    bumpy.sky_cube = nullptr;
-    Scene textured = bumpy;
-    for (Material& material : textured.materials) material.normal_map = nullptr;
-    marked.sky = glm::vec3(-1);  // no lit colour is negative
-    Steps s;
-    s.textures = d.lit(textured, false, {});
-    s.normal_maps = d.lit(bumpy, false, {});
-    s.shadow = d.lit(bumpy, true, {});
-    s.mirrored = d.lit(d.scene, true, {});
-    s.with_ao = d.lit(d.scene, true, d.ao.blurred);
-    s.finished = d.finished(d.ao.blurred);
-    s.covered = covered_share(d.lit(marked, true, d.ao.blurred), d.ao.gbuffer.view_depth, marked.sky);
-    s.in_shadow = darkened_share(s.normal_maps, s.shadow);
-    s.in_ao = darkened_share(s.mirrored, s.with_ao);
-    return s;
-}
-
-Image<float> every_fourth(const Image<float>& map) {
-    Image<float> small({map.size.width / 4, map.size.height / 4});
-    for (int y = 0; y < small.size.height; ++y) {
-        for (int x = 0; x < small.size.width; ++x) small.at(x, y) = map.at(4 * x, 4 * y);
-    }
-    return small;
-}
-
-// Every channel times accessibility, pixel by pixel.
-Image3 times(Image3 lit, const Image<float>& accessibility) {
-    for (int y = 0; y < lit.size().height; ++y) {
-        for (int x = 0; x < lit.size().width; ++x) lit.set(x, y, accessibility.at(x, y) * lit.at(x, y));
-    }
-    return lit;
-}
-
-PixelRect middle_of(Size size) {
-    return {size.width * 2 / 5, size.height * 3 / 10, size.width * 3 / 5, size.height * 7 / 10};
-}
-Words words_of(const std::string& preset, Words words) {
-    const auto& own = find_preset(preset).words;
-    words.insert(words.end(), own.begin(), own.end());
-    return words;
-}
-
-bool all_sky(const Image3& lit, glm::vec3 sky) {
-    for (int y = 0; y < lit.size().height; ++y) {
-        for (int x = 0; x < lit.size().width; ++x) {
-            if (lit.at(x, y) != sky) return false;
-        }
-    }
-    return true;
-}
-
-Image3 difference_of(Image3 a, const Image3& b) {
-    for (int y = 0; y < a.size().height; ++y) {
-        for (int x = 0; x < a.size().width; ++x) a.set(x, y, a.at(x, y) - b.at(x, y));
-    }
-    return a;
-}
-
-// Raw AO from the normals that the normal maps make.
-Image<float> mapped_ao(const Drawn& d, Size size) {
-    const GBuffer gbuffer = normal_depth(d.scene, d.scene.camera, size, {.mapped_normals = true});
-    return luna_occlusion(ao_inputs(gbuffer, d.scene.camera, luna_fetch(d.ao.settings)), d.ao.settings, {}).ao;
-}
 
 // Cells stand at the margin, where notebooks look for them.
 // clang-format off
@@ -164,7 +35,7 @@ void final_image(Notebook& book) {
 
 // %% headline
 const Words seed = {"seed=" + std::to_string(book.seed())};
-const Drawn headline(book, "columns", "xjun", seed);
+const TutorialPicture headline(book, "columns", "xjun", seed);
 const Image3 ao_off = headline.finished({}), ao_on = headline.finished(headline.ao.blurred);
 book.compare({"ao_off", lit_picture(ao_off), "AO off: all ambient light arrives everywhere (`crevice render --preset xjun2020 --ao none`)."},
              {"ao_on", lit_picture(ao_on), "AO on (`--preset xjun2020`): look at the feet of the columns, below the spheres, and under the eaves.", headline.command()});
@@ -192,18 +63,12 @@ const Image<float> at_pixels = ao_at_picture_size(near.blurred, book.size());
 const Image3 near_off = shade(foot.scene(), foot.camera(), near.gbuffer.depth, {});
 const Image3 near_on = shade(foot.scene(), foot.camera(), near.gbuffer.depth, near.blurred);
 const Image3 near_dark = shade(foot.scene(), foot.camera(), near.gbuffer.depth, Image<float>({1, 1}, 0.0f));
-book.number("texel_x", std::to_string(at.x));
-book.number("texel_y", std::to_string(at.y));
-book.number("x", std::to_string(x));
-book.number("y", std::to_string(y));
-book.number("access", text(at_pixels.at(x, y)));
-book.number("direct", text(near_dark.at(x, y)));
-book.number("ambient", text(near_off.at(x, y) - near_dark.at(x, y)));
-book.number("colour_off", text(near_off.at(x, y)));
-book.number("colour_on", text(near_on.at(x, y)));
+book.numbers({{"texel_x", at.x}, {"texel_y", at.y}, {"x", x}, {"y", y}, {"access", text(at_pixels.at(x, y))},
+              {"direct", text(near_dark.at(x, y))}, {"ambient", text(near_off.at(x, y) - near_dark.at(x, y))},
+              {"colour_off", text(near_off.at(x, y))}, {"colour_on", text(near_on.at(x, y))}});
 book.draw("lookup", lookup_diagram(near.blurred, book.size(), x, y, "One pixel and the four texels around it"),
-          "Texels are drawn black, pixels grey. The centre of pixel ({x}, {y}), green, lies a quarter of a texel from the nearest "
-          "texel's centre in each direction; the blue lines carry the weights w.");
+          "Texels are drawn black, pixels grey. The centre of pixel ({x}, {y}), green, lies a quarter of a texel from the "
+          "nearest texel's centre in each direction; the blue lines carry the weights w.");
 
 // %% from_half_size [markdown]
 // ## From half size to full size
@@ -237,7 +102,7 @@ book.check("Direct light plus {access} times the ambient light is the lit pixel'
 // happens otherwise. The sky is drawn last, at depth 1 with LESS_EQUAL, where nothing else is.
 
 // %% second_drawing
-const Drawn luna(book, "columns_luna", "luna", seed);
+const TutorialPicture luna(book, "columns_luna", "luna", seed);
 const auto second_drawing = [&](DepthFunction function, const DepthBuffer& depth) {
     return shade(luna.scene, luna.scene.camera, depth, luna.ao.blurred, ShadeSettings{function, PositionOrder::relative, {}});
 };
@@ -271,16 +136,15 @@ book.listing("ssao/light/widened_ao.h", "at", "The lookup: two rows of the map, 
 // X_Jun's repository of 2022 has a quarter of the ambient light and more direct light.
 
 // %% xjun_2022
-const Drawn xjun(book, "columns_2022", "xjun", seed);
-const Steps s = steps_of(xjun);
+const TutorialPicture xjun(book, "columns_2022", "xjun", seed);
+const LightSteps s = light_steps(xjun);
 book.show_row({{"columns_2022_textures", lit_picture(s.textures), "Textures, and the lamps' light."},
                {"columns_2022_normal_maps", lit_picture(s.normal_maps), "Normal maps: joints and grain."},
                {"columns_2022_shadow", lit_picture(s.shadow), "The first lamp's shadow."}});
 book.show_row({{"columns_2022_ao", ao_picture(ao_at_picture_size(xjun.ao.blurred, book.size())), "The AO map at the picture's size."},
                {"columns_2022_with_ao", lit_picture(s.with_ao), "The ambient light times that map."},
                {"columns_2022", lit_picture(s.finished), "The sky, where the depth is 1.", xjun.command()}});
-book.number("dark_2022", percent_text(s.in_shadow));
-book.number("ao_2022", percent_text(s.in_ao));
+book.numbers({{"dark_2022", percent_text(s.in_shadow)}, {"ao_2022", percent_text(s.in_ao)}});
 book.check("EQUAL has lit every pixel that shows a surface.", s.covered == 1);
 book.check("The shadow darkens {dark_2022} of the picture.", s.in_shadow > 0.01 && s.in_shadow < 0.3);
 book.check("AO is a detail: it darkens {ao_2022} of the picture visibly.", s.in_ao > 0.005 && s.in_ao < 0.16);
@@ -289,7 +153,7 @@ book.check("AO is a detail: it darkens {ao_2022} of the picture visibly.", s.in_
 // Luna's light has one ambient term, $access \cdot ambient \cdot albedo$, and its smooth materials mirror the sky.
 
 // %% luna
-const Steps t = steps_of(luna);
+const LightSteps t = light_steps(luna);
 book.show_row({{"columns_luna_textures", lit_picture(t.textures), "Textures."},
                {"columns_luna_normal_maps", lit_picture(t.normal_maps), "Normal maps."},
                {"columns_luna_shadow", lit_picture(t.shadow), "The shadow of the first lamp."}});
@@ -299,8 +163,7 @@ book.show_row({{"columns_luna_mirrored", lit_picture(t.mirrored), "The mirrored 
 book.show_row({{"columns_luna_ao", ao_picture(ao_at_picture_size(luna.ao.blurred, book.size())), "The AO map."},
                {"columns_luna_shadow_map", ndc_depth_picture(every_fourth(ndc_depth(luna.shadow.depth))),
                 "The depth map that the lamp sees, from which shadows come: white is farthest."}});
-book.number("dark_luna", percent_text(t.in_shadow));
-book.number("ao_luna", percent_text(t.in_ao));
+book.numbers({{"dark_luna", percent_text(t.in_shadow)}, {"ao_luna", percent_text(t.in_ao)}});
 book.check("Here too EQUAL lights every pixel of a surface; the shadow darkens {dark_luna}, AO {ao_luna} of the picture.",
            t.covered == 1 && t.in_shadow > 0.01 && t.in_shadow < 0.3 && t.in_ao > 0.005 && t.in_ao < 0.16);
 
@@ -317,10 +180,10 @@ const Image3 true_light = headline.finished(by_rays);
 const Image3 wrong_by = difference_of(ao_on, true_light);
 book.compare({"lit_by_rays", lit_picture(true_light), "Accessibility by rays."},
              {"lit_by_ssao", lit_picture(ao_on), "Accessibility by SSAO."});
-book.show("ssao_minus_rays", difference_picture(wrong_by), "SSAO minus rays: blue is too dark, red too bright. The walls are too dark, for the exponent exaggerates; the joints of the roof are lost at "
-          "half size; and the red corners below belong to columns beside the picture, which rays meet and SSAO cannot see.");
-book.number("rmse", compare_images(ao_on, true_light).rmse, 4);
-book.number("rmse_without", compare_images(ao_off, true_light).rmse, 4);
+book.show("ssao_minus_rays", difference_picture(wrong_by), "SSAO minus rays: blue is too dark, red too bright. The walls are "
+          "too dark, for the exponent exaggerates; the joints of the roof are lost at half size; and the red corners below "
+          "belong to columns beside the picture, which rays meet and SSAO cannot see.");
+book.numbers(4, {{"rmse", compare_images(ao_on, true_light).rmse}, {"rmse_without", compare_images(ao_off, true_light).rmse}});
 book.check("With SSAO the picture is off by {rmse} (RMS, of colours between 0 and 1), without any AO by {rmse_without}.",
            compare_images(ao_on, true_light).rmse < compare_images(ao_off, true_light).rmse);
 
@@ -331,7 +194,7 @@ book.check("With SSAO the picture is off by {rmse} (RMS, of colours between 0 an
 // normals and depths in 16-bit floats, depth buffers of 24 bits, edge texels mixed? The shade gets wider and is less even; look at the roof.
 
 // %% as_published
-const Drawn xjun_published(headline, words_of("xjun2020_published", seed)), luna_published(luna, words_of("luna_published", seed));
+const TutorialPicture xjun_published(headline, words_of("xjun2020_published", seed)), luna_published(luna, words_of("luna_published", seed));
 const Image3 ao_published = xjun_published.finished(xjun_published.ao.blurred);
 book.compare({"xjun_published", lit_picture(ao_published), "X_Jun as published (`crevice render --preset xjun2020_published`).", xjun_published.command()},
              {"xjun_repaired", lit_picture(ao_on), "With the cures of chapters 05 to 07 (`--preset xjun2020`).", headline.command()});

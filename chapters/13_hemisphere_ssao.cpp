@@ -2,19 +2,17 @@
 // Source: LearnOpenGL (de Vries), chapter "SSAO", and the notes on it.
 // Run: crevice chapter 13
 #include <cmath>
-#include <set>
 
 #include "chapters/diagrams/point_cloud.h"
 #include "chapters/notebook/chapter.h"
+#include "chapters/props/bare_floor.h"
 #include "chapters/props/crops.h"
 #include "chapters/props/house_front.h"
 #include "chapters/props/number_words.h"
 #include "chapters/props/points_beside_wall.h"
 #include "chapters/props/surface_mean.h"
+#include "chapters/props/tile_turns.h"
 #include "chapters/terminal/number_text.h"
-#include "scenes/builtin_scenes.h"
-#include "scenes/composing.h"
-#include "scenes/shapes.h"
 #include "ssao/methods/hemisphere.h"
 
 namespace crevice {
@@ -23,35 +21,14 @@ namespace {
 constexpr HemisphereLengths kLengths = {.shortest = 0.1f, .shortened = true};
 double points_at(double distance) { return points_beside_wall(kLengths, distance); }
 
-// A level floor without anything on it, seen from low above.
-Scene bare_floor() {
-    Scene scene = empty_scene();
-    scene.instances = {placed(add_mesh(scene, grid_mesh(400, 400, 2, 2)), {0, 0, 0})};
-    scene.camera.eye = {0, 0.6, -4};
-    scene.camera.target = {0, 0, 4};
-    return scene;
-}
-
+// A bare floor, seen from low above.
 Image<float> floor_ao(Size size, float bias, SelfOcclusion self_occlusion) {
-    const Scene scene = bare_floor();
+    const Scene scene = bare_floor({0, 0.6, -4}, {0, 0, 4});
     HemisphereSettings settings;
     settings.bias = bias;
     settings.self_occlusion = self_occlusion;
     const GBuffer gbuffer = normal_depth(scene, scene.camera, size);
     return hemisphere_ao(ao_inputs(gbuffer, scene.camera, hemisphere_fetch(settings)), settings).ao;
-}
-
-// How many of the tile's four columns four neighbouring texels read, on average, where a map of so many texels takes the
-// tile for one of 1024.
-double turns_in_four(int texels) {
-    int found = 0;
-    for (int first = 0; first < texels; ++first) {
-        std::set<int> columns;
-        for (int i = 0; i < kTurnSide; ++i)
-            columns.insert((2 * (first + i) + 1) * 1024 / (2 * texels) % kTurnSide);
-        found += static_cast<int>(columns.size());
-    }
-    return static_cast<double>(found) / texels;
 }
 
 // Cells stand at the margin, where notebooks look for them.
@@ -95,27 +72,18 @@ for (const ExplainedSample& sample : texel.samples) {
     hidden_points += sample.contribution > 0 ? 1 : 0;
     sum += sample.contribution;
 }
-book.number("x", std::to_string(at.x));
-book.number("y", std::to_string(at.y));
-book.number("samples", std::to_string(settings.samples));
-book.number("radius", decimal_text(static_cast<double>(settings.radius), 2));
-book.number("p", text(texel.p_view));
-book.number("n", text(texel.n_view));
-book.number("q", text(hidden.q_view));
-book.number("q_z", text(hidden.q_view.z));
-book.number("r_z", text(hidden.r_view.z));
-book.number("nearer", text(hidden.q_view.z - hidden.r_view.z));
-book.number("dz", text(hidden.dz));
-book.number("hidden_points", std::to_string(hidden_points));
-book.number("sum", text(sum));
+book.numbers({{"x", at.x}, {"y", at.y}, {"samples", settings.samples},
+              {"radius", decimal_text(static_cast<double>(settings.radius), 2)}, {"p", text(texel.p_view)},
+              {"n", text(texel.n_view)}, {"q", text(hidden.q_view)}, {"q_z", text(hidden.q_view.z)},
+              {"r_z", text(hidden.r_view.z)}, {"nearer", text(hidden.q_view.z - hidden.r_view.z)}, {"dz", text(hidden.dz)},
+              {"hidden_points", hidden_points}, {"sum", text(sum)}});
 book.draw(
     "half_ball",
     hemisphere_diagram(shown.raw.inputs, at.x, at.y, texel, strongest_sample(texel),
                        static_cast<double>(settings.radius), "The points of one texel that lie near the cut"),
-    "A cut through the depth buffer at texel ({x}, {y}) of the picture, on the door, next to the jamb. Of the "
-    "{samples} "
-    "points, those near the plane of the cut are drawn: red dots are hidden by the surface in front of them, blue "
-    "rings are seen. Most lie close to p, on purpose.");
+    "A cut through the depth buffer at texel ({x}, {y}) of the picture, on the door, next to the jamb. Of the {samples} "
+    "points, those near the plane of the cut are drawn: red dots are hidden by the surface in front of them, blue rings are "
+    "seen. Most lie close to p, on purpose.");
 
 // %% points_text [markdown]
 // ## Where the points are
@@ -172,8 +140,8 @@ book.draw(
 // %% kernel tags=["setup"]
 book.listing("ssao/methods/hemisphere_samples.cpp", "hemisphere_points", "The points, once for all texels.");
 book.listing("ssao/methods/hemisphere_samples.h", "frame_over",
-             "The frame of a texel. Where the tile's vector happens to lie along n, nothing would be left of it; then "
-             "the view's z axis takes its place.");
+             "The frame of a texel. Where the tile's vector happens to lie along n, nothing would be left of it; then the "
+             "view's z axis takes its place.");
 book.listing("ssao/methods/hemisphere.h", "range_weight", "The range check.");
 book.listing("ssao/methods/hemisphere.cpp", "sample", "One point from beginning to end.");
 
@@ -191,10 +159,9 @@ book.show({"raw", ao_picture(shown.raw.ao),
 book.show({"blurred", ao_picture(shown.denoised), "After one box blur: the weave is gone, and edges are a little soft.",
            shown.command("ao_blurred")});
 book.number("ao", text(shown.raw.ao.at(at.x, at.y)));
-book.check(
-    "At texel ({x}, {y}), {hidden_points} of {samples} points are hidden; with their range checks they add up to "
-    "{sum}, and one minus their mean is {ao}, exactly the texel's value.",
-    texel.value_of_sum(sum) == shown.raw.ao.at(at.x, at.y));
+book.check("At texel ({x}, {y}), {hidden_points} of {samples} points are hidden; with their range checks they add up to "
+           "{sum}, and one minus their mean is {ao}, exactly the texel's value.",
+           texel.value_of_sum(sum) == shown.raw.ao.at(at.x, at.y));
 
 // %% strip_text [markdown]
 // More points make the grain finer and take time in proportion. A larger radius gathers more shade and spreads the same
@@ -227,10 +194,9 @@ book.plot(
      {"distance from the wall over the radius"},
      {"accessibility", false, 0.45, 1.02},
      {wall_curve("rays, every direction alike", rays_beside_wall), wall_curve("points", points_at)}},
-    "Both curves begin at one half, in the corner. That of the points has come most of the way up at a third of the "
-    "radius: the shade looks narrower than the radius that you asked for.");
-book.number("half_way_rays", rays_beside_wall(0.3), 3);
-book.number("half_way_points", points_at(0.3), 3);
+    "Both curves begin at one half, in the corner. That of the points has come most of the way up at a third of the radius: "
+    "the shade looks narrower than the radius that you asked for.");
+book.numbers(3, {{"half_way_rays", rays_beside_wall(0.3)}, {"half_way_points", points_at(0.3)}});
 book.check("At three tenths of the radius rays find {half_way_rays}, the points {half_way_points}.",
            points_at(0.3) > rays_beside_wall(0.3) + 0.1);
 
@@ -254,18 +220,16 @@ std::vector<std::vector<std::string>> errors = {
     error_row("hemisphere, 64 points, exponent 4", judged.error(dark, truth))};
 book.table(
     {"method", "RMS error", "bias"}, errors,
-    "Each method against ray-cast truth of its own question, {rays} rays a pixel, whose own noise is {noise} and has "
-    "been taken out. A positive bias is too open.");
+    "Each method against ray-cast truth of its own question, {rays} rays a pixel, whose own noise is {noise} and has been "
+    "taken out. A positive bias is too open.");
 book.show_row({{"truth", ao_picture(truth.image.mean), "Truth: rays through the scene. Their grain is its noise."},
                {"signed", judged.difference(small, truth), "The method minus truth: red is too open, blue too dark."}});
-book.number("rmse", judged.error(small, truth).rmse, 3);
-book.number("rmse_more", judged.error(more, truth).rmse, 3);
-book.number("bias_small", judged.error(small, truth).bias, 3);
-book.check(
-    "Four times as many points leave the error at {rmse_more} where it was {rmse}, and its bias of {bias_small} says "
-    "that the method is too open on the whole.",
-    std::fabs(judged.error(more, truth).rmse - judged.error(small, truth).rmse) < 0.02 &&
-        judged.error(small, truth).bias > 0);
+book.numbers(3, {{"rmse", judged.error(small, truth).rmse}, {"rmse_more", judged.error(more, truth).rmse},
+                 {"bias_small", judged.error(small, truth).bias}});
+book.check("Four times as many points leave the error at {rmse_more} where it was {rmse}, and its bias of {bias_small} says "
+           "that the method is too open on the whole.",
+           std::fabs(judged.error(more, truth).rmse - judged.error(small, truth).rmse) < 0.02 &&
+               judged.error(small, truth).bias > 0);
 
 // %% acne_text [markdown]
 // ## What can go wrong
@@ -279,15 +243,13 @@ book.check(
 const Image<float> no_bias = floor_ao(book.size(), 0, SelfOcclusion::depth);
 const Image<float> biased = floor_ao(book.size(), 0.025f, SelfOcclusion::depth);
 const Image<float> over_plane = floor_ao(book.size(), 0.025f, SelfOcclusion::plane);
-book.number("no_bias", buffer_statistics(no_bias).mean, 3);
-book.number("biased", buffer_statistics(biased).mean, 3);
+book.numbers(3, {{"no_bias", buffer_statistics(no_bias).mean}, {"biased", buffer_statistics(biased).mean}});
 book.compare(
     {"acne", ao_picture(no_bias), "A bare floor, seen from low above, without a bias: it shades itself."},
     {"biased", ao_picture(biased), "With the published bias of 0.025: clean near the eye; far away the shade is paler, and still there."});
-book.check(
-    "The bare floor's mean is {no_bias} without a bias and {biased} with it. With the plane test every pixel is 1.",
-    buffer_statistics(no_bias).mean < buffer_statistics(biased).mean && buffer_statistics(biased).min < 1 &&
-        buffer_statistics(over_plane).min == 1);
+book.check("The bare floor's mean is {no_bias} without a bias and {biased} with it. With the plane test every pixel is 1.",
+           buffer_statistics(no_bias).mean < buffer_statistics(biased).mean && buffer_statistics(biased).min < 1 &&
+               buffer_statistics(over_plane).min == 1);
 
 // %% range_text [markdown]
 // **Without the range check, a thing in front darkens what is far behind it.** Every half ball whose points fall behind the
@@ -300,8 +262,8 @@ beside_column.eye = {-7.4, -1.2, -7.2};
 beside_column.target = {-2.6, -1.9, -0.8};
 behind.look(beside_column, "--eye -7.4,-1.2,-7.2 --target -2.6,-1.9,-0.8");
 const MethodMap checked = behind.map("hemisphere"), unchecked = behind.map("hemisphere", {"range_check=false"});
-book.number("mean_checked", mean_over_surfaces(checked.denoised, checked.raw.inputs), 3);
-book.number("mean_unchecked", mean_over_surfaces(unchecked.denoised, unchecked.raw.inputs), 3);
+book.numbers(3, {{"mean_checked", mean_over_surfaces(checked.denoised, checked.raw.inputs)},
+                 {"mean_unchecked", mean_over_surfaces(unchecked.denoised, unchecked.raw.inputs)}});
 book.compare({"no_range", ao_picture(unchecked.denoised),
               "No range check (" + behind.command("hemisphere", {"range_check=false"}) +
                   "): columns cast rims onto what is behind them.", unchecked.command("ao_blurred")},

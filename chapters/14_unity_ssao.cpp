@@ -9,6 +9,8 @@
 #include "chapters/props/number_words.h"
 #include "chapters/props/points_beside_wall.h"
 #include "chapters/props/surface_mean.h"
+#include "chapters/props/unity_films.h"
+#include "chapters/props/unity_texels.h"
 #include "chapters/terminal/number_text.h"
 #include "ssao/methods/unity.h"
 
@@ -17,51 +19,6 @@ namespace {
 
 constexpr HemisphereLengths kLearnOpenGl = {.shortest = 0.1f, .shortened = true},
                             kUnity = {.shortest = 0.01f, .shortened = false};
-
-double mean_length(HemisphereLengths lengths) {
-    constexpr int kMany = 4096;
-    double sum = 0;
-    for (const glm::vec3& point : hemisphere_points(kMany, lengths, 1)) {
-        const double x = point.x, y = point.y, z = point.z;
-        sum += std::sqrt(x * x + y * y + z * z);
-    }
-    return sum / kMany;
-}
-
-// Of the texels in the middle half of the map that are quite open by their points' depths, the one that is least open by
-// the depth of p.
-Texel most_mistaken(const Image<float>& by_point, const Image<float>& by_centre) {
-    const int quarter = by_point.size.width / 4;
-    Texel worst;
-    float least = 1;
-    for (int y = 0; y < by_point.size.height; ++y) {
-        for (int x = quarter; x < by_point.size.width - quarter; ++x) {
-            if (by_point.at(x, y) < 1 || by_centre.at(x, y) >= least) continue;
-            worst = {x, y};
-            least = by_centre.at(x, y);
-        }
-    }
-    return worst;
-}
-
-// The frames of a film. Along the lower edge stands its slider: dark as far as it has gone.
-std::vector<Picture> with_slider(const std::vector<Image<float>>& maps) {
-    std::vector<Picture> frames;
-    for (const Image<float>& map : maps) {
-        Picture frame = ao_picture(map);
-        const auto rows = static_cast<std::size_t>(map.size.height), row = frame.pixels.size() / rows;
-        for (std::size_t i = frame.pixels.size() - std::min<std::size_t>(4, rows) * row; i < frame.pixels.size(); ++i)
-            frame.pixels[i] = (i % row) * maps.size() < (frames.size() + 1) * row ? 60 : 200;
-        frames.push_back(std::move(frame));
-    }
-    return frames;
-}
-
-int hidden_points(const Explanation& texel) {
-    int count = 0;
-    for (const ExplainedSample& sample : texel.samples) count += sample.contribution > 0 ? 1 : 0;
-    return count;
-}
 
 // Cells stand at the margin, where notebooks look for them.
 // clang-format off
@@ -101,29 +58,23 @@ const Texel slope = most_mistaken(by_point.raw.ao, by_centre.raw.ao);
 const Explanation wrong = view.explanation(by_centre, slope.x, slope.y),
                   right = view.explanation(by_point, slope.x, slope.y);
 const double radius = static_cast<double>(settings.radius);
-book.number("x", std::to_string(slope.x));
-book.number("y", std::to_string(slope.y));
-book.number("samples", std::to_string(settings.samples));
-book.number("by_centre", std::to_string(hidden_points(wrong)));
-book.number("by_point", std::to_string(hidden_points(right)));
-book.draw(
-    "centre_depth",
-    hemisphere_diagram(shown.raw.inputs, slope.x, slope.y, wrong, strongest_sample(wrong), radius,
-                       "Compared with the depth of p"),
-    "A cut through the depth buffer at texel ({x}, {y}). Judged by the depth of p, the red points count as closed: the "
-    "surface behind them is nearer to the eye than p. {by_centre} of all {samples} points are red.");
+book.numbers({{"x", slope.x}, {"y", slope.y}, {"samples", settings.samples}, {"by_centre", hidden_points(wrong)},
+              {"by_point", hidden_points(right)}});
+book.draw("centre_depth",
+          hemisphere_diagram(shown.raw.inputs, slope.x, slope.y, wrong, strongest_sample(wrong), radius,
+                             "Compared with the depth of p"),
+          "A cut through the depth buffer at texel ({x}, {y}). Judged by the depth of p, the red points count as closed: the "
+          "surface behind them is nearer to the eye than p. {by_centre} of all {samples} points are red.");
 book.draw("point_depth",
           hemisphere_diagram(shown.raw.inputs, slope.x, slope.y, right, strongest_sample(wrong), radius,
                              "Compared with the depth of the point"),
           "The same points, each judged by its own depth: the surface lies behind all of them, as seen from the eye.");
-book.check(
-    "Where the two differ most, the depth of p closes {by_centre} of {samples} points, the point's own depth "
-    "{by_point}.",
-    hidden_points(wrong) > settings.samples / 8 && hidden_points(right) == 0);
+book.check("Where the two differ most, the depth of p closes {by_centre} of {samples} points, the point's own depth "
+           "{by_point}.",
+           hidden_points(wrong) > settings.samples / 8 && hidden_points(right) == 0);
 
 // %% lengths tags=["setup"]
-book.number("unity_length", mean_length(kUnity), 2);
-book.number("learnopengl_length", mean_length(kLearnOpenGl), 2);
+book.numbers(2, {{"unity_length", mean_length(kUnity)}, {"learnopengl_length", mean_length(kLearnOpenGl)}});
 
 // %% formula [markdown]
 // ## The formula
@@ -167,10 +118,8 @@ book.number("learnopengl_length", mean_length(kLearnOpenGl), 2);
 // ```
 
 // %% kernel tags=["setup"]
-book.listing(
-    "ssao/methods/unity.cpp", "sample",
-    "One point. `compared_depth`, `counted_points` and `shrink` hold what the notes print; their defaults are the "
-    "cures.");
+book.listing("ssao/methods/unity.cpp", "sample",
+             "One point. `compared_depth`, `counted_points` and `shrink` hold what the notes print; their defaults are the cures.");
 
 // %% numbers_of_one_texel
 const Texel at = beside_the_jamb(shown.raw.inputs.size());
@@ -178,21 +127,15 @@ const Explanation texel = view.explanation(shown, at.x, at.y);
 const ExplainedSample& strongest = texel.samples[strongest_sample(texel)];
 float sum = 0;
 for (const ExplainedSample& sample : texel.samples) sum += sample.contribution;
-book.number("jamb_x", std::to_string(at.x));
-book.number("jamb_y", std::to_string(at.y));
-book.number("q", text(strongest.q_view));
-book.number("r_z", text(strongest.r_view.z));
-book.number("sum", text(sum));
-book.number("hidden", std::to_string(hidden_points(texel)));
-book.number("ao", text(shown.raw.ao.at(at.x, at.y)));
+book.numbers({{"jamb_x", at.x}, {"jamb_y", at.y}, {"q", text(strongest.q_view)}, {"r_z", text(strongest.r_view.z)},
+              {"sum", text(sum)}, {"hidden", hidden_points(texel)}, {"ao", text(shown.raw.ao.at(at.x, at.y))}});
 book.draw("jamb",
           hemisphere_diagram(shown.raw.inputs, at.x, at.y, texel, strongest_sample(texel), radius,
                              "A texel beside the door's jamb"),
           "The texel of chapter 13, on the door next to its jamb. The points reach further out than there.");
-book.check(
-    "At texel ({jamb_x}, {jamb_y}) the point ({q}) finds a surface at depth {r_z} in front of it. {hidden} points take "
-    "something, {sum} in all; one minus their share is {ao}, the value in the map.",
-    texel.value_of_sum(sum) == shown.raw.ao.at(at.x, at.y));
+book.check("At texel ({jamb_x}, {jamb_y}) the point ({q}) finds a surface at depth {r_z} in front of it. {hidden} points take "
+           "something, {sum} in all; one minus their share is {ao}, the value in the map.",
+           texel.value_of_sum(sum) == shown.raw.ao.at(at.x, at.y));
 
 // %% steps_text [markdown]
 // ## One switch after the other
@@ -217,18 +160,14 @@ for (std::size_t i = 0; i < steps.size(); i += 3) {
     for (std::size_t j = i; j < i + 3; ++j) {
         const MethodMap map = view.map("unity", steps[j].first);
         row.push_back({"step_" + std::to_string(j + 1), ao_picture(map.raw.ao), steps[j].second});
-        means.push_back(mean_over_surfaces(map.raw.ao, map.raw.inputs));
+        means.push_back(mean_over_surfaces(map.raw));
     }
     book.show_row(row);
 }
-book.number("without_range", means[1], 3);
-book.number("with_range", means[2], 3);
-book.number("with_bias", means[3], 3);
-book.number("with_weight", means[4], 3);
-book.check(
-    "Every step only opens: the mean over the surfaces goes from {without_range} to {with_range} with the range, "
-    "{with_bias} with the bias and {with_weight} with the weight.",
-    means[1] < means[2] && means[2] < means[3] && means[3] < means[4]);
+book.numbers(3, {{"without_range", means[1]}, {"with_range", means[2]}, {"with_bias", means[3]}, {"with_weight", means[4]}});
+book.check("Every step only opens: the mean over the surfaces goes from {without_range} to {with_range} with the range, "
+           "{with_bias} with the bias and {with_weight} with the weight.",
+           means[1] < means[2] && means[2] < means[3] && means[3] < means[4]);
 
 // %% blur_text [markdown]
 // The last step is a blur of seven texels across and seven down. A neighbour counts by how far its normal agrees with the
@@ -256,22 +195,11 @@ for (const char* samples : {"8", "64"}) {
 }
 
 // %% films
-std::vector<Image<float>> radii, counts, seeds;
-for (int i = 1; i <= 12; ++i) radii.push_back(view.map("unity", {"radius=" + decimal_text(0.1 * i, 1)}).raw.ao);
-for (int count = 4; count <= 64; count *= 2)
-    counts.push_back(view.map("unity", {"samples=" + std::to_string(count)}).raw.ao);
-for (std::uint32_t seed = 1; seed <= 8; ++seed) {
-    UnitySettings drawn = settings;
-    drawn.samples = 16;
-    drawn.seed = seed;
-    seeds.push_back(unity_ao(shown.raw.inputs, drawn, {}).ao);
-}
+const UnityFilms films = unity_films(view, shown);
 constexpr int kFrame_ms = 300;
-book.film("film_radius", with_slider(radii), kFrame_ms,
-          "The radius grows from 0.1 to 1.2; the bar at the lower edge is the slider.");
-book.film("film_samples", with_slider(counts), kFrame_ms,
-          "4 points, then 8, 16, 32 and 64: the grain goes, the shade stays.");
-book.film("film_seed", with_slider(seeds), kFrame_ms,
+book.film("film_radius", films.radii, kFrame_ms, "The radius grows from 0.1 to 1.2; the bar at the lower edge is the slider.");
+book.film("film_samples", films.counts, kFrame_ms, "4 points, then 8, 16, 32 and 64: the grain goes, the shade stays.");
+book.film("film_seed", films.seeds, kFrame_ms,
           "Another film of the notes: new random vectors. The grain changes, and stays as coarse as 16 points make it.");
 
 // %% error_text [markdown]
@@ -280,33 +208,27 @@ book.film("film_seed", with_slider(seeds), kFrame_ms,
 // As in chapter 13, points measure volume, not directions. But longer points bring the answer nearer to that of rays.
 
 // %% wall_curves
-book.plot(
-    "beside_a_wall",
-    {"Accessibility beside a wall",
-     {"distance from the wall over the radius"},
-     {"accessibility", false, 0.45, 1.02},
-     {wall_curve("rays, every direction alike", rays_beside_wall),
-      wall_curve("LearnOpenGL's points", [](double d) { return points_beside_wall(kLearnOpenGl, d); }),
-      wall_curve("the Unity notes' points", [](double d) { return points_beside_wall(kUnity, d); })}},
-    "What 4,096 points of each kind make of an endless wall. The longer ones lie between the shorter and the rays.");
+book.plot("beside_a_wall",
+          {"Accessibility beside a wall", {"distance from the wall over the radius"}, {"accessibility", false, 0.45, 1.02},
+           {wall_curve("rays, every direction alike", rays_beside_wall),
+            wall_curve("LearnOpenGL's points", [](double d) { return points_beside_wall(kLearnOpenGl, d); }),
+            wall_curve("the Unity notes' points", [](double d) { return points_beside_wall(kUnity, d); })}},
+          "What 4,096 points of each kind make of an endless wall. The longer ones lie between the shorter and the rays.");
 
 // %% errors
 const JudgedView judged = house_front(book, "unity", kJudgedSize);
 const MethodMap small = judged.map("unity"), hemisphere = judged.map("hemisphere"), votes = judged.map("xjun");
 const Truth truth = judged.truth(judged.question_of(small)), votes_truth = judged.truth(judged.question_of(votes));
 const MapError own = judged.error(small, truth), last = judged.error(hemisphere, truth);
-book.number("rays", std::to_string(kJudgedRays));
-book.number("noise", truth.noise, 3);
+book.numbers({{"rays", kJudgedRays}, {"noise", decimal_text(truth.noise, 3)}});
 book.table({"method", "RMS error", "bias"},
            {error_row("X_Jun, 14 samples and 4 blurs", judged.error(votes, votes_truth)),
             error_row("hemisphere, 64 points", last), error_row("unity, 64 points", own)},
-           "Against ray-cast truth of each method's own question, {rays} rays a pixel; the truth's own noise, {noise}, "
-           "has been "
-           "taken out. A positive bias is too open.");
+           "Against ray-cast truth of each method's own question, {rays} rays a pixel; the truth's own noise, {noise}, has "
+           "been taken out. A positive bias is too open.");
 book.show_row({{"truth", ao_picture(truth.image.mean), "Truth: of the directions, all counting alike, the open share."},
                {"signed", judged.difference(small, truth), "The method minus truth: red is too open."}});
-book.number("rmse", own.rmse, 3);
-book.number("rmse_last", last.rmse, 3);
+book.numbers(3, {{"rmse", own.rmse}, {"rmse_last", last.rmse}});
 book.check("With as many points the error is {rmse} where chapter 13 had {rmse_last}.", own.rmse < last.rmse);
 
 // %% mistakes_text [markdown]
@@ -320,11 +242,9 @@ book.compare({"by_centre", ao_picture(by_centre.raw.ao),
               by_centre.command("ao_raw")},
              {"by_point", ao_picture(by_point.raw.ao), "Compared with the depth of each point: all of them are white.",
               by_point.command("ao_raw")});
-book.number("centre_mean", mean_over_surfaces(by_centre.raw.ao, by_centre.raw.inputs), 3);
-book.number("point_mean", mean_over_surfaces(by_point.raw.ao, by_point.raw.inputs), 3);
+book.numbers(3, {{"centre_mean", mean_over_surfaces(by_centre.raw)}, {"point_mean", mean_over_surfaces(by_point.raw)}});
 book.check("The mean over the surfaces is {centre_mean} with the wrong depth and {point_mean} with the right one.",
-           mean_over_surfaces(by_centre.raw.ao, by_centre.raw.inputs) <
-               mean_over_surfaces(by_point.raw.ao, by_point.raw.inputs));
+           mean_over_surfaces(by_centre.raw) < mean_over_surfaces(by_point.raw));
 
 // %% meaning_text [markdown]
 // **Open or closed.** The notes count a blocked point as 1 in their text, and call it a slip of their teacher to have it the
@@ -354,16 +274,14 @@ book.compare({"mirrored", ao_picture(mirrored.raw.ao),
               "The sign of n_z turned round (" + view.command("unity", mirrored_words) + "): half balls in the stone.",
               mirrored.command("ao_raw")},
              {"not_mirrored", ao_picture(by_point.raw.ao), "n and p in one space.", by_point.command("ao_raw")});
-book.number("mirrored_mean", mean_over_surfaces(mirrored.raw.ao, mirrored.raw.inputs), 3);
+book.number("mirrored_mean", mean_over_surfaces(mirrored.raw), 3);
 book.check("With the mirrored normals the mean falls to {mirrored_mean}.",
-           mean_over_surfaces(mirrored.raw.ao, mirrored.raw.inputs) <
-               mean_over_surfaces(by_point.raw.ao, by_point.raw.inputs));
+           mean_over_surfaces(mirrored.raw) < mean_over_surfaces(by_point.raw));
 
 // %% planes tags=["setup"]
 const double near_plane = view.camera().near_plane, far_plane = view.camera().far_plane;
 const double shrink = (far_plane - near_plane) / (far_plane + near_plane);
-book.number("near", near_plane, 0);
-book.number("far", far_plane, 0);
+book.numbers(0, {{"near", near_plane}, {"far", far_plane}});
 book.number("shrink", shrink, 4);
 book.number("pixels", (1 - shrink) * book.size().width / 2, 1);
 
@@ -391,11 +309,10 @@ book.compare({"by_z", ao_picture(by_z.raw.ao),
 
 // %% halo
 const MethodMap unlimited = view.map("unity", {"range=1e30"});
-book.compare(
-    {"unlimited", ao_picture(unlimited.raw.ao), "Any distance counts: a grey veil beside whatever stands in front.",
-     unlimited.command("ao_raw")},
-    {"limited", ao_picture(shown.raw.ao), "Only what is within one radius of depth counts: the veil is gone.",
-     shown.command("ao_raw")});
+book.compare({"unlimited", ao_picture(unlimited.raw.ao), "Any distance counts: a grey veil beside whatever stands in front.",
+              unlimited.command("ao_raw")},
+             {"limited", ao_picture(shown.raw.ao), "Only what is within one radius of depth counts: the veil is gone.",
+              shown.command("ao_raw")});
 
 // %% atrium_text [markdown]
 // ## A hall
@@ -406,8 +323,8 @@ book.compare(
 // %% atrium
 const JudgedView hall(book, "atrium", "unity");
 const MethodMap hall_points = hall.map("hemisphere"), hall_unity = hall.map("unity");
-book.number("hall_points", mean_over_surfaces(hall_points.denoised, hall_points.raw.inputs), 3);
-book.number("hall_unity", mean_over_surfaces(hall_unity.denoised, hall_unity.raw.inputs), 3);
+book.numbers(3, {{"hall_points", mean_over_surfaces(hall_points.denoised, hall_points.raw.inputs)},
+                 {"hall_unity", mean_over_surfaces(hall_unity.denoised, hall_unity.raw.inputs)}});
 book.compare({"hall_points", ao_picture(hall_points.denoised),
               "Chapter 13's points: a mean of {hall_points} over the surfaces.", hall_points.command("ao_blurred")},
              {"hall_unity", ao_picture(hall_unity.denoised), "This chapter's: a mean of {hall_unity}.",

@@ -3,18 +3,17 @@
 //         "Scalable ambient obscurance" (both HPG).
 // Run: crevice chapter 15
 #include <cmath>
-#include <limits>
 
 #include "chapters/diagrams/depth_section.h"
 #include "chapters/diagrams/point_cloud.h"
 #include "chapters/diagrams/screen_taps.h"
 #include "chapters/notebook/chapter.h"
+#include "chapters/props/bare_floor.h"
 #include "chapters/props/crops.h"
 #include "chapters/props/house_front.h"
 #include "chapters/props/number_words.h"
+#include "chapters/props/taking_curves.h"
 #include "scenes/builtin_scenes.h"
-#include "scenes/composing.h"
-#include "scenes/shapes.h"
 #include "ssao/inputs/pixel_fetch.h"
 #include "ssao/judge/metrics.h"
 #include "ssao/methods/alchemy.h"
@@ -23,48 +22,9 @@
 namespace crevice {
 namespace {
 
-// What a surface straight above p takes at a distance, in radii, of the sum that is divided by the number of taps.
-double alchemy_takes(double distance) {
-    const AlchemySettings s;
-    const double epsilon = static_cast<double>(s.epsilon);
-    return 2 * distance / (distance * distance + epsilon);
-}
-double sao_takes(double distance) {
-    const SaoSettings s;
-    const double square = distance * distance, epsilon = static_cast<double>(s.epsilon);
-    const double near = std::fmax(1 - square, 0.0);
-    return 5 * near * near * near * std::fmax(distance - static_cast<double>(s.bias), 0.0) /
-           (epsilon + square);
-}
-
-PlotCurve taking_curve(const std::string& name, double (*takes)(double)) {
-    PlotCurve curve{name, {}, {}, {}, {}, PlotStyle::smooth};
-    for (int i = 1; i <= 240; ++i) {
-        curve.x.push_back(i / 200.0);
-        curve.y.push_back(takes(i / 200.0));
-    }
-    return curve;
-}
-
-// A level of a pyramid as a picture, the background infinitely far away.
-Image<float> level_of(const AoInputs& inputs, const DepthPyramid& pyramid, int level) {
-    const float background = inputs.depth_map.pixels.front();
-    Image<float> depth(pyramid.size(level));
-    for (int y = 0; y < depth.size.height; ++y) {
-        for (int x = 0; x < depth.size.width; ++x) {
-            const float z = pyramid.at(level, x, y);
-            depth.at(x, y) = z < background ? z : std::numeric_limits<float>::infinity();
-        }
-    }
-    return depth;
-}
-
 // A bare floor, seen from low above: everything on it is open.
 Image<float> floor_ao(Size size, SaoPlace place) {
-    Scene scene = empty_scene();
-    scene.instances = {placed(add_mesh(scene, grid_mesh(400, 400, 2, 2)), {0, 0, 0})};
-    scene.camera.eye = {0, 0.7f, -4};
-    scene.camera.target = {0, 0, 0};
+    const Scene scene = bare_floor({0, 0.7f, -4}, {0, 0, 0});
     SaoSettings settings;
     settings.radius = 3;
     settings.bias = 0.001f;
@@ -116,21 +76,14 @@ const ExplainedSample& strongest = texel.samples[most];
 const glm::vec3 way = strongest.r_view - texel.p_view;
 float sum = 0;
 for (const ExplainedSample& sample : texel.samples) sum += sample.contribution;
-book.number("x", std::to_string(at.x));
-book.number("y", std::to_string(at.y));
-book.number("p", text(texel.p_view));
-book.number("n", text(texel.n_view));
-book.number("r", text(strongest.r_view));
-book.number("height", text(glm::dot(way, texel.n_view)));
-book.number("length", text(glm::length(way)));
-book.number("takes", text(strongest.contribution));
-book.number("samples", std::to_string(settings.samples));
-book.number("turns", std::to_string(settings.turns));
+book.numbers({{"x", at.x}, {"y", at.y}, {"p", text(texel.p_view)}, {"n", text(texel.n_view)}, {"r", text(strongest.r_view)},
+              {"height", text(glm::dot(way, texel.n_view))}, {"length", text(glm::length(way))},
+              {"takes", text(strongest.contribution)}, {"samples", settings.samples}, {"turns", settings.turns}});
 book.draw(
     "tap",
     sample_diagram(inputs, at.x, at.y, texel, most, static_cast<double>(settings.radius), "The tap that takes most"),
-    "The texel beside the jamb again, ({x}, {y}) of a map of half the picture's size. Here q and r are one point: the "
-    "surface itself. The line from p to it is v.");
+    "The texel beside the jamb again, ({x}, {y}) of a map of half the picture's size. Here q and r are one point: the surface "
+    "itself. The line from p to it is v.");
 
 // %% alchemy_text [markdown]
 // ## Alchemy's formula
@@ -181,9 +134,9 @@ book.draw(
     "spiral",
     taps_on_screen(centre, radius_px, texel, spiral_through(centre, radius_px, texel, settings),
                    "The taps of one texel on the screen"),
-    "The disk of {radius_px} pixels around the texel, with its {samples} taps along {turns} turns. Red taps take "
-    "something: the jamb is on the right. Far out, dots lie beside the line. These were read from a coarser level, "
-    "and are drawn at the pixel that its cell was picked from.");
+    "The disk of {radius_px} pixels around the texel, with its {samples} taps along {turns} turns. Red taps take something: "
+    "the jamb is on the right. Far out, dots lie beside the line. These were read from a coarser level, and are drawn at the "
+    "pixel that its cell was picked from.");
 
 // %% pyramid
 const DepthPyramid pyramid(inputs, settings.levels, {});
@@ -216,9 +169,8 @@ book.plot("fall",
            {"distance over the radius", false, 0, 1.2},
            {"of the sum over the taps", true, 0.1, 100},
            {taking_curve("Alchemy", alchemy_takes), taking_curve("SAO", sao_takes)}},
-          "Both rise steeply close to p, until epsilon caps them, and fall. At the radius Alchemy still takes, "
-          "although no tap "
-          "goes further across the screen; SAO has faded out.");
+          "Both rise steeply close to p, until epsilon caps them, and fall. At the radius Alchemy still takes, although no "
+          "tap goes further across the screen; SAO has faded out.");
 
 // %% picture [markdown]
 // ## The pictures it makes
@@ -228,19 +180,16 @@ book.plot("fall",
 
 // %% pictures
 const MethodMap alchemy_map = view.map("alchemy");
-book.number("ao", text(shown.raw.ao.at(at.x, at.y)));
-book.number("sum", text(sum));
+book.numbers({{"ao", text(shown.raw.ao.at(at.x, at.y))}, {"sum", text(sum)}});
 book.compare({"sao_raw", ao_picture(shown.raw.ao), "SAO before the blur.", shown.command("ao_raw")},
              {"sao_blurred", ao_picture(shown.denoised), "After it.", shown.command("ao_blurred")});
 book.compare({"alchemy_raw", ao_picture(alchemy_map.raw.ao), "Alchemy, radius 0.5, before the blur.",
               alchemy_map.command("ao_raw")},
              {"alchemy_blurred", ao_picture(alchemy_map.denoised), "After four of X_Jun's.",
               alchemy_map.command("ao_blurred")});
-book.check(
-    "At texel ({x}, {y}) the strongest tap finds $r = ({{r}})$, {height} high over the plane and {length} away, and "
-    "takes "
-    "{takes}. All taps take {sum}; one minus their mean, never below 0, is {ao}, the value in the map.",
-    texel.value_of_sum(sum) == shown.raw.ao.at(at.x, at.y));
+book.check("At texel ({x}, {y}) the strongest tap finds $r = ({{r}})$, {height} high over the plane and {length} away, and "
+           "takes {takes}. All taps take {sum}; one minus their mean, never below 0, is {ao}, the value in the map.",
+           texel.value_of_sum(sum) == shown.raw.ao.at(at.x, at.y));
 
 // %% strip_text [markdown]
 // With every doubling of the radius the same taps have four times the area to cover. More taps take grain away; the cost of
@@ -281,17 +230,14 @@ book.number("rays", std::to_string(kJudgedRays));
 book.number("noise", truth.noise, 3);
 book.table(
     {"method", "RMS error", "bias"}, errors,
-    "Against ray-cast truth of each method's own question, {rays} rays a pixel, whose noise (that of SAO's is {noise}) "
-    "has been taken out. A positive bias is too open.");
+    "Against ray-cast truth of each method's own question, {rays} rays a pixel, whose noise (that of SAO's is {noise}) has "
+    "been taken out. A positive bias is too open.");
 book.show_row({{"truth", ao_picture(truth.image.mean), "Truth of SAO's question."},
                {"signed", judged.difference(small, truth), "SAO minus truth: blue is too dark, red too open."}});
-book.number("rmse", own.rmse, 3);
-book.number("rmse_more", more.rmse, 3);
-book.number("rmse_weaker", weaker.rmse, 3);
-book.check(
-    "With 48 taps instead of 11 the error is {rmse_more} after {rmse}: more taps take away grain, not error. Half the intensity "
-    "brings it to {rmse_weaker}.",
-    more.rmse > 0.9 * own.rmse && weaker.rmse < own.rmse);
+book.numbers(3, {{"rmse", own.rmse}, {"rmse_more", more.rmse}, {"rmse_weaker", weaker.rmse}});
+book.check("With 48 taps instead of 11 the error is {rmse_more} after {rmse}: more taps take away grain, not error. Half the "
+           "intensity brings it to {rmse_weaker}.",
+           more.rmse > 0.9 * own.rmse && weaker.rmse < own.rmse);
 
 // %% place_text [markdown]
 // ## What can go wrong
@@ -302,8 +248,7 @@ book.check(
 
 // %% place
 const Image<float> tapped = floor_ao(book.size(), SaoPlace::tapped), picked = floor_ao(book.size(), SaoPlace::picked);
-book.number("tapped", buffer_statistics(tapped).mean, 3);
-book.number("picked", buffer_statistics(picked).min, 3);
+book.numbers(3, {{"tapped", buffer_statistics(tapped).mean}, {"picked", buffer_statistics(picked).min}});
 book.compare(
     {"tapped", ao_picture(tapped), "A bare floor, radius 3, a tenth of the bias: depths put where the taps fell."},
     {"picked", ao_picture(picked), "Each depth at its own pixel: nothing on the floor is dark."});
@@ -313,10 +258,8 @@ book.check("The bare floor's mean is {tapped} with the one; with the other its d
 // %% levels
 const MethodMap finest = view.map("sao", {"levels=0"});
 book.number("levels_rms", rms_between(finest.denoised, shown.denoised), 3);
-book.check(
-    "Reading every tap from the picture itself changes the blurred map by {levels_rms} (RMS): the pyramid costs "
-    "little.",
-    rms_between(finest.denoised, shown.denoised) < 0.05);
+book.check("Reading every tap from the picture itself changes the blurred map by {levels_rms} (RMS): the pyramid costs little.",
+           rms_between(finest.denoised, shown.denoised) < 0.05);
 
 // %% turns_text [markdown]
 // **Turns that divide the taps.** With as many turns as taps all taps lie one behind the other, in one direction. The
@@ -325,8 +268,7 @@ book.check(
 
 // %% turns
 const MethodMap in_line = view.map("sao", {"turns=11"}), many = view.map("sao", {"samples=64"});
-book.number("in_line", rms_between(in_line.raw.ao, many.raw.ao), 3);
-book.number("around", rms_between(shown.raw.ao, many.raw.ao), 3);
+book.numbers(3, {{"in_line", rms_between(in_line.raw.ao, many.raw.ao)}, {"around", rms_between(shown.raw.ao, many.raw.ao)}});
 book.compare({"in_line", ao_picture(in_line.raw.ao),
               "11 taps on 11 turns (" + view.command("sao", {"turns=11"}) + "): all in one direction.",
               in_line.command("ao_raw")},
@@ -359,8 +301,7 @@ book.compare(
     {"closed", ao_picture(cropped(shown.denoised, door)), "With both means."});
 
 // %% half_float tags=["setup"]
-book.number("largest", sixth_root(65504), 2);
-book.number("smallest", sixth_root(1.0 / 16384), 2);
+book.numbers(2, {{"largest", sixth_root(65504)}, {"smallest", sixth_root(1.0 / 16384)}});
 
 // %% half_float_text [markdown]
 // **A sixth power in half floats.** The formula of the paper divides by $R^6$. As a 16-bit float that is infinite for a

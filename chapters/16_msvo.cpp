@@ -5,14 +5,13 @@
 #include "chapters/diagrams/ball_chords.h"
 #include "chapters/diagrams/point_cloud.h"
 #include "chapters/notebook/chapter.h"
+#include "chapters/props/bare_floor.h"
 #include "chapters/props/crops.h"
 #include "chapters/props/house_front.h"
 #include "chapters/props/number_words.h"
 #include "chapters/props/surface_mean.h"
 #include "chapters/terminal/number_text.h"
 #include "scenes/builtin_scenes.h"
-#include "scenes/composing.h"
-#include "scenes/shapes.h"
 #include "ssao/inputs/depth_inputs.h"
 #include "ssao/methods/msvo.h"
 #include "ssao/methods/msvo_scales.h"
@@ -22,10 +21,7 @@ namespace {
 
 // A bare floor, seen from low above: everything on it is open.
 Image<float> floor_ao(Size size, MsvoPairs pairs) {
-    Scene scene = empty_scene();
-    scene.instances = {placed(add_mesh(scene, grid_mesh(400, 400, 2, 2)), {0, 0, 0})};
-    scene.camera.eye = {0, 1.5, -4};
-    scene.camera.target = {0, 0, 2};
+    const Scene scene = bare_floor({0, 1.5, -4}, {0, 0, 2});
     MsvoSettings settings;
     settings.pairs = pairs;
     const GBuffer gbuffer = normal_depth(scene, scene.camera, size);
@@ -80,12 +76,8 @@ for (std::size_t i = 0; i < texel.samples.size(); ++i) {
     sum += texel.samples[i].contribution;
     if (i < kTapPairCount) finest += texel.samples[i].contribution;
 }
-book.number("x", std::to_string(at.x));
-book.number("y", std::to_string(at.y));
-book.number("p", text(texel.p_view));
-book.number("finest", text(finest));
-book.number("coarser", text(sum - finest));
-book.number("sum", text(sum));
+book.numbers({{"x", at.x}, {"y", at.y}, {"p", text(texel.p_view)}, {"finest", text(finest)}, {"coarser", text(sum - finest)},
+              {"sum", text(sum)}});
 book.draw(
     "ball", ball_diagram(inputs, settings, 2, at.x, at.y, "One ball and four of its chords"),
     "The texel ({x}, {y}) beside the jamb, $p = ({{p}})$, in a level cut. Blue is the part of a chord in front of the "
@@ -210,8 +202,7 @@ book.table(
     "As published but for the cures of their errata. A positive bias is too open. Truth has {rays} rays a pixel; its "
     "noise, {noise} in the last row, has been taken out.");
 const MapError own = judged.error(small, truth);
-book.number("rmse", own.rmse, 3);
-book.number("bias", own.bias, 3);
+book.numbers(3, {{"rmse", own.rmse}, {"bias", own.bias}});
 book.show("signed", judged.difference(small, truth), "The method minus truth: blue is too dark, red too open.");
 book.check("Without normals and without noise the error is {rmse}, the bias {bias}.", own.rmse < 0.25);
 
@@ -223,15 +214,15 @@ book.check("Without normals and without noise the error is {rmse}, the bias {bia
 
 // %% edges
 const MethodMap all_pairs = view.map("msvo", {"pairs=all"});
-book.number("plane_mean", mean_over_surfaces(shown.raw.ao, inputs), 3);
-book.number("all_mean", mean_over_surfaces(all_pairs.raw.ao, all_pairs.raw.inputs), 3);
+book.numbers(3, {{"plane_mean", mean_over_surfaces(shown.raw.ao, inputs)},
+                 {"all_mean", mean_over_surfaces(all_pairs.raw)}});
 book.compare(
     {"pairs_all", ao_picture(all_pairs.raw.ao),
      "The ball as a whole is cut off (" + view.command("msvo", {"pairs=all"}) + ").", all_pairs.command("ao_raw")},
     {"pairs_plane", ao_picture(shown.raw.ao), "Each pair is cut off: what lies behind an edge makes up for nothing.",
      shown.command("ao_raw")});
 book.check("The mean over the surfaces is {all_mean} with the first, {plane_mean} with the second.",
-           mean_over_surfaces(shown.raw.ao, inputs) < mean_over_surfaces(all_pairs.raw.ao, all_pairs.raw.inputs));
+           mean_over_surfaces(shown.raw.ao, inputs) < mean_over_surfaces(all_pairs.raw));
 
 // %% plane_text [markdown]
 // **A plane in perspective.** The shares of a pair add up to 1 if view depth changes evenly across the screen. It does not:
@@ -258,10 +249,9 @@ book.compare({"thick", ao_picture(thick.raw.ao),
               "T = 10 (" + behind.command("msvo", {"thickness=10"}) +
                   "): dark borders, in blocks as large as the cells of the coarse grids.", thick.command("ao_raw")},
              {"thin", ao_picture(thin.raw.ao), "T = 1: less of them.", thin.command("ao_raw")});
-book.number("thick_mean", mean_over_surfaces(thick.raw.ao, thick.raw.inputs), 3);
-book.number("thin_mean", mean_over_surfaces(thin.raw.ao, thin.raw.inputs), 3);
+book.numbers(3, {{"thick_mean", mean_over_surfaces(thick.raw)}, {"thin_mean", mean_over_surfaces(thin.raw)}});
 book.check("The mean over the surfaces falls from {thin_mean} to {thick_mean} with the thickness.",
-           mean_over_surfaces(thick.raw.ao, thick.raw.inputs) < mean_over_surfaces(thin.raw.ao, thin.raw.inputs));
+           mean_over_surfaces(thick.raw) < mean_over_surfaces(thin.raw));
 
 // %% screen_text [markdown]
 // **Balls of a fixed size on the screen.** In the sources the balls have 40 to 320 pixels, wherever they are. A corner is
@@ -279,8 +269,7 @@ book.compare({"product_of_four", ao_picture(shown.raw.ao), "The product, as publ
              {"least_of_four", ao_picture(least.raw.ao),
               "The least of the four (" + view.command("msvo", {"combine=minimum"}) + ").", least.command("ao_raw")});
 const MapError least_error = judged.error(judged.map("msvo", {"combine=minimum"}), truth);
-book.number("least_rmse", least_error.rmse, 3);
-book.number("least_bias", least_error.bias, 3);
+book.numbers(3, {{"least_rmse", least_error.rmse}, {"least_bias", least_error.bias}});
 book.check(
     "With the least the error is {least_rmse} and the bias {least_bias}; with the product they are {rmse} and {bias}.",
     least_error.bias > own.bias);

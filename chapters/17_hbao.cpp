@@ -1,57 +1,23 @@
 // %% setup tags=["setup"]
 // Source: Bavoil & Sainz 2008, "Image-space horizon-based ambient occlusion"; the Unity notes, section HBAO.
 // Run: crevice chapter 17
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "chapters/diagrams/slice_section.h"
 #include "chapters/notebook/chapter.h"
+#include "chapters/props/hbao_maps.h"
 #include "chapters/props/judged_view.h"
 #include "chapters/props/number_words.h"
 #include "chapters/props/surface_mean.h"
 #include "chapters/terminal/number_text.h"
 #include "scenes/builtin_scenes.h"
-#include "scenes/composing.h"
-#include "scenes/shapes.h"
-#include "ssao/inputs/pixel_fetch.h"
 #include "ssao/judge/metrics.h"
 #include "ssao/methods/hbao_plus.h"
 
 namespace crevice {
 namespace {
-
-// The first sample of the direction that takes most.
-std::size_t darkest_direction(const Explanation& texel, int steps) {
-    const std::size_t length = static_cast<std::size_t>(steps);
-    std::size_t best = 0;
-    float most = -1;
-    for (std::size_t first = 0; first < texel.samples.size(); first += length) {
-        float taken = 0;
-        for (std::size_t i = first; i < first + length; ++i) taken += texel.samples[i].contribution;
-        if (taken > most) {
-            most = taken;
-            best = first;
-        }
-    }
-    return best;
-}
-
-// A ball of few facets with the smooth normals of a round one, on a floor.
-Scene coarse_ball() {
-    Scene scene = empty_scene();
-    scene.instances = {placed(add_mesh(scene, grid_mesh(40, 40, 2, 2)), {0, 0, 0}),
-                       placed(add_mesh(scene, sphere_mesh(1, 12, 8)), {0, 1, 0})};
-    scene.camera.eye = {0, 1.6, -3.4};
-    scene.camera.target = {0, 0.8, 0};
-    return scene;
-}
-
-Image<float> without_noise(const Scene& scene, Size size, HbaoSettings settings) {
-    settings.samples = 96;
-    settings.ao_scale = 1;
-    settings.steps = 8;
-    const GBuffer gbuffer = normal_depth(scene, scene.camera, size);
-    return hbao(ao_inputs(gbuffer, scene.camera, pixel_fetch(settings)), settings).ao;
-}
 
 // Cells stand at the margin, where notebooks look for them.
 // clang-format off
@@ -73,8 +39,8 @@ const HbaoSettings settings = shown.settings.ao.as<HbaoSettings>();
 const MethodLimit limit = judged.limit("hbao");
 const Truth truth = judged.truth(limit.question);
 book.number("rays", std::to_string(kJudgedRays));
-book.show_row({{"votes", ao_picture(around_foot(votes.raw.ao)), "The fourteen samples of chapter 07 (X_Jun's tutorial), around the foot of the column; white is open, black is "
-                "occluded.",
+book.show_row({{"votes", ao_picture(around_foot(votes.raw.ao)), "The fourteen samples of chapter 07 (X_Jun's tutorial), "
+                "around the foot of the column; white is open, black is occluded.",
                 votes.command("ao_raw")},
                {"truth", ao_picture(around_foot(truth.image.mean)),
                 "Truth: {rays} rays a pixel, every direction counting the same. The fine stripes on the column belong to it: its "
@@ -96,19 +62,15 @@ const Texel at = followed_texel(shown.raw.inputs.size());
 const Explanation texel = view.explanation(shown, at.x, at.y);
 const std::size_t first = darkest_direction(texel, settings.steps);
 const std::size_t steps = static_cast<std::size_t>(settings.steps);
-book.number("x", std::to_string(at.x));
-book.number("y", std::to_string(at.y));
-book.number("p", text(texel.p_view));
-book.number("n", text(texel.n_view));
-book.number("steps", std::to_string(settings.steps));
-book.number("directions", std::to_string(settings.samples / settings.steps));
-book.number("bias", decimal_text(static_cast<double>(settings.bias), 0));
+book.numbers({{"x", at.x}, {"y", at.y}, {"p", text(texel.p_view)}, {"n", text(texel.n_view)}, {"steps", settings.steps},
+              {"directions", settings.samples / settings.steps},
+              {"bias", decimal_text(static_cast<double>(settings.bias), 0)}});
 book.draw("horizon",
           horizon_diagram(shown.raw.inputs, settings, at.x, at.y, texel, first, "One direction, from its own numbers"),
-          "A cut through the depth buffer at texel ({x}, {y}). The eye is on the left; v points to it, n is the normal. "
-          "The dashed grey line is square to v: elevations are measured from it. The green lines are the tangent (dashed) "
-          "and the tangent raised by the bias, at elevation t. Of the samples r, red ones rise above all before them. The "
-          "horizon lies at elevation h. Red is closed, blue is open.");
+          "A cut through the depth buffer at texel ({x}, {y}). The eye is on the left; v points to it, n is the normal. The "
+          "dashed grey line is square to v: elevations are measured from it. The green lines are the tangent (dashed) and the "
+          "tangent raised by the bias, at elevation t. Of the samples r, red ones rise above all before them. The horizon "
+          "lies at elevation h. Red is closed, blue is open.");
 
 // %% derivation [markdown]
 // ## How much light a horizon takes
@@ -183,9 +145,7 @@ for (std::size_t i = first; i < first + steps; ++i) {
 }
 for (const ExplainedSample& sample : texel.samples) sum += sample.contribution;
 book.table({"step", "distance", "n · direction", "W", "takes"}, rows);
-book.number("taken", text(taken));
-book.number("sum", text(sum));
-book.number("ao", text(shown.raw.ao.at(at.x, at.y)));
+book.numbers({{"taken", text(taken)}, {"sum", text(sum)}, {"ao", text(shown.raw.ao.at(at.x, at.y))}});
 book.check("This direction loses {taken}. All {directions} together lose {sum}, and one minus a {directions}th of that is "
            "{ao}: the value of the texel in the map, to the last bit.",
            texel.value_of_sum(sum) == shown.raw.ao.at(at.x, at.y));
@@ -223,22 +183,18 @@ for (const char* other : {"xjun", "hemisphere", "sao", "msvo"}) {
     const MethodLimit l = judged.limit(other);
     errors.push_back(error_row(other, judged.error(l, judged.truth(l.question)), l));
 }
-book.number("noise", truth.noise, 3);
-book.number("size", size_text(kJudgedSize));
-book.number("seeds", std::to_string(kJudgedSeeds));
-book.number("rmse", error.rmse, 3);
-book.number("mean_error", error.bias, 3);
-book.number("rmse_0", error_without_bias.rmse, 3);
-book.number("mean_error_0", error_without_bias.bias, 3);
+book.numbers(3, {{"noise", truth.noise}, {"rmse", error.rmse}, {"mean_error", error.bias}, {"rmse_0", error_without_bias.rmse},
+                 {"mean_error_0", error_without_bias.bias}});
+book.numbers({{"size", size_text(kJudgedSize)}, {"seeds", kJudgedSeeds}});
 book.table(kErrorHeader, errors,
-           "At {size}, over the pixels that show a surface. The first two columns are the mean of {seeds} unfiltered maps minus truth; "
-           "the truths' own noise, {noise} a pixel, is taken out.");
+           "At {size}, over the pixels that show a surface. The first two columns are the mean of {seeds} unfiltered maps "
+           "minus truth; the truths' own noise, {noise} a pixel, is taken out.");
 book.show_row({{"error", difference_picture(around_foot(difference_of(limit.image.mean, truth.image.mean))),
                 "HBAO minus truth: red is too bright. The bias has lost the shade of everything that rises less than {bias} degrees."},
                {"error_0", difference_picture(around_foot(difference_of(without_bias.image.mean, truth.image.mean))),
                 "The same without the bias. What stays red is what the steps miss, close to the column."}});
-book.check("With the bias of the paper HBAO is too bright by {mean_error} on the average, without it by {mean_error_0}; its RMS "
-           "error falls from {rmse} to {rmse_0}.",
+book.check("With the bias of the paper HBAO is too bright by {mean_error} on the average, without it by {mean_error_0}; its "
+           "RMS error falls from {rmse} to {rmse_0}.",
            error.bias > error_without_bias.bias && error_without_bias.rmse < error.rmse);
 
 // %% bias_text [markdown]
@@ -257,12 +213,11 @@ for (const char* degrees : {"0", "15", "30", "60"}) {
                        std::string("bias ") + degrees + " degrees"});
 }
 book.show_row(by_bias, "The more bias, the less is left of the shade where column and floor meet.");
-const Scene ball = coarse_ball();
+const Scene ball = faceted_ball();
 const Image<float> facets = without_noise(ball, book.size(), {.bias = 0}), smooth = without_noise(ball, book.size(), {});
 book.compare({"facets", ao_picture(facets), "Bias 0: the triangles of the ball can be counted."},
              {"smooth", ao_picture(smooth), "Bias 30: the ball is round, and its contact shade weaker."});
-book.number("facet_min", buffer_statistics(facets).mean, 3);
-book.number("smooth_min", buffer_statistics(smooth).mean, 3);
+book.numbers(3, {{"facet_min", buffer_statistics(facets).mean}, {"smooth_min", buffer_statistics(smooth).mean}});
 book.check("The bias only ever opens: the mean of the picture goes from {facet_min} to {smooth_min}.",
            buffer_statistics(facets).mean < buffer_statistics(smooth).mean);
 
@@ -279,10 +234,9 @@ book.compare({"zenith_axis", ao_picture(columns.at_picture_size(by_axis.denoised
               by_axis.command("ao_blurred")},
              {"zenith_ray", ao_picture(columns.at_picture_size(by_ray.denoised)), "Against the eye's ray: open floor is white.",
               by_ray.command("ao_blurred")});
-book.number("mean_axis", mean_over_surfaces(by_axis.raw.ao, by_axis.raw.inputs), 3);
-book.number("mean_ray", mean_over_surfaces(by_ray.raw.ao, by_ray.raw.inputs), 3);
+book.numbers(3, {{"mean_axis", mean_over_surfaces(by_axis.raw)}, {"mean_ray", mean_over_surfaces(by_ray.raw)}});
 book.check("The mean over the surfaces of this scene is {mean_axis} against the axis, and {mean_ray} against the ray.",
-           mean_over_surfaces(by_axis.raw.ao, by_axis.raw.inputs) + 0.02 < mean_over_surfaces(by_ray.raw.ao, by_ray.raw.inputs));
+           mean_over_surfaces(by_axis.raw) + 0.02 < mean_over_surfaces(by_ray.raw));
 
 // %% steps_text [markdown]
 // **Few steps miss the foot; few directions make noise.** The budget of {directions} times {steps} samples can be spent either
@@ -290,35 +244,15 @@ book.check("The mean over the surfaces of this scene is {mean_axis} against the 
 // texel knows two horizons well and nothing of the rest. The two columns of numbers move against each other.
 
 // %% steps_strip
-std::vector<Notebook::Named> by_steps;
-std::vector<std::vector<std::string>> step_rows;
-std::vector<MapError> step_errors;
-std::vector<double> step_noise;
-for (const char* count : {"1", "2", "4", "12"}) {
-    const Words words = {std::string("steps=") + count, "bias=0"};
-    by_steps.push_back({std::string("steps_") + count, ao_picture(around_foot(view.map("hbao", words).raw.ao)),
-                        std::string("steps = ") + count});
-    const MethodLimit l = judged.limit("hbao", words);
-    step_errors.push_back(judged.error(l, truth));
-    step_noise.push_back(l.noise);
-    step_rows.push_back(error_row(std::string("hbao, steps = ") + count, step_errors.back(), l));
-}
-book.show_row(by_steps, "24 samples a texel with bias 0: 24 directions of one step, 12 of two, 6 of four, 2 of twelve.");
-book.table(kErrorHeader, step_rows);
+const HbaoStrip by_steps = hbao_over_steps(view, judged, truth), by_radius = hbao_over_radii(view);
+book.show_row(by_steps.pictures, "24 samples a texel with bias 0: 24 directions of one step, 12 of two, 6 of four, 2 of twelve.");
+book.table(kErrorHeader, by_steps.rows);
 book.check("From one step to twelve the error of what the method tends to falls, and the noise of one map grows.",
-           step_errors.back().rmse < step_errors.front().rmse && step_noise.back() > step_noise.front());
-std::vector<Notebook::Named> by_radius;
-std::vector<double> radius_means;
-for (const char* radius : {"0.25", "0.5", "1", "2"}) {
-    const MethodMap m = view.map("hbao", {std::string("radius=") + radius});
-    radius_means.push_back(mean_over_surfaces(m.raw.ao, m.raw.inputs));
-    by_radius.push_back({"radius_" + std::to_string(by_radius.size()), ao_picture(around_foot(m.raw.ao)), std::string("radius ") + radius});
-}
-book.show_row(by_radius, "The same four steps stretched over a longer way: the shade reaches further, and the pattern shows more.");
-book.number("radius_first", radius_means.front(), 4);
-book.number("radius_last", radius_means.back(), 4);
+           by_steps.errors.back() < by_steps.errors.front() && by_steps.noise.back() > by_steps.noise.front());
+book.show_row(by_radius.pictures, "The same four steps stretched over a longer way: the shade reaches further, and the pattern shows more.");
+book.numbers(4, {{"radius_first", by_radius.means.front()}, {"radius_last", by_radius.means.back()}});
 book.check("A larger radius only ever closes: the mean goes from {radius_first} to {radius_last}.",
-           radius_means[0] > radius_means[1] && radius_means[1] > radius_means[2] && radius_means[2] > radius_means[3]);
+           std::ranges::is_sorted(by_radius.means, std::greater()));
 
 // %% plus_text [markdown]
 // ## HBAO+: without the horizon
@@ -349,8 +283,7 @@ book.show_row({{"plus", ao_picture(around_foot(plus.raw.ao)), "HBAO+ with the sa
                {"plus_error", difference_picture(around_foot(difference_of(plus_limit.image.mean, plus_truth.image.mean))),
                 "HBAO+ minus truth: red is too bright, blue too dark."}});
 book.table(kErrorHeader, {error_row("hbao_plus", plus_error, plus_limit), error_row("hbao, bias 0", error_without_bias, without_bias)});
-book.number("plus_noise", plus_limit.noise, 4);
-book.number("horizon_noise", without_bias.noise, 4);
+book.numbers(4, {{"plus_noise", plus_limit.noise}, {"horizon_noise", without_bias.noise}});
 book.check("A map of HBAO+ has a noise of {plus_noise}, one of HBAO with the same samples {horizon_noise}.", plus_limit.noise < without_bias.noise);
 
 // %% published_text [markdown]
@@ -376,7 +309,7 @@ for (const auto& [word, fault] : switches) {
     const double apart = compare_images(one.raw.ao, repaired.raw.ao).rmse;
     all_show = all_show && apart > 1e-3;
     faults.push_back({word, fault, decimal_text(apart, 4),
-                      decimal_text(mean_over_surfaces(one.raw.ao, one.raw.inputs), 4)});
+                      decimal_text(mean_over_surfaces(one.raw), 4)});
 }
 book.table({"setting", "the fault", "RMS change of the raw map", "mean"}, faults);
 book.check("Each of the four alone changes the map.", all_show);

@@ -3,7 +3,6 @@
 // Run: crevice chapter 18
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 
 #include "chapters/diagrams/slice_section.h"
@@ -13,12 +12,8 @@
 #include "chapters/props/gtao_words.h"
 #include "chapters/props/judged_view.h"
 #include "chapters/props/number_words.h"
-#include "chapters/props/surface_mean.h"
 #include "chapters/terminal/number_text.h"
 #include "ssao/ao_methods.h"
-#include "ssao/blur/edge_blur.h"
-#include "ssao/blur/packed_edges.h"
-#include "ssao/light/multi_bounce.h"
 #include "ssao/methods/slices.h"
 
 namespace crevice {
@@ -36,12 +31,10 @@ void gtao_chapter(Notebook& book) {
 // floor. Blue and orange are both exact, by ray tracing; only blue weighs its rays by the cosine, as ambient light does.
 
 // %% two_questions
-const JudgedView ball(book.options().scene.empty() ? "sphere_on_plane" : book.options().scene, {320, 180}, book.seed());
-const Words hard = {"radius=2", "radius_multiplier=1", "falloff=0", "samples=54"};
-const MethodLimit ball_limit = ball.limit("gtao", hard);
-const Truth by_cosine = ball.truth({2, 2, 2, true}), evenly = ball.truth({2, 2, 2, false});
-const PlotCurve cosine_curve = over_distance("rays, cosine", ball, by_cosine.image.mean, PlotStyle::smooth),
-                even_curve = over_distance("rays, even", ball, evenly.image.mean, PlotStyle::smooth),
+const JudgedView ball(book.scene("sphere_on_plane"), {320, 180}, book.seed());
+const MethodLimit ball_limit = ball.limit("gtao", {"radius=2", "radius_multiplier=1", "falloff=0", "samples=54"});
+const PlotCurve cosine_curve = over_distance("rays, cosine", ball, ball.truth({2, 2, 2, true}).image.mean, PlotStyle::smooth),
+                even_curve = over_distance("rays, even", ball, ball.truth({2, 2, 2, false}).image.mean, PlotStyle::smooth),
                 gtao_curve = over_distance("GTAO", ball, ball_limit.image.mean, PlotStyle::dots);
 book.plot("two_questions",
           {"Accessibility of a floor under a ball of radius 1", {"distance from where the ball rests, scene units"},
@@ -50,10 +43,8 @@ book.plot("two_questions",
           "further away it stands low, and the cosine counts it less, so the lines cross. GTAO follows the blue line near the ball. "
           "Further out it is too bright, by more than the two lines are apart there: its steps and the depth map miss part of the ball.");
 const Gap questions = gap_between(cosine_curve, even_curve), own = gap_between(cosine_curve, gtao_curve), other = gap_between(even_curve, gtao_curve);
-book.number("questions_most", questions.most, 3);
-book.number("own_most", own.most, 3);
-book.number("own_mean", own.mean, 3);
-book.number("other_mean", other.mean, 3);
+book.numbers(3, {{"questions_most", questions.most}, {"own_most", own.most}, {"own_mean", own.mean},
+                 {"other_mean", other.mean}});
 book.check("The two lines are up to {questions_most} apart. GTAO is at most {own_most} from the blue one; on the average it is {own_mean} "
            "from the blue and {other_mean} from the orange.",
            own.most < questions.most && own.mean < other.mean);
@@ -73,31 +64,24 @@ book.check("The two lines are up to {questions_most} apart. GTAO is at most {own
 // ambient occlusion* (GTAO, Jimenez and others 2016). Two programs return below: Intel's *XeGTAO* and the listing in the Unity notes.
 
 // %% numbers_of_one_texel
-const JudgedView view = judged_column_foot(book, "gtao", book.size());
-const JudgedView judged = judged_column_foot(book, "gtao", kJudgedSize);
+const JudgedView view = judged_column_foot(book, "gtao", book.size()), judged = judged_column_foot(book, "gtao", kJudgedSize);
 const MethodMap shown = view.map("gtao");
 const GtaoSettings settings = shown.settings.ao.as<GtaoSettings>();
 const AoInputs& inputs = shown.raw.inputs;
 const Texel at = followed_texel(inputs.size());
 const Explanation texel = view.explanation(shown, at.x, at.y);
-const int slices = slice_plan(settings.samples).slices;
-std::vector<SliceHorizons> horizons;
-for (int i = 0; i < slices; ++i) horizons.push_back(slice_horizons(inputs, settings, at.x, at.y, i));
+const std::vector<SliceHorizons> horizons = slices_of_texel(inputs, settings, at);
 const int darkest = static_cast<int>(std::ranges::max_element(horizons, {}, &SliceHorizons::lost) - horizons.begin());
 const SliceHorizons& drawn = horizons[static_cast<std::size_t>(darkest)];
-book.number("x", std::to_string(at.x));
-book.number("y", std::to_string(at.y));
-book.number("gamma", degrees_text(drawn.gamma));
-book.number("h_1", degrees_text(drawn.before));
-book.number("h_2", degrees_text(drawn.behind));
+book.numbers({{"x", at.x}, {"y", at.y}, {"gamma", degrees_text(drawn.gamma)}, {"h_1", degrees_text(drawn.before)},
+              {"h_2", degrees_text(drawn.behind)}});
 book.draw("slice", slice_diagram(inputs, settings, at.x, at.y, darkest, "One slice, from its own numbers"),
           "The slice of texel ({x}, {y}) that loses most. v points to the eye; all angles are measured from it, upwards here. $n_p$ "
           "is the normal's part in the slice, at γ = {gamma}. On either side the highest sample r above the surface makes a horizon, "
           "$h_1$ = {h_1} and $h_2$ = {h_2}; without one it is the surface's own, γ − 90° or γ + 90°. Blue is open; red is what the two "
           "horizons close of the half circle around $n_p$.");
-book.number("slices", std::to_string(slices));
-book.number("keeps", kept_when_open_text(horizons));
-book.number("keeps_mean", text(mean_kept_when_open(horizons)));
+book.numbers({{"slices", horizons.size()}, {"keeps", kept_when_open_text(horizons)},
+              {"keeps_mean", text(mean_kept_when_open(horizons))}});
 
 // %% derivation_1 [markdown]
 // ## The integral of one slice
@@ -153,8 +137,7 @@ for (const SliceHorizons& slice : horizons) drawn_loss += slice.lost;
 for (const ExplainedSample& sample : texel.samples) sum += sample.contribution;
 book.table({"slice", "|n_p|", "γ", "h₁", "h₂", "open, keeps", "loses"}, slice_rows(horizons),
            "The slices of texel ({x}, {y}). A horizon at γ − 90° or γ + 90° is the plane's own: that side loses nothing.");
-book.number("sum", text(sum));
-book.number("ao", text(shown.raw.ao.at(at.x, at.y)));
+book.numbers({{"sum", text(sum)}, {"ao", text(shown.raw.ao.at(at.x, at.y))}});
 book.check("Together they lose {sum}. One minus that over {slices} is {ao}, the value in the map.",
            texel.value_of_sum(sum) == shown.raw.ao.at(at.x, at.y) && std::fabs(drawn_loss - sum) < 1e-5f);
 
@@ -184,8 +167,8 @@ book.check("Together they lose {sum}. One minus that over {slices} is {ao}, the 
 // $\sin\gamma$ change their sign, and the same code serves.
 
 // %% parameters
-book.number("plans", slice_plans_text());
-book.number("presets", sample_presets_text());
+book.numbers({{"plans", slice_plans_text()}, {"presets", sample_presets_text()},
+              {"reach", exact_text(kGtaoReach)}, {"full_until", decimal_text(double{(1 - kGtaoFade) * kGtaoReach}, 2)}});
 book.table({"parameter", "symbol", "default", "meaning"}, gtao_parameter_rows(),
            "The parameters and their defaults. `samples` of {presets}, XeGTAO's presets, are {plans} slices and steps a side.");
 
@@ -221,41 +204,20 @@ book.listing_part("ssao/methods/gtao_kernel.h", "raise", "const Vec3<F> delta", 
 book.listing("ssao/methods/slices.h", "closed_beyond",
              "What one side loses beyond the horizon c: the integral from h to the open plane.");
 
-// %% numbers_of_the_filter
-const EdgeBlurSettings filter;
-book.number("passes", std::to_string(filter.iterations));
-book.number("own_last", kEdgeBlurOwn, 1);
-book.number("own_before", kEdgeBlurOwnBefore, 2);
-book.number("diagonal", kEdgeBlurDiagonal, 3);
-book.number("few", kEdgeBlurFew, 1);
-book.number("edge_share", significant_text(static_cast<double>(100 * kEdgeShare), 2));
-
 // %% picture [markdown]
 // ## The picture it makes
 //
 // Turn and shift are the *R2 sequence*: along a Hilbert curve through each square of 64 × 64 texels, texel number $j$ takes the fractional
 // parts of $\frac12 + j/g$ and $\frac12 + j/g^2$, where $g^3 = g + 1$. So neighbours get numbers far apart.
 //
-// XeGTAO's filter, a weighted mean over 3 × 3 texels, then runs {passes} times.
-
-// %% kernel_of_the_filter tags=["setup"]
-book.listing("ssao/blur/packed_edges.cpp", "continued",
-             "From 0 to 3, how far a surface goes on to one side. `apart` is the difference of depth to that side, `bent` the mean of those to both sides: 0 on any plane. "
-             "Both count in units of {edge_share} % of the depth.");
-book.listing_part("ssao/blur/edge_blur.cpp", "EdgeWeights", "// Both neighbours must say so.", "bottom_right =",
-                  "The weights of the eight neighbours; `side` gives thirds of the number above. The texel itself counts {own_last} in the last pass and {own_before} "
-                  "before it, a neighbour on a side up to 1, one across a corner up to {diagonal} by either way around. A texel with less than {few} of its sides takes "
-                  "a little from all.");
+// XeGTAO's filter then takes a weighted mean over 3 × 3 texels, `blur_iterations` times. A neighbour weighs less the more its depth
+// leaves the plane of the texel, so shade hardly crosses an outline.
 
 // %% maps
 book.show_row({{"raw", ao_picture(around_foot(shown.raw.ao)), "GTAO, {slices} slices, before the filter.", shown.command("ao_raw")},
                {"denoised", ao_picture(around_foot(shown.denoised)), "After it: the grain is gone, the outline of the column is sharp. " + view.command("gtao"),
                 shown.command("ao_blurred")}},
               "Both are cut out around the foot of the column, as most pictures here; tables and checks speak of the whole view.");
-
-// %% numbers_of_the_fade
-book.number("full_until", static_cast<double>((1 - kGtaoFade) * kGtaoReach), 2);
-book.number("reach", significant_text(static_cast<double>(kGtaoReach), 4));
 
 // %% how_wrong [markdown]
 // ## How wrong it is
@@ -265,18 +227,14 @@ book.number("reach", significant_text(static_cast<double>(kGtaoReach), 4));
 // $R$; so the same truth is fair to all. HBAO stands beside them without its bias.
 
 // %% errors
-const Words cut = {"falloff=0", "radius_multiplier=1"}, contrast = {"exponent=2.2"};
-const MethodLimit limit = judged.limit("gtao"), with_exponent = judged.limit("gtao", contrast), sharp = judged.limit("gtao", cut), hbao = judged.limit("hbao", {"bias=0"});
+const MethodLimit limit = judged.limit("gtao"), with_exponent = judged.limit("gtao", {"exponent=2.2"}),
+                  sharp = judged.limit("gtao", {"falloff=0", "radius_multiplier=1"}), hbao = judged.limit("hbao", {"bias=0"});
 const Truth truth = judged.truth(limit.question);
-const MapError error = judged.error(limit, truth), exponent_error = judged.error(with_exponent, truth), sharp_error = judged.error(sharp, truth), hbao_error = judged.error(hbao, truth);
-book.number("rmse", error.rmse, 4);
-book.number("exponent_rmse", exponent_error.rmse, 4);
-book.number("sharp_rmse", sharp_error.rmse, 4);
-book.number("hbao_rmse", hbao_error.rmse, 4);
-book.number("size", size_text(kJudgedSize));
-book.number("noise", truth.noise, 3);
-book.number("rays", std::to_string(kJudgedRays));
-book.number("seeds", std::to_string(kJudgedSeeds));
+const MapError error = judged.error(limit, truth), exponent_error = judged.error(with_exponent, truth),
+               sharp_error = judged.error(sharp, truth), hbao_error = judged.error(hbao, truth);
+book.numbers(4, {{"rmse", error.rmse}, {"exponent_rmse", exponent_error.rmse}, {"sharp_rmse", sharp_error.rmse},
+                 {"hbao_rmse", hbao_error.rmse}});
+book.numbers({{"size", size_text(kJudgedSize)}, {"rays", kJudgedRays}, {"seeds", kJudgedSeeds}, {"noise", decimal_text(truth.noise, 3)}});
 book.table(kErrorHeader,
            {error_row("gtao, with XeGTAO's fade", error, limit),
             error_row("gtao, with XeGTAO's fade and its exponent, 2.2", exponent_error, with_exponent),
@@ -295,26 +253,18 @@ book.check("Cut at the radius, GTAO is a little nearer to the truth of ambient l
 
 // %% causes
 const ErrorCauses causes = error_causes(judged, sharp, truth);
-book.number("weight_bias", -causes.weight.bias, 4);
-book.number("step_bias", causes.steps.bias, 4);
-book.number("hbao_noise", hbao.noise, 4);
-book.number("gtao_noise", sharp.noise, 4);
-book.number("map_noise", limit.noise, 4);
+book.numbers(4, {{"weight_bias", -causes.weight.bias}, {"step_bias", causes.steps.bias}, {"hbao_noise", hbao.noise},
+                 {"gtao_noise", sharp.noise}, {"map_noise", limit.noise}});
 book.table({"cause", "RMS error", "mean error", "in"}, error_cause_rows(causes),
            "Three causes of error, each measured alone. A negative mean is too dark.");
 book.check("Even weights make this view too dark by {weight_bias}, few steps make it too bright by {step_bias}: in HBAO the two partly cancel.",
            causes.weight.bias < 0 && causes.steps.bias > 0);
 
-// %% choose_by [markdown]
+// %% causes_text [markdown]
 // The *weight* is HBAO's error alone; no samples mend it. The *depth map* has no backs and nothing hidden: all methods on the screen
 // share that. The *steps* see nothing before the first of them or between two, hence the red rim at the foot; more steps mend that. HBAO
-// comes so close by luck of the signs.
+// comes so close by luck of the signs. The fade is the default because it is XeGTAO's; measure with the cut.
 //
-// **Choose GTAO** where the result has to agree with light: beside baked or ray-traced occlusion, for bent normals and bounces. It needs
-// a good filter: a map's noise is {gtao_noise} with the cut and {map_noise} with the fade, HBAO's {hbao_noise}. The fade is the default
-// because it is XeGTAO's; measure with the cut.
-
-// %% strips_text [markdown]
 // ## Its parameters
 //
 // More slices only take away noise: compare 18 with 54 samples, which have the same steps. A third step to each side, from 8 to 18, takes
@@ -325,14 +275,8 @@ const GtaoStrip by_samples = over_samples(view, judged, truth), by_radius = over
 book.show_row(by_samples.pictures, "Before the filter.");
 book.table(kErrorHeader, by_samples.rows, "From 4 to 8 samples the error falls only because the mean of {seeds} maps still holds some noise.");
 book.show_row(by_radius.pictures, "The same 18 samples over a larger and larger radius, after the filter.");
-book.number("radius_first", by_radius.means.front(), 4);
-book.number("radius_last", by_radius.means.back(), 4);
-book.number("noise_18", by_samples.noise[2], 4);
-book.number("noise_54", by_samples.noise[3], 4);
-book.number("error_18", by_samples.errors[2], 4);
-book.number("error_54", by_samples.errors[3], 4);
-book.check("A larger radius closes more: the mean of the whole view falls from {radius_first} to {radius_last}.",
-           std::ranges::is_sorted(by_radius.means, std::greater_equal<>()));
+book.numbers(4, {{"noise_18", by_samples.noise[2]}, {"noise_54", by_samples.noise[3]}, {"error_18", by_samples.errors[2]},
+                 {"error_54", by_samples.errors[3]}});
 book.check("With three times the slices, from 18 to 54 samples, the noise falls from {noise_18} to {noise_54}, and the error stays: "
            "{error_18} and {error_54}.",
            by_samples.noise[3] < by_samples.noise[2] &&
@@ -350,8 +294,7 @@ const MethodMap kept = columns.map("gtao", {"samples=8", "form=paper"}), lost = 
 book.compare({"form_paper", ao_picture(columns.at_picture_size(kept.raw.ao)), "What is kept, two slices: floor and columns are grainy and too dark.", kept.command("ao_raw")},
              {"form_losses", ao_picture(columns.at_picture_size(lost.raw.ao)), "What is lost, the same two slices: what is open is white.", lost.command("ao_raw")});
 const Unevenness of_kept = unevenness(kept), of_lost = unevenness(lost);
-book.number("kept_most", of_kept.most, 3);
-book.number("kept_rms", of_kept.rms, 3);
+book.numbers(3, {{"kept_most", of_kept.most}, {"kept_rms", of_kept.rms}});
 book.number("lost_most", significant_text(of_lost.most, 1));
 book.check("In the lowest tenth of the picture, open floor, texels are off by {kept_rms} (RMS) and up to {kept_most} when kept light is "
            "counted, and nowhere by more than {lost_most} when lost light is.",
@@ -359,29 +302,21 @@ book.check("In the lowest tenth of the picture, open floor, texels are off by {k
 
 // %% falloff_text [markdown]
 // **Without a fade the horizon jumps.** A sample at the end of the radius counts fully or not at all, which may change from texel to
-// texel. The fade costs accuracy, as the table above says, and buys less noise, partly because less is closed. Twice the default radius
-// shows more of it:
+// texel. The fade costs accuracy, as the table above says, and buys less noise. Twice the default radius shows more of it:
 
 // %% falloff
 const Words step = {"falloff=0", "radius_multiplier=1", "radius=1"}, fade = {"radius=1"};
 const MethodLimit by_step = judged.limit("gtao", step), by_fade = judged.limit("gtao", fade);
-const Truth wide = judged.truth(by_fade.question);
 const MethodMap step_map = view.map("gtao", step), fade_map = view.map("gtao", fade);
 book.compare({"falloff_none", ao_picture(around_foot(view.at_picture_size(step_map.denoised))), "No fade: " + view.command("gtao", step), step_map.command("ao_blurred")},
              {"falloff_fade", ao_picture(around_foot(view.at_picture_size(fade_map.denoised))), "XeGTAO's fade: " + view.command("gtao", fade), fade_map.command("ao_blurred")});
-book.table(kErrorHeader, {error_row("no fade", judged.error(by_step, wide), by_step), error_row("XeGTAO's fade", judged.error(by_fade, wide), by_fade)},
-           "Against rays of length 1.");
-book.number("wide_step_noise", by_step.noise, 4);
-book.number("wide_fade_noise", by_fade.noise, 4);
-book.number("wide_step_mean", mean_over_surfaces(step_map.raw.ao, step_map.raw.inputs), 3);
-book.number("wide_fade_mean", mean_over_surfaces(fade_map.raw.ao, fade_map.raw.inputs), 3);
-book.check("The fade has a noise of {wide_fade_noise} instead of {wide_step_noise}; the mean of the view is {wide_fade_mean} instead of {wide_step_mean}.",
-           by_fade.noise < by_step.noise);
+book.numbers(4, {{"wide_step_noise", by_step.noise}, {"wide_fade_noise", by_fade.noise}});
+book.check("The fade has a noise of {wide_fade_noise} instead of {wide_step_noise}.", by_fade.noise < by_step.noise);
 
 // %% bent_text [markdown]
-// ## More from the same horizons
+// ## More from the same horizons: bent normals
 //
-// **Bent normals.** The cosine-weighted mean of the open directions, the *bent normal*, says where the light comes from. A niche that
+// The cosine-weighted mean of the open directions, the *bent normal*, says where the light comes from. A niche that
 // looks up the sky with it instead of $n$ takes the colour of the side it is open to. Over an open plane that mean, not yet of length 1,
 // is $\frac23 n$. From it this lab takes what each slice closes, and normalises:
 //
@@ -400,44 +335,14 @@ book.show_row({{"normals", normal_picture(inputs.normal), "The normals: one gree
 book.number("most_bent", degrees_text(std::acos(std::clamp(buffer_statistics(turned).min, -1.0f, 1.0f))));
 book.check("A bent normal lies up to {most_bent} off its normal, and never below the surface.", buffer_statistics(turned).min > 0);
 
-// %% coefficients
-book.number("bounce_a", linear_text(kPaperFit.a_slope, kPaperFit.a_offset));
-book.number("bounce_b", linear_text(kPaperFit.b_slope, kPaperFit.b_offset));
-book.number("bounce_c", linear_text(kPaperFit.c_slope, kPaperFit.c_offset));
-
-// %% bounce_text [markdown]
-// **Light that bounces.** An occluder is lit, too, and sends light back. The paper fits a cubic to path-traced scenes. With the *albedo*
-// $\rho$, the share of light that a surface sends back, it is, for each colour channel,
-//
-// $$ A' = \min\bigl(1, \max(A,\; ((aA + b)A + c)A)\bigr), \qquad a = {{bounce_a}}, \quad b = {{bounce_b}}, \quad c = {{bounce_c}} $$
-//
-// White corners are then less dark than black ones.
-
-// %% bounce
-const Words wide_radius = {"radius=2"}, bounces = {wide_radius[0], "multi_bounce=paper"};
-const JudgedView room(book, "cornell", "gtao");
-const Image<float> room_ao = room.map("gtao", wide_radius).picture;
-book.compare({"bounce_none", lit_picture(lit_middle_square(room, room_ao, MultiBounce::none)), "Accessibility as it is: all corners of the "
-              "white room are grey (" + room.command("gtao", wide_radius) + ")."},
-             {"bounce_paper", lit_picture(lit_middle_square(room, room_ao, MultiBounce::paper)), "With the paper's fit: the white corners "
-              "are nearly as light as the walls, the red and the green ones keep a little of their shade (" + room.command("gtao", bounces) + ")."});
-book.plot("bounce",
-          {"Accessibility with bounced light", {"accessibility A"}, {"with bounces"},
-           {bounce_curve("albedo 0.2", 0.2f, kPaperFit), bounce_curve("albedo 0.5", 0.5f, kPaperFit),
-            bounce_curve("albedo 0.9", 0.9f, kPaperFit), bounce_curve("albedo 0.9, rounded", 0.9f, kRoundedFit)}},
-          "The fit of the paper for three albedos, and the fit with the rounded coefficients of the Unity notes.");
-const Rounding rounding = rounding_of_fit();
-book.number("darker", rounding.darker, 3);
-book.number("lighter", significant_text(rounding.lighter, 1));
-book.check("Rounding the coefficients, as the Unity notes do, makes the result up to {darker} darker, and nowhere more than {lighter} lighter.",
-           rounding.darker > 0.03 && rounding.lighter < 0.01);
-
 // %% choosing [markdown]
 // ## What is gained, and what it costs
 //
-// GTAO asks the question that light asks, so ray tracing can check it. Two sides share the set-up of a slice, and the bent normal comes
-// nearly for free. It costs three arc cosines a slice (two horizons and $\gamma$), about 60 operations a sample and 120 more a slice, and
-// needs normals as good as the light's. Its weakness is the assumption: behind a thin fence all is closed. Chapter 19 begins there.
+// GTAO asks the question that light asks, so ray tracing can check it. Choose it where the result has to agree with light: beside baked
+// or ray-traced occlusion. Two sides share the set-up of a slice, and the bent normal comes nearly for free. It costs three arc cosines
+// a slice (two horizons and $\gamma$), about 60 operations a sample and 120 more a slice. It needs normals as good as the light's, and a
+// good filter: a map's noise is {gtao_noise} with the cut and {map_noise} with the fade, HBAO's {hbao_noise}. Its weakness is the
+// assumption: behind a thin fence all is closed. Chapter 19 begins there.
 
 // %% exercises [markdown]
 // ## Exercises
@@ -448,8 +353,7 @@ book.check("Rounding the coefficients, as the Unity notes do, makes the result u
 // 3. In a slice with $\gamma = 0$ a wall closes the whole positive side, $h_2 = 0$. What does the slice keep? And what, when the wall
 //    closes only what is more than 45 degrees away from $v$, $h_2 = \pi/4$?
 // 4. Why does one multiply by $|n_p|$, and what happens to a slice with $|n_p| = 0$? Find the line of `slice_of` that guards it.
-// 5. HBAO sets up every direction by itself, GTAO shares a slice between two sides. What would two-sided HBAO be able to share?
-// 6. (Open) All slices contain $v$. Could one cut along $n$ instead? What would a walk along such a slice look like on the screen?
+// 5. (Open) All slices contain $v$. Could one cut along $n$ instead? What would a walk along such a slice look like on the screen?
 //
 // <details><summary>Answers</summary>
 //
@@ -461,8 +365,7 @@ book.check("Rounding the coefficients, as the Unity notes do, makes the result u
 //    keeps $\frac14(0 + 1)$ more: $\frac34$. Half of the angles of that side bring half of its light here.
 // 4. The smaller $|n_p|$, the smaller is the angle of all directions of the slice to the surface. Where it is 0 there is no $\gamma$: 0/0.
 //    `usable` replaces the length by 1 before the division and by 0 after it.
-// 5. The basis $v$, $t$ of the plane, the normal's part in it and $\gamma$. Only the sign of the walk along $t$ differs.
-// 6. Yes, and the formula gets simpler ($\gamma = 0$). But the slice would be a curve on the screen that moves with every sample's depth,
+// 5. Yes, and the formula gets simpler ($\gamma = 0$). But the slice would be a curve on the screen that moves with every sample's depth,
 //    and between its horizons the depth map would not tell what is open.
 //
 // </details>
@@ -470,7 +373,6 @@ book.check("Rounding the coefficients, as the Unity notes do, makes the result u
 // %% errata [markdown]
 // <details><summary>Errata of the tutorials</summary>
 //
-// - *Unity notes:* the coefficients of the bounces are rounded to two digits. Near $A = 1$ that matters: see the plot and the check above.
 // - *Unity notes:* `falloff = saturate(dsdt * (2 / radius²))` is 1 from $R/\sqrt2$ on, so that the radius is shorter than its name.
 //   (Their `falloff` runs the other way than the `weight` above: 1 counts nothing.)
 // - *Unity notes:* `lerp(H, h, falloff)` blends with the horizon found so far: the result depends on the order of the samples. XeGTAO
@@ -479,8 +381,7 @@ book.check("Rounding the coefficients, as the Unity notes do, makes the result u
 //   a slice is square to the normal.
 // - *Unity notes:* each slice adds to the bent normal the direction halfway between its horizons, in our signs
 //   $v\cos\bar h + t\sin\bar h$ with $\bar h = (h_1+h_2)/2$. That ignores the cosine. (They write a minus: their angles count away from $t$.)
-// - *Unity notes:* and it adds it with length 1, whatever is open in the slice. The later `length(BentNormal)`, meant to narrow the cone
-//   of reflections in closed places, hardly changes.
+//   Its length is always 1, whatever is open, so `length(BentNormal)` can hardly narrow the cone of reflections in closed places.
 // - *Unity notes:* GTAO is called HBAO with a cosine. The weight is the first difference, not the only one: it also integrates over both
 //   sides of a slice at once, and has no tangent bias.
 //
@@ -488,7 +389,7 @@ book.check("Rounding the coefficients, as the Unity notes do, makes the result u
 //
 // ## Where to go on
 //
-// Chapter 19 gives things a thickness. Chapter 21 sets error against run time for all methods.
+// Chapter 19 gives things a thickness. Chapter 20 adds the light that occluders send back, as the same paper has it. Chapter 21 sets error against run time for all methods.
 
 // %% end tags=["setup"]
 }

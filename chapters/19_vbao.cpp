@@ -5,124 +5,20 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <utility>
 
-#include "chapters/diagrams/slice_section.h"
+#include "chapters/diagrams/sector_section.h"
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/judged_view.h"
+#include "chapters/props/method_candidates.h"
 #include "chapters/props/number_words.h"
 #include "chapters/props/surface_mean.h"
+#include "chapters/props/thin_bars.h"
+#include "chapters/props/vbao_slices.h"
 #include "chapters/terminal/number_text.h"
-#include "scenes/builtin_scenes.h"
-#include "scenes/composing.h"
-#include "scenes/shapes.h"
 #include "ssao/methods/slices.h"
 
 namespace crevice {
 namespace {
-
-// A bit each, from the positive side's horizon to the negative side's.
-std::string bits(std::uint32_t mask) {
-    std::string word;
-    for (int k = 0; k < 32; ++k) word += ((mask >> k) & 1u) != 0 ? '1' : '0';
-    return word;
-}
-
-// Thin bars a unit in front of a wall.
-Scene bars_before_a_wall() {
-    constexpr int kBars = 5;  // to each side of the middle one
-    Scene scene = empty_scene();
-    scene.instances = {placed(add_mesh(scene, box_mesh({16, 12, 0.2})), {0, 0, 6.1})};
-    const int bar = add_mesh(scene, box_mesh({0.06, 12, 0.06}));
-    for (int i = -kBars; i <= kBars; ++i) scene.instances.push_back(placed(bar, {0.8 * i, 0, 5}));
-    scene.camera.eye = {-1.2, 0.5, 0};
-    scene.camera.target = {0, 0, 6};
-    return scene;
-}
-
-constexpr std::pair<const char*, double> kThicknesses[] = {
-    {"0.06", 0.06}, {"0.125", 0.125}, {"0.25", 0.25}, {"0.5", 0.5}, {"1", 1.0}, {"2", 2.0}, {"4", 4.0}};
-
-struct ThicknessError {
-    PlotCurve curve;
-    double best = 0;  // the thickness with the least error
-};
-
-ThicknessError over_thickness(const std::string& name, const JudgedView& view, const Truth& truth,
-                              const Words& words) {
-    ThicknessError result{{name, {}, {}}};
-    double least = 1;
-    for (const auto& [word, value] : kThicknesses) {
-        Words all = words;
-        all.push_back(std::string("thickness=") + word);
-        const double error = view.error(view.limit("vbao", all), truth).rmse;
-        result.curve.x.push_back(value);
-        result.curve.y.push_back(error);
-        if (error < least) {
-            least = error;
-            result.best = value;
-        }
-    }
-    return result;
-}
-
-// What a method asks, in words.
-std::string question_text(const AoQuestion& q) {
-    const std::string reach = decimal_text(static_cast<double>(q.radius), 1);
-    const bool cut = q.fade_start >= q.radius;
-    return std::string(q.cosine_weighted ? "cosine" : "even") + ", " + (cut ? "cut at " : "fading up to ") +
-           reach;
-}
-
-struct Candidate {
-    const char *label, *name, *reads, *fails;
-    Words words = {};
-};
-
-// What each reads of the frame, and what is wrong with it wherever it is used.
-const Candidate kCandidates[] = {
-    {"X_Jun", "xjun", "normals, depth", "counts twice what two samples see; contrast by an exponent"},
-    {"Luna", "luna", "normals, depth", "the same"},
-    {"LearnOpenGL", "hemisphere", "normals, depth", "a volume, not light; blind very near"},
-    {"Unity notes", "unity", "normals, depth", "the same, and a hard range"},
-    {"Alchemy", "alchemy", "normals, depth", "noise near creases"},
-    {"SAO", "sao", "normals, depth pyramid", "the same, and blocks far away"},
-    {"MSVO", "msvo", "depth pyramid", "wide halos, no contact shade"},
-    {"HBAO", "hbao", "normals, depth", "the bias loses creases"},
-    {"HBAO, bias 0", "hbao", "normals, depth", "facets of coarse meshes", {"bias=0"}},
-    {"HBAO+", "hbao_plus", "normals, depth", "counts walls more than once"},
-    {"GTAO", "gtao", "normals, depth", "closed behind thin things; the fade is too bright here"},
-    {"GTAO, cut",
-     "gtao",
-     "normals, depth",
-     "closed behind thin things",
-     {"falloff=0", "radius_multiplier=1"}},
-    {"bitmask", "vbao", "normals, depth", "one thickness for all things"},
-    {"crevice", "crevice", "normals, depth, triangles", "needs a tree of the triangles; noise"}};
-
-Words with_radius_2(Words words) {
-    words.push_back("radius=2");
-    return words;
-}
-
-bool same_question(const AoQuestion& a, const AoQuestion& b) {
-    return a.radius == b.radius && a.fade_start == b.fade_start && a.fade_end == b.fade_end &&
-           a.cosine_weighted == b.cosine_weighted;
-}
-
-// The texel that the chapters follow; where a seed closes nothing there, the darkest one near it.
-Texel shaded_texel(const Image<float>& ao) {
-    constexpr int kNear = 4;
-    const Texel followed = followed_texel(ao.size);
-    Texel darkest = followed;
-    if (ao.at(followed.x, followed.y) < 1) return followed;
-    for (int y = followed.y - kNear; y <= followed.y + kNear; ++y) {
-        for (int x = followed.x - kNear; x <= followed.x + kNear; ++x) {
-            if (ao.at(x, y) < ao.at(darkest.x, darkest.y)) darkest = {x, y};
-        }
-    }
-    return darkest;
-}
 
 // Cells stand at the margin, where notebooks look for them.
 // clang-format off
@@ -141,8 +37,7 @@ const Words wide = {"radius=2"}, cut = {"radius=2", "falloff=0", "radius_multipl
 const Words half_thick = {"radius=2", "thickness=0.5"}, endless = {"radius=2", "thickness=1e30"};
 const MethodLimit bars_gtao = bars.limit("gtao", cut), bars_vbao = bars.limit("vbao", half_thick);
 const Truth bars_truth = bars.truth(bars_vbao.question);
-book.number("rays", std::to_string(kJudgedRays));
-book.number("seeds", std::to_string(kJudgedSeeds));
+book.numbers({{"rays", kJudgedRays}, {"seeds", kJudgedSeeds}});
 book.show_row({{"bars_gtao", ao_picture(bars_gtao.image.mean), "GTAO with a radius of 2, cut there, the mean of many maps."},
                {"bars_truth", ao_picture(bars_truth.image.mean), "Truth: {rays} rays a pixel of the same length."}});
 
@@ -158,21 +53,15 @@ book.show_row({{"bars_gtao", ao_picture(bars_gtao.image.mean), "GTAO with a radi
 // on the screen.
 
 // %% numbers_of_one_texel
-const JudgedView view = judged_column_foot(book, "vbao", book.size());
-const JudgedView judged = judged_column_foot(book, "vbao", kJudgedSize);
+const JudgedView view = judged_column_foot(book, "vbao", book.size()), judged = judged_column_foot(book, "vbao", kJudgedSize);
 const MethodMap shown = view.map("vbao");
 const VbaoSettings settings = shown.settings.ao.as<VbaoSettings>();
 const AoInputs& inputs = shown.raw.inputs;
 const Texel at = shaded_texel(shown.raw.ao);
 const Explanation texel = view.explanation(shown, at.x, at.y);
-const int slices = slice_plan(settings.samples).slices;
-std::vector<SliceSectors> found;
-for (int i = 0; i < slices; ++i) found.push_back(slice_sectors(inputs, settings, at.x, at.y, i));
+const std::vector<SliceSectors> found = sectors_of_texel(inputs, settings, at);
 const int darkest = static_cast<int>(std::ranges::max_element(found, {}, &SliceSectors::lost) - found.begin());
-book.number("x", std::to_string(at.x));
-book.number("y", std::to_string(at.y));
-book.number("slices", std::to_string(slices));
-book.number("thickness", text(settings.thickness));
+book.numbers({{"x", at.x}, {"y", at.y}, {"slices", found.size()}, {"thickness", text(settings.thickness)}});
 book.draw("sectors", sectors_diagram(inputs, settings, at.x, at.y, darkest, "One slice in 32 sectors"),
           "The slice of texel ({x}, {y}) that loses most. Each sample r has its front on the surface and its back {thickness} units "
           "further away from the eye, at the end of the arrow against v. Solid and dashed lines lead to front and back; the sectors between them are "
@@ -222,19 +111,12 @@ book.listing("ssao/methods/sector_bits.h", "bits_between",
              "Bits first to end - 1. Lanes of a register cannot all be shifted by counts of their own, so the 33 masks stand in a table.");
 
 // %% table_of_slices
-std::vector<std::vector<std::string>> rows;
 float sum = 0, drawn_loss = 0;
 int closed = 0;
-for (std::size_t i = 0; i < found.size(); ++i) {
-    rows.push_back({std::to_string(i + 1), bits(found[i].closed), std::to_string(std::popcount(found[i].closed)), text(found[i].lost)});
-    closed += std::popcount(found[i].closed);
-    drawn_loss += found[i].lost;
-}
+for (const SliceSectors& slice : found) drawn_loss += slice.lost, closed += std::popcount(slice.closed);
 for (const ExplainedSample& sample : texel.samples) sum += sample.contribution;
-book.table({"slice", "its bits, 1 is closed", "closed", "loses"}, rows, "The masks of texel ({x}, {y}).");
-book.number("sum", text(sum));
-book.number("closed", std::to_string(closed));
-book.number("ao", text(shown.raw.ao.at(at.x, at.y)));
+book.table({"slice", "its bits, 1 is closed", "closed", "loses"}, sector_rows(found), "The masks of texel ({x}, {y}).");
+book.numbers({{"sum", text(sum)}, {"closed", closed}, {"ao", text(shown.raw.ao.at(at.x, at.y))}});
 book.check("{closed} sectors are closed, worth {sum}. One minus that over {slices} is {ao}, the value in the map.",
            texel.value_of_sum(sum) == shown.raw.ao.at(at.x, at.y) && closed > 0 && std::fabs(drawn_loss - sum) < 1e-5f);
 
@@ -276,11 +158,9 @@ book.table(kErrorHeader,
             error_row("gtao, column", judged.error(foot_gtao, foot_truth), foot_gtao),
             error_row("vbao, column, thickness 0.5", judged.error(foot_vbao, foot_truth), foot_vbao)},
            "Radius 2, both methods cut there; against {rays} rays a pixel, whose noise is taken out.");
-book.number("best_bars", significant_text(by_bars.best, 3));
-book.number("best_foot", significant_text(by_foot.best, 3));
-book.number("bars_gtao_rmse", bars_gtao_error.rmse, 3);
-book.number("bars_vbao_rmse", bars_vbao_error.rmse, 3);
-book.number("endless_rmse", endless_error.rmse, 3);
+book.numbers({{"best_bars", significant_text(by_bars.best, 3)}, {"best_foot", significant_text(by_foot.best, 3)}});
+book.numbers(3, {{"bars_gtao_rmse", bars_gtao_error.rmse}, {"bars_vbao_rmse", bars_vbao_error.rmse},
+                 {"endless_rmse", endless_error.rmse}});
 book.check("Of the values tried the bars are served best by {best_bars}, the column by {best_foot}. Before the bars the bitmask errs by "
            "{bars_vbao_rmse}, GTAO by {bars_gtao_rmse}, and so does the bitmask when things have no end: {endless_rmse}.",
            by_bars.best < by_foot.best && bars_vbao_error.rmse < 0.6 * bars_gtao_error.rmse &&
@@ -291,7 +171,7 @@ std::vector<Notebook::Named> by_thickness, by_samples;
 std::vector<double> thickness_means;
 for (const char* thickness : {"0.03", "0.06", "0.25", "1e30"}) {
     const MethodMap m = view.map("vbao", {std::string("thickness=") + thickness});
-    thickness_means.push_back(mean_over_surfaces(m.raw.ao, m.raw.inputs));
+    thickness_means.push_back(mean_over_surfaces(m.raw));
     by_thickness.push_back({"thickness_" + std::to_string(by_thickness.size()), ao_picture(around_foot(m.raw.ao)),
                             std::string("thickness ") + thickness});
 }
@@ -303,10 +183,9 @@ for (const char* samples : {"4", "8", "18", "54"}) {
 book.show_row(by_samples, "With the slices and steps of GTAO. What lies between two steps is missed by both; but GTAO takes all below its highest sample for closed, "
               "and here the gap stays open.");
 const MethodMap nothing = view.map("vbao", {"thickness=0"});
-book.number("thickness_thin", thickness_means.front(), 4);
-book.number("thickness_all", thickness_means.back(), 4);
+book.numbers(4, {{"thickness_thin", thickness_means.front()}, {"thickness_all", thickness_means.back()}});
 book.check("A thicker world is darker: the mean goes from {thickness_thin} to {thickness_all}. With no thickness at all everything is open.",
-           mean_over_surfaces(nothing.raw.ao, nothing.raw.inputs) == 1 && thickness_means[0] > thickness_means[1] &&
+           mean_over_surfaces(nothing.raw) == 1 && thickness_means[0] > thickness_means[1] &&
                thickness_means[1] > thickness_means[2] && thickness_means[2] > thickness_means[3]);
 
 // %% touched_text [markdown]
@@ -322,10 +201,9 @@ book.compare({"touched", ao_picture(around_foot(view.at_picture_size(touched.raw
               touched.command("ao_raw")},
              {"middle", ao_picture(around_foot(view.at_picture_size(shown.raw.ao))), "A sector is closed by what covers its middle.",
               shown.command("ao_raw")});
-book.number("mean_touched", mean_over_surfaces(touched.raw.ao, touched.raw.inputs), 3);
-book.number("mean_middle", mean_over_surfaces(shown.raw.ao, shown.raw.inputs), 3);
+book.numbers(3, {{"mean_touched", mean_over_surfaces(touched.raw)}, {"mean_middle", mean_over_surfaces(shown.raw)}});
 book.check("The mean over the surfaces is {mean_touched} against {mean_middle}.",
-           mean_over_surfaces(touched.raw.ao, touched.raw.inputs) < mean_over_surfaces(shown.raw.ao, shown.raw.inputs));
+           mean_over_surfaces(touched.raw) < mean_over_surfaces(shown.raw));
 
 // %% angles_text [markdown]
 // **Equal angles forget the cosine.** With 32 sectors of the same angle, as in the paper, a sector near the plane is worth as much as
@@ -337,8 +215,7 @@ const MethodLimit angles = judged.limit("vbao", {"radius=2", "thickness=0.5", "s
 const MapError light_error = judged.error(foot_vbao, foot_truth), angle_error = judged.error(angles, foot_truth);
 book.table(kErrorHeader, {error_row("sectors of equal light", light_error, foot_vbao), error_row("sectors of equal angle", angle_error, angles)},
            "At the foot of the column, against cosine-weighted rays.");
-book.number("angle_rmse", angle_error.rmse, 4);
-book.number("light_rmse", light_error.rmse, 4);
+book.numbers(4, {{"angle_rmse", angle_error.rmse}, {"light_rmse", light_error.rmse}});
 book.check("Judged by the light, equal angles err by {angle_rmse}, equal light by {light_rmse}.", light_error.rmse < angle_error.rmse);
 
 // %% own [markdown]
@@ -374,8 +251,7 @@ book.show_row({{"own_error", difference_picture(around_foot(difference_of(own_ma
 book.table({"one map, full size, after its filter", "RMS error"},
            {{"crevice, 2 rays", decimal_text(own_rmse, 4)}, {"gtao, 18 samples", decimal_text(gtao_rmse, 4)},
             {"vbao, 18 samples", decimal_text(judged.error(vbao_map, light).rmse, 4)}});
-book.number("own_rmse", own_rmse, 3);
-book.number("gtao_rmse", gtao_rmse, 3);
+book.numbers(3, {{"own_rmse", own_rmse}, {"gtao_rmse", gtao_rmse}});
 book.check("With two rays a pixel the map is {own_rmse} from the truth, GTAO with 18 samples {gtao_rmse}.", own_rmse < gtao_rmse);
 
 // %% table_text [markdown]
@@ -384,30 +260,15 @@ book.check("With two rays a pixel the map is {own_rmse} from the truth, GTAO wit
 // Each method has the settings of its source. It may answer a strange question well or the right one badly: look at both errors.
 
 // %% all_methods
-std::vector<std::pair<AoQuestion, Truth>> truths = {{{0.5f, 0.5f, 0.5f, true}, light}};
-std::vector<std::vector<std::string>> table;
-std::vector<std::pair<double, std::string>> ranking;
-for (const Candidate& c : kCandidates) {
-    const MethodLimit l = judged.limit(c.name, c.words);
-    const auto asked = [&](const auto& known) { return same_question(known.first, l.question); };
-    if (std::ranges::none_of(truths, asked)) truths.emplace_back(l.question, judged.truth(l.question));
-    const double own_question = judged.error(l, std::ranges::find_if(truths, asked)->second).rmse;
-    const double of_light = judged.error(l, light).rmse;
-    const double of_bars = bars.error(bars.limit(c.name, with_radius_2(c.words)), bars_truth).rmse;
-    table.push_back({c.label, question_text(l.question), c.reads, decimal_text(own_question, 3), decimal_text(l.noise, 3),
-                     decimal_text(of_light, 3), decimal_text(of_bars, 3), c.fails});
-    ranking.emplace_back(of_light, c.label);
-}
-book.table({"method", "its question", "reads", "error, own question", "noise", "error, light", "error, bars", "what stays wrong"}, table,
+const CandidatesTable table = candidates_table(judged, light, bars, bars_truth);
+book.table({"method", "its question", "reads", "error, own question", "noise", "error, light", "error, bars", "what stays wrong"}, table.rows,
            "*Its question* says how a method weighs directions and what distance counts. Errors at the foot of the column are those of what it tends to: "
            "against rays that ask this very question, and against ambient light, cosine-weighted rays of length 0.5. Noise is that of one map, which a filter "
            "has to remove. The last number is the error of light at the bars, with a radius of 2 for all. (What crevice tends to is the truth itself; its error "
            "here is what is left of its noise in {seeds} maps.)");
-std::ranges::sort(ranking);
-book.number("nearest", ranking[1].second);
-book.number("next", ranking[2].second);
+book.numbers({{"nearest", table.ranking[1]}, {"next", table.ranking[2]}});
 book.check("As an answer to the question of ambient light, rays apart, {nearest} is nearest to the truth here, and {next} the next.",
-           ranking[0].second == "crevice");
+           table.ranking[0] == "crevice");
 
 // %% choosing [markdown]
 // ## Choosing a method, and defending the choice

@@ -7,6 +7,7 @@
 
 #include "chapters/diagrams/ray_fan.h"
 #include "chapters/notebook/chapter.h"
+#include "chapters/props/bounced_light.h"
 #include "chapters/terminal/number_text.h"
 #include "rasterizer/lanes/approx_math.h"
 #include "scenes/builtin_scenes.h"
@@ -15,6 +16,7 @@
 #include "ssao/bakes/baked_lookup.h"
 #include "ssao/bakes/lightmap_ao.h"
 #include "ssao/judge/metrics.h"
+#include "ssao/light/shade.h"
 
 namespace crevice {
 namespace {
@@ -44,6 +46,15 @@ struct View {
         return compare_images(picture_of(points, values, kSky), picture_of(points, truth, kSky));
     }
 };
+
+// The scene of `view` in its own light, with these values in the ambient part.
+Picture lit(const Scene& scene, const View& view, const Values& values, MultiBounce bounces) {
+    const Image<float> ao = picture_of(view.points, values);
+    AmbientUse use;
+    use.settings.multi_bounce = bounces;
+    const DepthBuffer depth = normal_depth(scene, scene.camera, ao.size).depth;
+    return lit_picture(shade(scene, scene.camera, depth, ao, {}, {}, nullptr, use));
+}
 
 // The Cornell box with one more box on its floor.
 constexpr int kLooseBox = 1;  // its instance
@@ -107,9 +118,7 @@ constexpr int kFan = 32;
 const std::vector<SectionPoint> outline = {{-4, 0}, {0, 0}, {0, 4}};
 const RayFan middle = ray_fan(corner, {-1.5, 0}, half_circle(kFan), 2, outline, "From the middle of a triangle"),
              edge = ray_fan(corner, {-0.1, 0}, half_circle(kFan), 2, outline, "From near its vertex");
-book.number("fan", std::to_string(kFan));
-book.number("middle_blocked", std::to_string(middle.blocked));
-book.number("edge_blocked", std::to_string(edge.blocked));
+book.numbers({{"fan", kFan}, {"middle_blocked", middle.blocked}, {"edge_blocked", edge.blocked}});
 book.draw("from_middle", middle.svg,
           "A floor that ends at a wall, seen from the side. The floor's triangle is three units long. Of {fan} rays from its middle, "
           "{middle_blocked} meet the wall.");
@@ -164,8 +173,7 @@ const int side = std::clamp(book.size().width * 2 / 5, 64, 1024);
 const LightmapCharts charts = lightmap_charts(scene, view.rays, {.texels = side});
 const LightmapAo map = lightmap_ao(view.rays, charts, lightmap_points(scene, view.rays, charts), settings);
 const Values by_map = looked_up(charts, map.ao, view.hits);
-book.number("side", std::to_string(side));
-book.number("density", decimal_text(charts.density, 1));
+book.numbers({{"side", side}, {"density", decimal_text(charts.density, 1)}});
 book.show("lightmap", ao_picture(map.ao), "The map, {side} texels a side, {density} texels a unit: every surface once, flat, apart from the others.");
 book.show_row({{"by_map", view.picture(by_map), "The room with the map."},
                {"by_map_error", view.difference(by_map), "Minus truth: what is left lies within a texel of the corners."}});
@@ -199,9 +207,8 @@ const ImageError of_centroids = view.error(by_centroids), of_corners = view.erro
 book.table({"baked", "values", "RMS error", "mean error", "largest"},
            {baked_row("vertices, Luna's rule", joined(centroids).size(), of_centroids), baked_row("vertices, from corners", joined(corners).size(), of_corners),
             baked_row("map", static_cast<std::size_t>(map.rays_cast / settings.rays), of_map), baked_row("map without edges", map.count(TexelKind::centre), of_bare)});
-book.number("map_rmse", of_map.rmse, 4);
-book.number("vertex_rmse", std::min(of_centroids.rmse, of_corners.rmse), 4);
-book.number("bare_rmse", of_bare.rmse, 4);
+book.numbers(4, {{"map_rmse", of_map.rmse}, {"vertex_rmse", std::min(of_centroids.rmse, of_corners.rmse)},
+                 {"bare_rmse", of_bare.rmse}});
 book.check("The map errs by {map_rmse}, less than a third of the {vertex_rmse} of the better vertices.", 3 * of_map.rmse < std::min(of_centroids.rmse, of_corners.rmse));
 book.check("Without touched texels and dilation it errs by {bare_rmse}, more than half as much again.", of_bare.rmse > 1.5 * of_map.rmse);
 
@@ -228,8 +235,7 @@ for (const int cells : {1, 8, 64}) {
     floors.push_back({"floor_" + std::to_string(cells), seen.picture(baked), std::to_string(cells * cells) + (cells == 1 ? " cell" : " cells")});
 }
 book.show_row(floors, "Baked to the vertices of ever finer floors. The foot of the box is too dark in all three.");
-book.number("floor_1", floor_errors[0], 4);
-book.number("floor_8", floor_errors[1], 4);
+book.numbers(4, {{"floor_1", floor_errors[0]}, {"floor_8", floor_errors[1]}});
 book.number("darkest", decimal_text(static_cast<double>(darkest), 2));
 book.check("One cell errs by {floor_1}, more than twice the {floor_8} of 64 cells.", floor_errors[0] > 2 * floor_errors[1]);
 book.check("The darkest pixel of the finest floor is {darkest}, where the truth at the foot of the box is one half.", darkest < 0.4f);
@@ -251,6 +257,35 @@ book.compare({"stale", moved.picture(stale), "Baked before the box rose: its sha
 book.show("stale_error", moved.difference(stale), "Baked minus truth. Blue is the old shade.");
 book.number("stale_rmse", moved.error(stale).rmse, 4);
 book.check("Once the box has moved the error is {stale_rmse}, more than twice that of the map before.", moved.error(stale).rmse > 2 * of_map.rmse);
+
+// %% coefficients
+book.numbers({{"bounce_a", linear_text(kPaperFit.a_slope, kPaperFit.a_offset)},
+              {"bounce_b", linear_text(kPaperFit.b_slope, kPaperFit.b_offset)},
+              {"bounce_c", linear_text(kPaperFit.c_slope, kPaperFit.c_offset)}});
+
+// %% bounce_text [markdown]
+// **White corners are too dark.** A ray that meets something counts as dark. But what it meets is lit, too, and sends light back. The
+// paper of chapter 18 has a formula for that, fitted to path-traced scenes. It takes the accessibility $A$, baked or of a frame, and the
+// *albedo* $\rho$, the share of light that a surface sends back, and gives, for each colour channel,
+//
+// $$ A' = \min\bigl(1, \max(A,\; ((aA + b)A + c)A)\bigr), $$
+//
+// $$ a = {{bounce_a}}, \quad b = {{bounce_b}}, \quad c = {{bounce_c}}. $$
+
+// %% bounce
+book.compare({"bounce_none", lit(scene, view, by_map, MultiBounce::none), "The lit room, its ambient light multiplied by the baked "
+              "accessibility as it is: all corners are grey."},
+             {"bounce_paper", lit(scene, view, by_map, MultiBounce::paper), "With the fit (`--param multi_bounce=paper` in a frame): white "
+              "corners are nearly as light as the walls, the red and the green ones keep a little of their shade."});
+book.plot("bounce",
+          {"Accessibility with bounced light", {"accessibility A"}, {"with bounces"},
+           {bounce_curve("albedo 0.2", 0.2f, kPaperFit), bounce_curve("albedo 0.5", 0.5f, kPaperFit),
+            bounce_curve("albedo 0.9", 0.9f, kPaperFit), bounce_curve("albedo 0.9, rounded", 0.9f, kRoundedFit)}},
+          "The fit of the paper for three albedos, and the fit with the rounded coefficients of the Unity notes.");
+const float white = multi_bounce(0.5f, 0.9f, kPaperFit), dark = multi_bounce(0.5f, 0.2f, kPaperFit);
+book.numbers(2, {{"white", static_cast<double>(white)}, {"dark", static_cast<double>(dark)}});
+book.check("Where half is open, a white surface of albedo 0.9 gets {white} of the ambient light, a dark one of albedo 0.2 gets {dark}.",
+           white > dark && dark >= 0.5f);
 
 // %% choosing [markdown]
 // ## What is gained, and what it costs
@@ -289,6 +324,7 @@ book.check("Once the box has moved the error is {stale_rmse}, more than twice th
 // - *Luna:* slivers count like large triangles in the mean over a vertex.
 // - *Luna:* the start of a ray is lifted by 0.001 units. On a large mesh that is less than the rounding of a float, on a tiny one it leads through the next wall. Here the lift follows from the size of the coordinates.
 // - *Luna:* rays have no end, which the listing itself calls a shortcut: in a closed room everything is black.
+// - *Unity notes:* the coefficients of the bounces are rounded to two digits. Near $A = 1$ that darkens, as the plot shows.
 // - *Unity notes:* AO on direct light is, as the text says itself, not physically right; hence the engine's default of leaving it out.
 //
 // </details>

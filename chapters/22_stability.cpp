@@ -2,17 +2,15 @@
 // Source: Higham 2002, "Accuracy and Stability of Numerical Algorithms", chapters 1 and 2; Reed 2015, "Depth Precision
 // Visualized" (reversed depths); the tutorials' own formulas.
 // Run: crevice chapter 22; all cases and all methods: crevice stability
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "chapters/notebook/chapter.h"
 #include "chapters/props/crops.h"
 #include "chapters/props/depth_steps.h"
+#include "chapters/props/stability_suite.h"
 #include "chapters/props/stiff_faults.h"
 #include "chapters/props/stiff_frames.h"
-#include "chapters/stability/rounding.h"
-#include "chapters/stability/stability.h"
+#include "chapters/props/strained_passes.h"
 #include "chapters/stability/stiff_scenes.h"
 #include "chapters/terminal/number_text.h"
 #include "rasterizer/draw/depth_precision.h"
@@ -26,16 +24,6 @@ namespace crevice {
 namespace {
 
 std::string short_text(double value) { return significant_text(value, 3); }
-
-StiffView between_far_planes(StiffView view) {
-    view.camera = with_planes(view.camera, 1e-4, 1e7);
-    return view;
-}
-
-Scene without_last_instance(Scene scene) {
-    scene.instances.pop_back();
-    return scene;
-}
 
 const std::vector<std::string> kShownMethods = {"xjun", "luna", "hbao", "gtao", "ray_cast"};
 
@@ -52,10 +40,8 @@ void stability_chapter(Notebook& book) {
 
 // %% start
 const Scene columns = columns_luna_scene();
-const Frame coarse =
-    drawn(columns, with_planes(columns.camera, 1e-4, 1e7), book.size(), "luna", {"depth_format=d24"});
-const Frame fine =
-    drawn(columns, with_planes(columns.camera, 1, 1000), book.size(), "luna", {"depth_format=d24"});
+const Frame coarse = drawn(columns, with_planes(columns.camera, 1e-4, 1e7), book.size(), "luna", {"depth_format=d24"});
+const Frame fine = drawn(columns, with_planes(columns.camera, 1, 1000), book.size(), "luna", {"depth_format=d24"});
 book.number("first_warning", first_warning(coarse));
 book.compare({"coarse", ao_picture(coarse.ao_raw),
               "Near plane at 0.0001, far plane at 10,000,000, depths in 24 bits: specks all over columns and skull."},
@@ -77,11 +63,9 @@ book.compare({"coarse", ao_picture(coarse.ao_raw),
 const auto epsilon = static_cast<double>(kLunaSettings.epsilon);
 book.number("epsilon", short_text(epsilon));
 book.draw("stairs", stairs(epsilon),
-          "A tilted plane, green, and what a depth buffer of 16 bits keeps of it when the near plane is "
-          "at 0.001. The eye is on the "
-          "left. From p's point of view the stair below it is an occluder: it lies further in front than "
-          "epsilon = {epsilon}, the "
-          "dashed line.");
+          "A tilted plane, green, and what a depth buffer of 16 bits keeps of it when the near plane is at 0.001. The eye is "
+          "on the left. From p's point of view the stair below it is an occluder: it lies further in front than epsilon = "
+          "{epsilon}, the dashed line.");
 
 // %% derivation [markdown]
 // ## How large is what cancellation leaves?
@@ -123,10 +107,9 @@ book.plot("steps",
             step_curve("24 bits", wide, DepthFormat::d24, false),
             step_curve("float", wide, DepthFormat::d32f, false),
             step_curve("float, reversed", wide, DepthFormat::d32f, true), limit}},
-          "The steps of all standard formats grow with the square of the distance, those of reversed "
-          "floats only with the distance. "
-          "Where a line is above epsilon, a plane shades itself. The lines of floats and of 24 bits lie "
-          "on one another: a float near 1 has 24 bits and no more.");
+          "The steps of all standard formats grow with the square of the distance, those of reversed floats only with the "
+          "distance. Where a line is above epsilon, a plane shades itself. The lines of floats and of 24 bits lie on one "
+          "another: a float near 1 has 24 bits and no more.");
 
 // %% the_code [markdown]
 // ## The code
@@ -137,11 +120,9 @@ book.plot("steps",
 // %% code_of_floors tags=["setup"]
 book.listing("ssao/methods/luna_occlusion.h", "nearest_occluder", "The floor under epsilon.");
 book.listing("rasterizer/scene/relative_position.h", "component",
-             "A vertex relative to the eye: product, sum and difference in double, rounded to a float "
-             "once, at the end.");
-book.listing_part(
-    "rasterizer/draw/clip.cpp", "plane_distance", "case 0", "case 2",
-    "Near and far are planes of w, the distance itself. z_clip is a sum in which the near plane drowns.");
+             "A vertex relative to the eye: product, sum and difference in double, rounded to a float once, at the end.");
+book.listing_part("rasterizer/draw/clip.cpp", "plane_distance", "case 0", "case 2",
+                  "Near and far are planes of w, the distance itself. z_clip is a sum in which the near plane drowns.");
 
 // %% account_text [markdown]
 // ## Losses are said
@@ -158,12 +139,10 @@ book.table(
      "AO lost, mean"},
     formats.rows,
     "A plane tilted by 60 degrees, five units away. Its AO is 1, so whatever is lost is rounding.");
-book.number("worst_silent", short_text(formats.worst_silent));
-book.number("warned_formats", std::to_string(formats.warned));
-book.check(
-    "Where nothing is said, no more than {worst_silent} of the AO is lost; in {warned_formats} of the "
-    "twelve cases something is said.",
-    formats.worst_silent < kStatedBias && formats.warned > 0);
+book.numbers({{"worst_silent", short_text(formats.worst_silent)}, {"warned_formats", formats.warned}});
+book.check("Where nothing is said, no more than {worst_silent} of the AO is lost; in {warned_formats} of the twelve cases "
+           "something is said.",
+           formats.worst_silent < kStatedBias && formats.warned > 0);
 
 // %% where [markdown]
 // ## Where cancellation sits
@@ -187,39 +166,22 @@ book.check(
 // The table has one block twice: as it is, and *strained*, with the near plane at 0.0001 and the far plane at 10,000,000.
 
 // %% passes_against_judge
-const RoundingView at_ease = rounding_view(block_view(), {}),
-                 strained = rounding_view(between_far_planes(block_view()), {});
-const std::vector<PassRounding> passes = pass_rounding(at_ease),
-                                passes_strained = pass_rounding(strained);
-std::vector<std::vector<std::string>> pass_rows;
-for (std::size_t i = 0; i < passes.size(); ++i) {
-    pass_rows.push_back({passes[i].pass, passes[i].unit, short_text(passes[i].off.mean),
-                         short_text(passes[i].off.p99), short_text(passes_strained[i].off.mean),
-                         short_text(passes_strained[i].off.p99)});
-}
-book.table({"pass", "unit", "mean", "99 % are below", "strained: mean", "99 % are below"}, pass_rows);
-book.number("vertex_ulps", passes[1].off.max, 2);
-book.check(
-    "The view depth of a vertex is off by {vertex_ulps} ulps at most in both views: a few roundings, and "
-    "nothing cancelled.",
-    passes[1].off.max < 2 && passes_strained[1].off.max < 2);
+const StrainedPasses passes = strained_passes();
+book.table({"pass", "unit", "mean", "99 % are below", "strained: mean", "99 % are below"}, passes.rows);
+book.number("vertex_ulps", passes.vertex_ulps, 2);
+book.check("The view depth of a vertex is off by {vertex_ulps} ulps at most in both views: a few roundings, and nothing "
+           "cancelled.",
+           passes.vertex_ulps < 2);
 
 // %% methods_text [markdown]
 // The number in the depth buffer is as good as its format allows in both views. What a step of it *means* is not, and that
 // shows in the method that reads it. (`crevice stability` has the kernels of all methods.)
 
 // %% methods_against_judge
-const auto cost_of_depth = [](const RoundingView& seen) {
-    const MethodRounding rounding = method_rounding(seen, find_method("luna"), {});
-    return rounding.of(RoundingCause::depth).value_or(AoRounding{}).off.mean;
-};
-const double luna_ease = cost_of_depth(at_ease), luna_strain = cost_of_depth(strained);
-book.number("luna_ease", short_text(luna_ease));
-book.number("luna_strain", short_text(luna_strain));
-book.check(
-    "Luna's method reads the depth buffer: what its rounding costs goes from {luna_ease} of AO to "
-    "{luna_strain}, in the mean.",
-    luna_strain > 10 * luna_ease);
+book.numbers({{"luna_ease", short_text(passes.luna_at_ease)}, {"luna_strain", short_text(passes.luna_strained)}});
+book.check("Luna's method reads the depth buffer: what its rounding costs goes from {luna_ease} of AO to {luna_strain}, in "
+           "the mean.",
+           passes.luna_strained > 10 * passes.luna_at_ease);
 
 // %% judge_end [markdown]
 // Kernels also subtract points that lie close together, $r - p$. The difference keeps the ulps of the depth, although it is
@@ -236,21 +198,15 @@ book.check(
 // %% eye_plane
 const StiffView ground = ground_view();
 const Frame half = drawn(ground, book.size());
-std::vector<std::vector<std::string>> cuts;
-for (const double w : {1.0, 10.0, 100.0, 1000.0, 10000.0})
-    cuts.push_back({short_text(w), short_text(w_of_float_cut(ground.camera, w, -w))});
 const double cut_in_float = w_of_float_cut(ground.camera, 1e4, -1e4);
-book.number("cut", short_text(cut_in_float));
-book.number("near", short_text(ground.camera.near_plane));
+book.numbers({{"cut", short_text(cut_in_float)}, {"near", short_text(ground.camera.near_plane)}});
 book.number("covered", 100 * covered_share(half), 1);
-book.table({"an edge from w to -w", "is cut at w ="}, cuts,
+book.table({"an edge from w to -w", "is cut at w ="}, float_cut_rows(ground.camera),
            "Where the near plane cuts an edge if $A w + B$ is summed in float. It should be {near} every time.");
 book.show("ground", view_depth_picture(half.gbuffer.view_depth), "Clipped by w: it covers the lower half.");
-book.check(
-    "In float the cut has w = {cut} instead of {near}. Compared by w, the ground covers {covered} % of "
-    "the picture.",
-    std::fabs(cut_in_float - ground.camera.near_plane) > ground.camera.near_plane / 2 &&
-        std::fabs(covered_share(half) - 0.5) < 0.02);
+book.check("In float the cut has w = {cut} instead of {near}. Compared by w, the ground covers {covered} % of the picture.",
+           std::fabs(cut_in_float - ground.camera.near_plane) > ground.camera.near_plane / 2 &&
+               std::fabs(covered_share(half) - 0.5) < 0.02);
 
 // %% origin_text [markdown]
 // **Far from the origin, everything trembles.** The block and its eye have been moved by a million units. One matrix from
@@ -266,11 +222,9 @@ book.compare({"far_premultiplied", ao_picture(trembling.ao_blurred),
               "One matrix for all, a million units from the origin: the block is bent, and its shade lies elsewhere."},
              {"far_relative", ao_picture(steady.ao_blurred), "The eye subtracted first, in double: as at home."});
 book.number("trembling", largest_difference(trembling.ao_raw, home.ao_raw), 3);
-book.check(
-    "Moved by a million units, the AO has the same bits as at home; with one matrix it is off by up to "
-    "{trembling}.",
-    largest_difference(steady.ao_raw, home.ao_raw) == 0 &&
-        largest_difference(trembling.ao_raw, home.ao_raw) > 0.1);
+book.check("Moved by a million units, the AO has the same bits as at home; with one matrix it is off by up to {trembling}.",
+           largest_difference(steady.ao_raw, home.ao_raw) == 0 &&
+               largest_difference(trembling.ao_raw, home.ao_raw) > 0.1);
 
 // %% far_plane_text [markdown]
 // **Rounding is taken for an occluder.** A bare wall stands a million units away, seen through a very long lens. Floats are
@@ -284,9 +238,8 @@ const GBuffer wall_buffers = normal_depth(wall.scene, wall.camera, book.size());
 const AoInputs wall_inputs = ao_inputs(wall_buffers, wall.camera, xjun_fetch(kXjunSettings));
 const Image<float> without_floor = ao_without_floor(wall_inputs, kXjunSettings);
 const Image<float> with_floor = luna_occlusion(wall_inputs, kXjunSettings, {}).ao;
-book.number("dirty", std::to_string(texels_below(without_floor, 0.99f)));
-book.number("clean", std::to_string(texels_below(with_floor, 0.99f)));
-book.number("wall_warning", first_warning(drawn(wall, book.size())));
+book.numbers({{"dirty", texels_below(without_floor, 0.99f)}, {"clean", texels_below(with_floor, 0.99f)},
+              {"wall_warning", first_warning(drawn(wall, book.size()))}});
 book.compare({"wall_dirty", ao_picture(without_floor), "Epsilon alone: {dirty} texels are darkened."},
              {"wall_clean", ao_picture(with_floor), "With a floor under epsilon: {clean}."});
 book.check("The floor leaves {clean} of {dirty} dirty texels. The frame says: {wall_warning}.",
@@ -302,8 +255,7 @@ book.check("The floor leaves {clean} of {dirty} dirty texels. The frame says: {w
 const Words tiny = {"radius=0.01"}, tiny_mixed = {"radius=0.01", "edge_texels=mixed"};
 const Frame mixed = drawn(at_home, book.size(), "xjun", tiny_mixed),
             nearest = drawn(at_home, book.size(), "xjun", tiny);
-book.number("mixed", std::to_string(texels_below(mixed.ao_raw, 0.9f)));
-book.number("nearest", std::to_string(texels_below(nearest.ao_raw, 0.9f)));
+book.numbers({{"mixed", texels_below(mixed.ao_raw, 0.9f)}, {"nearest", texels_below(nearest.ao_raw, 0.9f)}});
 book.compare(
     {"edges_mixed", ao_picture(mixed.ao_raw),
      "The mean of four pixels: {mixed} texels are darkened by a radius of 0.01."},
@@ -317,7 +269,7 @@ book.check("With a radius of 0.01 the means darken {mixed} texels, the nearest s
 // name it.
 
 // %% outlier
-const Scene stretched = with_lost_vertex(), whole = without_last_instance(stretched);
+const Scene stretched = with_lost_vertex(), whole = without_lost_vertex();
 const OutlierVertex outlier = outlier_vertex(stretched).value_or(OutlierVertex{});
 const Camera too_far = framing_camera(world_bounds(stretched)),
              framed = framing_camera(world_bounds(whole));
@@ -328,10 +280,9 @@ book.compare(
      "Framed by all vertices: the block is a speck, if it is seen at all."},
     {"framed", normal_picture(drawn(whole, framed, book.size(), "xjun").gbuffer.normal),
      "Framed without the stray one: the block fills the picture."});
-book.check(
-    "The stray vertex at x = {outlier_x} is found and named: it makes the scene {stretch} times as large "
-    "as all others do.",
-    outlier.stretch > kOutlierStretch && outlier.p_world.x > 300);
+book.check("The stray vertex at x = {outlier_x} is found and named: it makes the scene {stretch} times as large as all others "
+           "do.",
+           outlier.stretch > kOutlierStretch && outlier.p_world.x > 300);
 
 // %% winding_text [markdown]
 // **A normal that looks away is not wrong.** On the rim of a ball of few triangles the interpolated normal points slightly
@@ -356,22 +307,10 @@ book.check("{turned} pixels show a surface from its front whose normal looks awa
 // 0.2 in a blur or a $10^{-6}$ in a division, shows at once.
 
 // %% scales
-std::vector<std::vector<std::string>> scale_rows;
-const Frame unscaled = drawn(corner_view(), book.size());
-bool scales_agree = true, beyond_is_said = true;
-for (const int k : {-40, -20, 20, 40, -60, 60}) {
-    const Frame frame = drawn(scaled(corner_view(), k), book.size());
-    const double off = largest_difference(frame.ao_blurred, unscaled.ao_blurred);
-    scale_rows.push_back({"2^" + std::to_string(k), short_text(off), first_warning(frame)});
-    if (std::abs(k) <= 40) scales_agree = scales_agree && off == 0;
-    if (std::abs(k) > 40)
-        beyond_is_said = beyond_is_said && (off == 0 || first_warning(frame) != kNoWarning);
-}
-book.table({"all lengths times", "AO differs by", "the frame says"}, scale_rows);
-book.check(
-    "From 2^-40 to 2^40 the AO has the same bits. Beyond, it has them still, or the frame says that it "
-    "may not.",
-    scales_agree && beyond_is_said);
+const ScaledFrames scales = scaled_frames(corner_view(), book.size());
+book.table({"all lengths times", "AO differs by", "the frame says"}, scales.rows);
+book.check("From 2^-40 to 2^40 the AO has the same bits. Beyond, it has them still, or the frame says that it may not.",
+           scales.agree && scales.beyond_is_said);
 
 // %% suite_text [markdown]
 // ## All methods, all cases
@@ -382,43 +321,27 @@ book.check(
 // *warned*: further off, but the frame says so. Further off in silence is *wrong*.
 
 // %% suite
-const std::vector<StiffCase> cases = stiff_cases(true);
-std::vector<StabilityCell> cells;
-std::array<int, 4> verdicts{};
-for (const StiffCase& stiff : cases) {
-    for (const std::string& method : kShownMethods) {
-        cells.push_back(stability_cell(stiff, find_method(method), {}));
-        ++verdicts[static_cast<std::size_t>(cells.back().verdict)];
-    }
-}
-book.draw("heat_map", heat_map(cells, kShownMethods),
-          "One or two cases of each kind, and five methods. `crevice stability` draws all cases with all "
-          "methods, each cell a link "
-          "to its picture and its command.");
+const StabilitySuite suite = stability_suite(kShownMethods);
+book.draw("heat_map", heat_map(suite.cells, kShownMethods),
+          "One or two cases of each kind, and five methods. `crevice stability` draws all cases with all methods, each cell a "
+          "link to its picture and its command.");
 
 // %% suite_checks
-book.number("cells", std::to_string(cells.size()));
-book.number("exact", std::to_string(verdicts[0]));
-book.number("within", std::to_string(verdicts[1]));
-book.number("warned", std::to_string(verdicts[2]));
-book.check(
-    "Of {cells} cells {exact} are exact, {within} within what is stated, {warned} warned, and none is "
-    "wrong in silence.",
-    verdicts[3] == 0);
+book.numbers({{"cells", suite.cells.size()}, {"exact", suite.count(StabilityVerdict::exact)},
+              {"within", suite.count(StabilityVerdict::within)}, {"warned", suite.count(StabilityVerdict::warned)}});
+book.check("Of {cells} cells {exact} are exact, {within} within what is stated, {warned} warned, and none is wrong in silence.",
+           suite.count(StabilityVerdict::wrong) == 0);
 const double grazing = worst_grazing_loss(kShownMethods);
 const RadiusExtremes radii = radius_extremes(kShownMethods);
 book.number("grazing", short_text(grazing));
 book.check("Up to a tilt of 89.99 degrees, no method loses more than {grazing} of an open plane.",
            grazing < kStatedBias);
-book.check(
-    "From a radius of 0 to one of a million units, all values are numbers from 0 to 1; radii below a "
-    "hundredth leave everything open.",
-    radii.in_range && radii.worst_tiny < kStatedBias);
-book.number("half_limit", half_float_limit(epsilon), 0);
-book.number("luna_step",
-            short_text(depth_step(with_planes(columns.camera, 1, 1000), DepthFormat::d24, 1000)));
-book.number("luna_limit",
-            depth_of_step(with_planes(columns.camera, 0.1, 1000), DepthFormat::d24, epsilon), 0);
+book.check("From a radius of 0 to one of a million units, all values are numbers from 0 to 1; radii below a hundredth leave "
+           "everything open.",
+           radii.in_range && radii.worst_tiny < kStatedBias);
+const double luna_limit = depth_of_step(with_planes(columns.camera, 0.1, 1000), DepthFormat::d24, epsilon);
+book.numbers(0, {{"half_limit", half_float_limit(epsilon)}, {"luna_limit", luna_limit}});
+book.number("luna_step", short_text(depth_step(with_planes(columns.camera, 1, 1000), DepthFormat::d24, 1000)));
 
 // %% exercises [markdown]
 // ## Exercises

@@ -8,12 +8,12 @@
 #include <cstdint>
 #include <set>
 #include <span>
-#include <sstream>
 
 #include "chapters/frame/frame.h"
 #include "chapters/notebook/chapter.h"
-#include "chapters/notebook/embedded_files.h"
+#include "chapters/props/frame_hashes.h"
 #include "chapters/props/lost_bits.h"
+#include "chapters/props/maps_apart.h"
 #include "chapters/props/switched_ao.h"
 #include "chapters/terminal/number_text.h"
 #include "rasterizer/base/image_summary.h"
@@ -23,71 +23,7 @@
 namespace crevice {
 namespace {
 
-std::string bits_of(float value) {
-    std::string digits(8, '0');
-    auto rest = static_cast<std::uint32_t>(float_bits(value));
-    for (std::size_t i = digits.size(); i-- > 0; rest >>= 4) digits[i] = "0123456789abcdef"[rest & 15];
-    return digits;
-}
-
-struct MapsApart {
-    BitsApart sum, ao;
-};
-MapsApart maps_apart(const OcclusionMaps& a, const OcclusionMaps& b) {
-    return {bits_apart(a.sum, b.sum), bits_apart(a.ao, b.ao)};
-}
-const std::vector<std::string> kApartColumns = {"way", "sums that differ", "AO texels that differ",
-                                                "most, of AO"};
-std::vector<std::string> apart_row(const std::string& what, const MapsApart& apart) {
-    return {what, std::to_string(apart.sum.texels), std::to_string(apart.ao.texels),
-            significant_text(static_cast<double>(apart.ao.most), 2)};
-}
-Picture apart_picture(const MapsApart& apart) { return grey_picture(apart.sum.steps, 0, 4); }
-
-std::string hash_named(const Frame& frame, const std::string& buffer) {
-    if (buffer == "normal") return content_hash(frame.gbuffer.normal);
-    if (buffer == "view_depth") return content_hash(frame.gbuffer.view_depth);
-    if (buffer == "ndc_depth") return content_hash(ndc_depth(frame.gbuffer.depth));
-    if (buffer == "ao_raw") return content_hash(frame.ao_raw);
-    return content_hash(buffer == "ao_blurred" ? frame.ao_blurred : Image<float>{});
-}
-std::string hashes_of(const Frame& frame) {
-    std::string all = content_hash(frame.lit);
-    for (const char* buffer : {"normal", "view_depth", "ndc_depth", "ao_raw", "ao_blurred"})
-        all += hash_named(frame, buffer);
-    return all;
-}
-
-struct KernelForm {
-    std::string name;
-    Run run;
-};
-std::vector<KernelForm> forms_of_this_machine() {
-    std::vector<KernelForm> forms = {{"one pixel at a time", {.lanes = 1}}};
-    for (const Isa isa : kEveryIsa) {
-        if (isa_available(isa))
-            forms.push_back({std::to_string(lanes_of(isa)) + " lanes, " + isa_name(isa), {.isa = isa}});
-    }
-    return forms;
-}
 constexpr int kThreads[] = {1, 2, 7}, kTiles_px[] = {8, 32, 64};
-
-FrameRequest request_of(Size size) {
-    FrameRequest request;
-    request.size = size;
-    request.method = &find_method("xjun");
-    request.settings = settings_of(*request.method);
-    return request;
-}
-
-// The hash on record of a buffer of the scene `columns`, 160x90.
-std::string recorded_hash(const std::string& wanted) {
-    std::istringstream file(std::string(embedded_file("tests/golden/hashes.txt").value_or("")));
-    for (std::string scene, buffer, hash; file >> scene >> buffer >> hash;) {
-        if (scene == "columns" && buffer == wanted) return hash;
-    }
-    return "none";
-}
 
 // Cells stand at the margin, where notebooks look for them.
 // clang-format off
@@ -138,17 +74,13 @@ book.show_row({{"apart_fused", apart_picture(fused),
 
 // %% three_ways_of_one
 const ThreeWays ways = three_ways(kernel);
-book.number("v", exact_text(ways.v.x) + ", " + exact_text(ways.v.y) + ", " + exact_text(ways.v.z));
-book.number("exact", significant_text(ways.exact, 12));
-book.number("rounded", bits_of(ways.rounded));
-book.number("fused", bits_of(ways.fused));
-book.number("otherwise", bits_of(ways.otherwise_fused));
+book.numbers({{"v", exact_text(ways.v.x) + ", " + exact_text(ways.v.y) + ", " + exact_text(ways.v.z)},
+              {"exact", significant_text(ways.exact, 12)}, {"rounded", bits_of(ways.rounded)}, {"fused", bits_of(ways.fused)},
+              {"otherwise", bits_of(ways.otherwise_fused)}});
 book.draw("number_line", number_line(ways),
-          "The ticks are floats, one step apart. The exact square of the length of p = ({v}) is {exact}, "
-          "between two of them. "
-          "Rounding every product and every sum leads to the bits {rounded}; leaving out one rounding or "
-          "another leads to {fused} and "
-          "{otherwise}. None of the three is a mistake.");
+          "The ticks are floats, one step apart. The exact square of the length of p = ({v}) is {exact}, between two of them. "
+          "Rounding every product and every sum leads to the bits {rounded}; leaving out one rounding or another leads to "
+          "{fused} and {otherwise}. None of the three is a mistake.");
 
 // %% derivation [markdown]
 // ## Why the order matters
@@ -201,7 +133,7 @@ book.listing(
 // with tiles of 8, 32 and 64 pixels.
 
 // %% every_way
-FrameRequest request = request_of(book.size());
+FrameRequest request = xjun_request(book.size());
 const Scene columns = columns_scene();
 const std::string first = hashes_of(render_frame(columns, columns.camera, request));
 std::vector<std::vector<std::string>> form_rows;
@@ -224,10 +156,8 @@ for (const KernelForm& form : forms_of_this_machine()) {
 book.number("runs", std::to_string(runs));
 book.table({"form of the kernels", "runs", "hash of the blurred AO"}, form_rows);
 book.check("All {runs} runs agree in every bit of all six buffers.", same == runs);
-book.check(
-    "The estimator written down once more in this chapter, with plain arithmetic, has the library's bits "
-    "too.",
-    content_hash(plain) == content_hash(luna_occlusion(inputs, kXjunSettings, {}).ao));
+book.check("The estimator written down once more in this chapter, with plain arithmetic, has the library's bits too.",
+           content_hash(plain) == content_hash(luna_occlusion(inputs, kXjunSettings, {}).ao));
 
 // %% other_machines_text [markdown]
 // One machine cannot show what another does. But hashes can be written down. The lab's repository holds a file of them,
@@ -237,7 +167,7 @@ book.check(
 
 // %% other_machines
 const Scene recorded_scene = find_builtin_scene("columns")->make(SceneDetail::surfaces);
-const Frame small = render_frame(recorded_scene, recorded_scene.camera, request_of({160, 90}));
+const Frame small = render_frame(recorded_scene, recorded_scene.camera, xjun_request({160, 90}));
 std::vector<std::vector<std::string>> recorded_rows;
 bool as_recorded = true;
 for (const char* buffer : {"normal", "view_depth", "ndc_depth", "ao_raw", "ao_blurred"}) {
@@ -274,17 +204,14 @@ book.listing("chapters/props/lost_bits.cpp", "fused_dot",
              "The same sum of products, with one rounding each where the kernel has two.");
 book.table(kApartColumns, {apart_row("fused, from left to right", fused),
                            apart_row("fused, x and y exchanged", otherwise)});
-book.number("fused_texels", std::to_string(fused.ao.texels));
-book.number("otherwise_texels", std::to_string(otherwise.ao.texels));
+book.numbers({{"fused_texels", fused.ao.texels}, {"otherwise_texels", otherwise.ao.texels}});
 book.check("One way of fusing changes {fused_texels} texels of the AO map, the other {otherwise_texels}.",
            fused.ao.texels > 0 && otherwise.ao.texels > 0);
 const float product = ways.v.x * ways.v.y, rest = std::fma(ways.v.x, ways.v.y, -product);
 book.number("rest", significant_text(static_cast<double>(rest), 3));
-book.check(
-    "Fusing may even break an identity: with the x and y from above, xy - xy is not 0 but {rest}, "
-    "because only one of the two "
-    "products was rounded.",
-    rest != 0);
+book.check("Fusing may even break an identity: with the x and y from above, xy - xy is not 0 but {rest}, because only one of "
+           "the two products was rounded.",
+           rest != 0);
 
 // %% reassociation_text [markdown]
 // **2. The sum is taken in another order.** Four lanes that each add every fourth sample, and are added up at the end, are
@@ -321,15 +248,11 @@ book.table(kApartColumns, {apart_row("estimate of twelve bits, rounded, refined"
 book.show_row({{"apart_a", apart_picture(maker_a),
                 "One maker's estimate, refined, against the division. White is 4 steps and more."},
                {"apart_b", apart_picture(maker_b), "Another maker's."}});
-book.number("a_texels", std::to_string(maker_a.ao.texels));
-book.number("b_texels", std::to_string(maker_b.ao.texels));
-book.number("makers_texels", std::to_string(makers.ao.texels));
-book.number("p_texels", std::to_string(products.ao.texels));
-book.check(
-    "One estimate changes {a_texels} texels and the other {b_texels}; between the two makers "
-    "{makers_texels} differ. Another "
-    "fourth power changes {p_texels}.",
-    maker_a.ao.texels > 0 && maker_b.ao.texels > 0 && makers.ao.texels > 0 && products.ao.texels > 0);
+book.numbers({{"a_texels", maker_a.ao.texels}, {"b_texels", maker_b.ao.texels}, {"makers_texels", makers.ao.texels},
+              {"p_texels", products.ao.texels}});
+book.check("One estimate changes {a_texels} texels and the other {b_texels}; between the two makers {makers_texels} differ. "
+           "Another fourth power changes {p_texels}.",
+           maker_a.ao.texels > 0 && maker_b.ao.texels > 0 && makers.ao.texels > 0 && products.ao.texels > 0);
 
 // %% threads_text [markdown]
 // **4. The order of threads.** Eight threads compute the rows of a map, and each adds the sum of its row to a common total
@@ -349,8 +272,7 @@ for (std::uint32_t which = 0; which < kOrders; ++which) {
         order_rows.push_back({which == 0 ? "from top to bottom" : "by lot, no. " + std::to_string(which),
                               exact_text(sum), bits_of(sum)});
 }
-book.number("orders", std::to_string(kOrders));
-book.number("sums", std::to_string(sums.size()));
+book.numbers({{"orders", kOrders}, {"sums", sums.size()}});
 book.table({"order of the rows", "sum of the map", "its bits"}, order_rows);
 book.check("{orders} orders of the same rows have {sums} different sums.", sums.size() > 1);
 
@@ -371,13 +293,10 @@ book.compare({"bytes_x86", grey_picture(of_x86, 0, 255),
               "x86-64: infinity becomes the smallest int, the sky black."},
              {"bytes_arm", grey_picture(of_arm, 0, 255),
               "64-bit ARM: it becomes the largest int, the sky white."});
-book.number("sky", std::to_string(converted.texels));
-book.number("nan_x86", std::to_string(to_int_of_x86(std::nanf(""))));
-book.number("nan_arm", std::to_string(to_int_of_arm(std::nanf(""))));
-book.check(
-    "The two pictures differ in {sky} pixels, all of the sky. A NaN becomes {nan_x86} on one machine and "
-    "{nan_arm} on the other.",
-    converted.texels > 0);
+book.numbers({{"sky", converted.texels}, {"nan_x86", to_int_of_x86(std::nanf(""))}, {"nan_arm", to_int_of_arm(std::nanf(""))}});
+book.check("The two pictures differ in {sky} pixels, all of the sky. A NaN becomes {nan_x86} on one machine and {nan_arm} on "
+           "the other.",
+           converted.texels > 0);
 
 // %% padding_text [markdown]
 // The same goes for memory that nobody has written. Rows of an image begin at whole groups of eight pixels, and behind a
@@ -389,12 +308,10 @@ const Image<float> zeros = narrow(plain, 0), ones = narrow(plain, 1);
 book.table({"behind the rows", "hash of all the memory", "hash of the pixels"},
            {{"0", std::to_string(memory_hash(zeros)), content_hash(zeros)},
             {"1", std::to_string(memory_hash(ones)), content_hash(ones)}});
-book.check(
-    "The hash of the memory tells the two maps apart, the hash of the pixels does not: they are equal.",
-    memory_hash(zeros) != memory_hash(ones) && content_hash(zeros) == content_hash(ones));
+book.check("The hash of the memory tells the two maps apart, the hash of the pixels does not: they are equal.",
+           memory_hash(zeros) != memory_hash(ones) && content_hash(zeros) == content_hash(ones));
 book.listing_part("ssao/methods/luna_occlusion.h", "cell_at", "x = min_of", "floor_to_int",
-                  "The cure in the kernel: a position far off the screen, or a NaN, is clamped while it "
-                  "is still a float.");
+                  "The cure in the kernel: a position far off the screen, or a NaN, is clamped while it is still a float.");
 
 // %% exercises [markdown]
 // ## Exercises

@@ -5,71 +5,12 @@
 
 #include <glm/geometric.hpp>
 
-#include "chapters/diagrams/depth_section.h"
+#include "chapters/diagrams/drawn_slice.h"
 #include "ssao/methods/gtao_kernel.h"
-#include "ssao/methods/vbao_kernel.h"
 
 namespace crevice {
 
 namespace {
-
-constexpr double kQuarter = kPi / 2;
-
-glm::vec3 as_glm(const Vec3<float>& v) { return {v.x, v.y, v.z}; }
-
-// The half-plane of one slice as it is drawn: angles from v, towards the eye, to the side of t.
-struct DrawnSlice {
-    SectionPlane plane;
-    glm::vec3 p, n, v, t;
-    double radius;
-
-    SectionPoint at(double angle, double distance) const {
-        const float a = static_cast<float>(std::cos(angle)), b = static_cast<float>(std::sin(angle));
-        return plane.at(p + static_cast<float>(distance) * (a * v + b * t));
-    }
-    std::vector<SectionPoint> arc(double from, double to, double distance) const {
-        constexpr int kPieces = 24;
-        std::vector<SectionPoint> points;
-        for (int i = 0; i <= kPieces; ++i) points.push_back(at(from + (to - from) * i / kPieces, distance));
-        return points;
-    }
-    // Between two arcs; `inner` may be 0.
-    std::vector<SectionPoint> wedge(double from, double to, double inner, double outer) const {
-        std::vector<SectionPoint> corners = arc(from, to, outer);
-        const std::vector<SectionPoint> back = arc(to, from, inner);
-        corners.insert(corners.end(), back.begin(), back.end());
-        return corners;
-    }
-    double gamma() const { return std::atan2(glm::dot(n, t), std::max(0.0f, glm::dot(n, v))); }
-
-    // Surface and radius, to draw the rest upon.
-    SectionDrawing drawing(const AoInputs& inputs) const {
-        const SectionPoint centre = plane.at(p);
-        const double reach = 1.35 * radius;
-        SectionDrawing drawing({centre.z - 1.3 * reach, centre.across - reach},
-                               {centre.z + 0.9 * reach, centre.across + reach});
-        drawing.surface(depth_section(inputs, plane, 3 * reach));
-        return drawing;
-    }
-    void mark(SectionDrawing& drawing, double angle, double inner, const std::string& label,
-              std::string_view colour) const {
-        drawing.label(at(angle, inner), -4, 4, label, colour);
-    }
-    void arrow(SectionDrawing& drawing, double angle, double distance, const std::string& label,
-               std::string_view colour) const {
-        drawing.arrow(at(0, 0), at(angle, distance), colour);
-        drawing.label(at(angle, 1.06 * distance), -6, 2, label, colour);
-    }
-};
-
-DrawnSlice drawn_slice(const TexelPoint<float>& texel, const Slice<float>& slice, double radius) {
-    return {{texel.x, texel.y, {slice.x, -slice.y}},
-            as_glm(texel.p),
-            as_glm(texel.n),
-            as_glm(slice.v),
-            as_glm(slice.t),
-            radius};
-}
 
 // calls visit(texel, slice, radius in pixels, shift) for slice `number` of a texel.
 template <class Visit>
@@ -78,61 +19,6 @@ void visit_slice(const GtaoKernel& kernel, int x, int y, int number, const Visit
     kernel.for_each_slice(texel, [&](const Slice<float>& slice, int i, float radius_px, float shift) {
         if (i == number) visit(texel, slice, radius_px, shift);
     });
-}
-
-struct SectorWalk {
-    TexelPoint<float> texel;
-    Slice<float> slice;
-    std::vector<SampleFacts<float>> samples;
-    std::int32_t mask = 0;
-    float lost = 0;
-};
-
-// As VbaoKernel::taken() does for one slice.
-SectorWalk walked(const VbaoKernel& kernel, int x, int y, int number) {
-    SectorWalk walk;
-    const TexelPoint<float> texel = walk.texel = texel_point<float>(kernel.inputs, x, y);
-    const float radius_px = length_px(kernel.inputs, kernel.settings.radius, texel.p.z);
-    const float cosine = kernel.noise.cosine.at<float>(x, y), sine = kernel.noise.sine.at<float>(x, y);
-    const glm::vec2 way = kernel.directions[static_cast<std::size_t>(number)];
-    walk.slice = slice_of(texel, kernel.inputs, way.x * cosine - way.y * sine, way.x * sine + way.y * cosine);
-    for (const float sign : {1.0f, -1.0f}) {
-        const auto side = kernel.side_of(walk.slice, sign);
-        for (int step = 0; step < kernel.plan.steps; ++step) {
-            const float along = sign * step_distance_px(number, step, kernel.plan,
-                                                        kernel.noise.step.at<float>(x, y), radius_px);
-            walk.samples.push_back(kernel.sample(
-                texel, walk.slice, side,
-                {texel.at.x + along * walk.slice.x, texel.at.y + along * walk.slice.y}, walk.mask));
-            walk.lost += walk.samples.back().contribution;
-        }
-    }
-    return walk;
-}
-
-// The 33 angles between which the sectors lie, from the positive side's horizon on: where the kernel counts so many
-// sectors beyond.
-std::vector<double> sector_borders(const VbaoKernel& kernel, const SectorWalk& walk,
-                                   const DrawnSlice& drawn) {
-    const auto beyond = [&](double angle) {
-        const float sign = angle >= 0 ? 1.0f : -1.0f;
-        const float a = static_cast<float>(std::cos(angle)), b = static_cast<float>(std::sin(angle));
-        const glm::vec3 d = a * drawn.v + b * drawn.t;
-        const float sectors = kernel.sectors_beyond<float>({d.x, d.y, d.z}, walk.texel, walk.slice,
-                                                           kernel.side_of(walk.slice, sign));
-        return static_cast<double>(sign > 0 ? sectors : kSectors - sectors);
-    };
-    const double gamma = static_cast<double>(walk.slice.gamma);
-    std::vector<double> borders;
-    for (int k = 0; k <= kSectors; ++k) {
-        double low = gamma - kQuarter, high = gamma + kQuarter;
-        for (int halving = 0; halving < 24; ++halving) {
-            const double middle = (low + high) / 2;
-            (beyond(middle) > k ? low : high) = middle;
-        }
-        borders.push_back(k == 0 ? gamma + kQuarter : k == kSectors ? gamma - kQuarter : high);
-    }
-    return borders;
 }
 
 }  // namespace
@@ -227,41 +113,6 @@ std::string slice_diagram(const AoInputs& inputs, const GtaoSettings& settings, 
             svg = drawing.svg(title, "across");
         });
     return svg;
-}
-
-SliceSectors slice_sectors(const AoInputs& inputs, const VbaoSettings& settings, int x, int y, int number) {
-    const SectorWalk walk = walked(VbaoKernel(inputs, settings), x, y, number);
-    return {static_cast<std::uint32_t>(walk.mask), walk.lost};
-}
-
-std::string sectors_diagram(const AoInputs& inputs, const VbaoSettings& settings, int x, int y, int number,
-                            const std::string& title) {
-    const VbaoKernel kernel(inputs, settings);
-    const SectorWalk walk = walked(kernel, x, y, number);
-    const DrawnSlice drawn = drawn_slice(walk.texel, walk.slice, static_cast<double>(settings.radius));
-    const std::vector<double> borders = sector_borders(kernel, walk, drawn);
-    const double r = drawn.radius;
-    SectionDrawing drawing = drawn.drawing(inputs);
-    for (std::size_t k = 0; k < kSectors; ++k) {
-        const bool closed = ((static_cast<std::uint32_t>(walk.mask) >> k) & 1u) != 0;
-        drawing.area(drawn.wedge(borders[k], borders[k + 1], 0, r), closed ? kSvgOccluded : kSvgOpen);
-        drawing.segment(drawn.at(borders[k], 0.9 * r), drawn.at(borders[k], r), kSvgSoft);
-    }
-    for (const SampleFacts<float>& sample : walk.samples) {
-        const bool closes = sample.contribution > 0;
-        const glm::vec3 front = as_glm(sample.r), back = front - kernel.thickness * drawn.v;
-        if (closes) {
-            drawing.segment(drawn.at(0, 0), drawn.plane.at(front), kSvgOccluded);
-            drawing.segment(drawn.at(0, 0), drawn.plane.at(back), kSvgOccluded, true);
-            drawing.arrow(drawn.plane.at(front), drawn.plane.at(back), kSvgOccluded);
-        }
-        drawing.point(drawn.plane.at(front), closes ? "r" : "", closes ? kSvgOccluded : kSvgOpen,
-                      closes ? SectionDrawing::Dot::filled : SectionDrawing::Dot::ring);
-    }
-    drawn.arrow(drawing, 0, 1.1 * r, "v", kSvgSoft);
-    drawn.arrow(drawing, static_cast<double>(walk.slice.gamma), 0.75 * r, "n_p", kSvgPoint);
-    drawing.point(drawn.plane.at(drawn.p), "p", kSvgPoint);
-    return drawing.svg(title, "across");
 }
 
 }  // namespace crevice

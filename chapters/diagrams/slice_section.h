@@ -1,15 +1,13 @@
-// What the methods of chapters 17 to 19 find along a line on the screen, over a cut through the depth buffer: the
-// horizons of HBAO and GTAO, the sectors of the visibility bitmask. All numbers are the kernels'.
+// What the methods of chapters 17 and 18 find along a line on the screen, over a cut through the depth buffer: the
+// horizons of HBAO and GTAO. All numbers are the kernels'.
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include "ssao/inputs/ao_inputs.h"
 #include "ssao/methods/explanation.h"
 #include "ssao/methods/gtao.h"
 #include "ssao/methods/hbao.h"
-#include "ssao/methods/vbao.h"
 
 namespace crevice {
 
@@ -27,14 +25,5 @@ struct SliceHorizons {
 SliceHorizons slice_horizons(const AoInputs& inputs, const GtaoSettings& settings, int x, int y, int number);
 std::string slice_diagram(const AoInputs& inputs, const GtaoSettings& settings, int x, int y, int number,
                           const std::string& title);
-
-// A slice of the visibility bitmask.
-struct SliceSectors {
-    std::uint32_t closed = 0;  // a bit each, from the positive side's horizon to the negative side's
-    float lost = 0;            // what the slice takes, [0, 1]
-};
-SliceSectors slice_sectors(const AoInputs& inputs, const VbaoSettings& settings, int x, int y, int number);
-std::string sectors_diagram(const AoInputs& inputs, const VbaoSettings& settings, int x, int y, int number,
-                            const std::string& title);
 
 }  // namespace crevice

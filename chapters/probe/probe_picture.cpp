@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "chapters/diagrams/depth_section.h"
+#include "chapters/diagrams/sector_section.h"
 #include "chapters/diagrams/slice_section.h"
 #include "chapters/probe/probe_sentences.h"
 #include "rasterizer/base/pixel_rect.h"

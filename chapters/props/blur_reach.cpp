@@ -7,7 +7,10 @@
 
 namespace crevice {
 
-double leaked_share(const Image<float>& blurred, const Image<float>& raw, const Image<float>& view_depth) {
+double leaked_share(const SwitchedAo& shown, BlurEdges edges) {
+    const Image<float>&raw = shown.raw, &view_depth = shown.inputs.view_depth;
+    const BlurSettings once{.iterations = 1, .edges = edges};
+    const Image<float> blurred = bilateral_blur(raw, shown.inputs, once).ao;
     constexpr int kTaps = 2 * kBlurRadius + 1;
     double leaked = 0;
     for (int y = 0; y < raw.size.height; ++y) {

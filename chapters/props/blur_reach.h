@@ -1,13 +1,14 @@
 // From where a blur takes what it puts into a texel: across a step in depth, and up and down a floor.
 #pragma once
 
+#include "chapters/props/switched_ao.h"
 #include "ssao/blur/bilateral_blur.h"
 
 namespace crevice {
 
-// The share of texels that one iteration took out of the range of the raw values near them in depth: within two limits
-// of xjun's, one for the horizontal and one for the vertical step. Maps of one size.
-double leaked_share(const Image<float>& blurred, const Image<float>& raw, const Image<float>& view_depth);
+// One iteration of X_Jun's blur with these edges: the share of texels that it takes out of the range of the raw
+// values near them in depth, within two limits, one for the horizontal and one for the vertical step.
+double leaked_share(const SwitchedAo& shown, BlurEdges edges);
 
 // Vertical taps that count.
 struct KeptTaps {

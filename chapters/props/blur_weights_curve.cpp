@@ -1,5 +1,6 @@
 #include "chapters/props/blur_weights_curve.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace crevice {
@@ -7,6 +8,23 @@ namespace {
 
 double weight_at(const BlurWeights& weights, int i) {
     return static_cast<double>(weights[static_cast<std::size_t>(i + kBlurRadius)]);
+}
+
+// That of a Gaussian at distance i, which is made to add up to 1.
+double gaussian_weight(int i, double sigma) {
+    double total = 0;
+    for (int j = -kBlurRadius; j <= kBlurRadius; ++j) total += std::exp(-j * j / (2 * sigma * sigma));
+    return std::exp(-i * i / (2 * sigma * sigma)) / total;
+}
+
+// The square of the standard deviation, texels².
+double variance_of(const BlurWeights& weights) {
+    double total = 0, squares = 0;
+    for (int i = -kBlurRadius; i <= kBlurRadius; ++i) {
+        total += weight_at(weights, i);
+        squares += weight_at(weights, i) * i * i;
+    }
+    return squares / total;
 }
 
 }  // namespace
@@ -20,19 +38,15 @@ PlotCurve weights_curve(const std::string& name, const BlurWeights& weights) {
     return curve;
 }
 
-double gaussian_weight(int i, double sigma) {
-    double total = 0;
-    for (int j = -kBlurRadius; j <= kBlurRadius; ++j) total += std::exp(-j * j / (2 * sigma * sigma));
-    return std::exp(-i * i / (2 * sigma * sigma)) / total;
+double off_gaussian(const BlurWeights& weights, double sigma) {
+    double most = 0;
+    for (int i = -kBlurRadius; i <= kBlurRadius; ++i)
+        most = std::max(most, std::fabs(weight_at(weights, i) - gaussian_weight(i, sigma)));
+    return most;
 }
 
-double variance_of(const BlurWeights& weights) {
-    double total = 0, squares = 0;
-    for (int i = -kBlurRadius; i <= kBlurRadius; ++i) {
-        total += weight_at(weights, i);
-        squares += weight_at(weights, i) * i * i;
-    }
-    return squares / total;
+double sigma_after(int iterations, const BlurWeights& weights) {
+    return std::sqrt(iterations * variance_of(weights));
 }
 
 }  // namespace crevice

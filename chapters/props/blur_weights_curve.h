@@ -11,10 +11,11 @@ namespace crevice {
 // Over the distance from the texel, -kBlurRadius to kBlurRadius texels.
 PlotCurve weights_curve(const std::string& name, const BlurWeights& weights);
 
-// That of a Gaussian of standard deviation sigma (texels) at distance i, cut off at kBlurRadius and made to add up to 1.
-double gaussian_weight(int i, double sigma);
+// The largest difference of a weight from a Gaussian's of standard deviation sigma (texels), cut off at kBlurRadius and
+// made to add up to 1.
+double off_gaussian(const BlurWeights& weights, double sigma);
 
-// The square of the weights' standard deviation, texels².
-double variance_of(const BlurWeights& weights);
+// The standard deviation of so many iterations, texels: the squares of those of one add up.
+double sigma_after(int iterations, const BlurWeights& weights);
 
 }  // namespace crevice

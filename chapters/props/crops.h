@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "chapters/notebook/picture.h"
+#include "chapters/props/switched_ao.h"
 #include "rasterizer/base/image.h"
 
 namespace crevice {
@@ -29,6 +31,22 @@ inline Image<float> enlarged(const Image<float>& image, int times) {
         for (int x = 0; x < result.size.width; ++x) result.at(x, y) = image.at(x / times, y / times);
     }
     return result;
+}
+
+// A part of an AO map, enlarged; and of the difference of two maps, on a finer scale than kDifferenceScale where they are
+// blurred ones, whose differences are small.
+inline Picture ao_part(const Image<float>& ao, const PixelRect& part, int times = 4) {
+    return ao_picture(enlarged(cropped(ao, part), times));
+}
+inline Picture blurred_difference_part(const Image<float>& a, const Image<float>& b, const PixelRect& part) {
+    constexpr float kScale = 0.1f;
+    return difference_picture(enlarged(cropped(difference_of(a, b), part), 4), kScale);
+}
+
+// The largest absolute value.
+inline float largest(const Image<float>& image) {
+    const BufferStatistics s = buffer_statistics(image);
+    return std::max(-s.min, s.max);
 }
 
 // A part of at most this size around a pixel, moved to lie inside of the image.

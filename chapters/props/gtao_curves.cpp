@@ -55,27 +55,4 @@ PlotCurve kept_curve(const std::string& name, double gamma) {
     return curve;
 }
 
-PlotCurve bounce_curve(const std::string& name, float albedo, const MultiBounceFit& fit) {
-    PlotCurve curve{name, {}, {}, {}, {}, PlotStyle::smooth};
-    for (int i = 0; i <= 50; ++i) {
-        const float access = static_cast<float>(i) / 50;
-        curve.x.push_back(static_cast<double>(access));
-        curve.y.push_back(static_cast<double>(multi_bounce(access, albedo, fit)));
-    }
-    return curve;
-}
-
-Rounding rounding_of_fit() {
-    Rounding most;
-    for (int a = 0; a <= 100; ++a) {
-        for (int b = 0; b <= 100; ++b) {
-            const float access = static_cast<float>(a) / 100, albedo = static_cast<float>(b) / 100;
-            const double lighter = static_cast<double>(multi_bounce(access, albedo, kRoundedFit) -
-                                                       multi_bounce(access, albedo, kPaperFit));
-            most = {std::max(most.darker, -lighter), std::max(most.lighter, lighter)};
-        }
-    }
-    return most;
-}
-
 }  // namespace crevice

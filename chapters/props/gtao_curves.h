@@ -1,11 +1,10 @@
-// The curves of chapter 18: a floor under a ball, what a slice keeps, and bounced light.
+// The curves of chapter 18: a floor under a ball, and what a slice keeps.
 #pragma once
 
 #include <string>
 
 #include "chapters/notebook/plot.h"
 #include "chapters/props/judged_view.h"
-#include "ssao/light/multi_bounce.h"
 
 namespace crevice {
 
@@ -22,13 +21,5 @@ Gap gap_between(const PlotCurve& a, const PlotCurve& b);
 
 // What the positive side of a slice keeps up to each horizon (degrees); gamma in radians.
 PlotCurve kept_curve(const std::string& name, double gamma);
-
-PlotCurve bounce_curve(const std::string& name, float albedo, const MultiBounceFit& fit);
-
-// How far the rounded fit lies below the paper's and above it, over all accessibilities and albedos.
-struct Rounding {
-    double darker = 0, lighter = 0;
-};
-Rounding rounding_of_fit();
 
 }  // namespace crevice

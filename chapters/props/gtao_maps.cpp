@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "chapters/props/crops.h"
-#include "chapters/props/surface_mean.h"
-#include "ssao/light/shade.h"
 
 namespace crevice {
 
@@ -29,7 +27,6 @@ GtaoStrip over_radii(const JudgedView& view) {
     GtaoStrip strip;
     for (const std::string radius : {"0.25", "0.5", "1", "2"}) {
         const MethodMap map = view.map("gtao", {"radius=" + radius});
-        strip.means.push_back(mean_over_surfaces(map.raw.ao, map.raw.inputs));
         strip.pictures.push_back({"radius_" + std::to_string(strip.pictures.size()),
                                   ao_picture(around_foot(map.denoised)), "radius " + radius});
     }
@@ -80,14 +77,6 @@ Image<float> cosine_to_normals(const AoInputs& inputs, const Image3& vectors) {
         }
     }
     return cosine;
-}
-
-Image3 lit_middle_square(const JudgedView& view, const Image<float>& ao, MultiBounce bounces) {
-    AmbientUse use;
-    use.settings.multi_bounce = bounces;
-    const Image3 lit = shade(view.scene(), view.camera(), view.gbuffer().depth, ao, {}, {}, nullptr, use);
-    const auto [width, height] = lit.size();
-    return cropped(lit, {(width - height) / 2, 0, (width + height) / 2, height});
 }
 
 }  // namespace crevice

@@ -1,4 +1,4 @@
-// The maps of chapter 18: over samples and over radii, three causes of error, bare floors, bent normals, bounced light.
+// The maps of chapter 18: over samples and over radii, three causes of error, bare floors, bent normals.
 #pragma once
 
 #include <string>
@@ -6,7 +6,6 @@
 
 #include "chapters/notebook/notebook.h"
 #include "chapters/props/judged_view.h"
-#include "ssao/light/multi_bounce.h"
 
 namespace crevice {
 
@@ -15,11 +14,10 @@ struct GtaoStrip {
     std::vector<Notebook::Named> pictures;
     std::vector<std::vector<std::string>> rows;  // under kErrorHeader
     std::vector<double> noise, errors;           // of one map; RMS of what the method tends to against truth
-    std::vector<double> means;                   // over the surfaces of the whole view
 };
-// 4, 8, 18 and 54 samples, before the filter; errors are measured on `judged`. No means.
+// 4, 8, 18 and 54 samples, before the filter; errors are measured on `judged`.
 GtaoStrip over_samples(const JudgedView& view, const JudgedView& judged, const Truth& truth);
-// Radii of 1/4, 1/2, 1 and 2 scene units, after the filter. Nothing but pictures and means.
+// Radii of 1/4, 1/2, 1 and 2 scene units, after the filter. Nothing but pictures.
 GtaoStrip over_radii(const JudgedView& view);
 
 // What makes the error of GTAO or of HBAO, each cause measured alone against `truth`.
@@ -40,8 +38,5 @@ Unevenness unevenness(const MethodMap& map);
 
 // The cosine between the normals of `inputs` and other unit vectors, texel by texel; 1 where there is no surface.
 Image<float> cosine_to_normals(const AoInputs& inputs, const Image3& vectors);
-
-// The middle of the lit picture, as wide as it is high, with `ao` at picture size in its ambient light.
-Image3 lit_middle_square(const JudgedView& view, const Image<float>& ao, MultiBounce bounces);
 
 }  // namespace crevice

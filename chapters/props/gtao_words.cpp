@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "chapters/props/number_words.h"
 #include "chapters/terminal/number_text.h"
 #include "ssao/ao_methods.h"
 #include "ssao/methods/slices.h"
@@ -16,8 +17,6 @@ std::string listed(const std::string& list, const std::string& next) {
     return list.empty() ? next : list + ", " + next;
 }
 
-std::string text(float value) { return decimal_text(static_cast<double>(value), 3); }
-
 float kept_when_open(const SliceHorizons& slice) {
     return slice.length * (std::cos(slice.gamma) + slice.gamma * std::sin(slice.gamma));
 }
@@ -27,6 +26,13 @@ float kept_when_open(const SliceHorizons& slice) {
 std::string degrees_text(float radians) {
     const long whole = std::lround(static_cast<double>(radians) * 180 / std::numbers::pi);
     return (whole < 0 ? "−" : "") + std::to_string(std::abs(whole)) + "°";
+}
+
+std::vector<SliceHorizons> slices_of_texel(const AoInputs& inputs, const GtaoSettings& settings, Texel at) {
+    std::vector<SliceHorizons> slices;
+    const int count = slice_plan(settings.samples).slices;
+    for (int i = 0; i < count; ++i) slices.push_back(slice_horizons(inputs, settings, at.x, at.y, i));
+    return slices;
 }
 
 std::vector<std::vector<std::string>> slice_rows(const std::vector<SliceHorizons>& slices) {
@@ -86,11 +92,6 @@ std::string slice_plans_text() {
         list = listed(list, std::to_string(plan.slices) + " × " + std::to_string(plan.steps));
     }
     return list;
-}
-
-std::string linear_text(float slope, float offset) {
-    return decimal_text(static_cast<double>(slope), 4) + "\\,\\rho " + (offset < 0 ? "- " : "+ ") +
-           decimal_text(std::fabs(static_cast<double>(offset)), 4);
 }
 
 }  // namespace crevice

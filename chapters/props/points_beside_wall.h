@@ -20,6 +20,17 @@ inline double points_beside_wall(HemisphereLengths lengths, double distance) {
     return 1 - beyond / kMany;
 }
 
+// The mean distance of the points from the middle, radii.
+inline double mean_length(HemisphereLengths lengths) {
+    constexpr int kMany = 4096;
+    double sum = 0;
+    for (const glm::vec3& point : hemisphere_points(kMany, lengths, 1)) {
+        const double x = point.x, y = point.y, z = point.z;
+        sum += std::sqrt(x * x + y * y + z * z);
+    }
+    return sum / kMany;
+}
+
 // The share of the directions in which one sees a radius far.
 inline double rays_beside_wall(double distance) { return 1 - (1 - distance) / 2; }
 

@@ -50,4 +50,18 @@ inline Vec3<float> as_misprinted(const ViewRays& rays, float u, float v, float z
     return {z / ray.x / z * ray.x, z / ray.y / z * ray.y, z / ray.z / z * ray.z};
 }
 
+// A way to a position: its name in pictures, and in words.
+struct Way {
+    const char* name;
+    const char* words;
+    Position position;
+};
+inline constexpr Way kWays[] = {
+    {"far_plane", "a ray to the far plane, X_Jun's", by_far_plane},
+    {"near_plane", "a ray to the near plane, Luna's", by_near_plane},
+    {"unit_ray", "a ray of length 1, z taken for a distance", by_unit_ray},
+    {"unit_corners", "corner rays normalised before they are interpolated", by_unit_corners},
+    {"full_size", "the whole size of the far plane for half of it", by_full_size},
+    {"misprint", "(p.z / v / z) v, as printed", as_misprinted}};
+
 }  // namespace crevice

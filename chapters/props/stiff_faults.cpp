@@ -16,16 +16,6 @@ namespace {
 
 constexpr double kCoarseNear = 1e-3;
 
-std::string_view colour_of(StabilityVerdict verdict) {
-    switch (verdict) {
-        case StabilityVerdict::exact: return kSvgPoint;
-        case StabilityVerdict::within: return kSvgOpen;
-        case StabilityVerdict::warned: return kSvgSoft;
-        case StabilityVerdict::wrong: return kSvgOccluded;
-    }
-    return kSvgInk;
-}
-
 }  // namespace
 
 Camera with_planes(Camera camera, double near_plane, double far_plane) {
@@ -70,6 +60,13 @@ double w_of_float_cut(const Camera& camera, double w_before, double w_behind) {
     const float z0 = a * w0 + b, z1 = a * w1 + b;
     const float t = z0 / (z0 - z1);
     return static_cast<double>(w0 + t * (w1 - w0));
+}
+
+std::vector<std::vector<std::string>> float_cut_rows(const Camera& camera) {
+    std::vector<std::vector<std::string>> rows;
+    for (const double w : {1.0, 10.0, 100.0, 1000.0, 10000.0})
+        rows.push_back({significant_text(w, 3), significant_text(w_of_float_cut(camera, w, -w), 3)});
+    return rows;
 }
 
 Image<float> ao_without_floor(const AoInputs& inputs, const LunaSettings& settings) {
@@ -124,42 +121,18 @@ Scene with_lost_vertex() {
     return scene;
 }
 
+Scene without_lost_vertex() {
+    Scene scene = with_lost_vertex();
+    scene.instances.pop_back();
+    return scene;
+}
+
 Scene coarse_ball() {
     Scene scene = empty_scene();
     scene.instances = {placed(add_mesh(scene, sphere_mesh(1, 20, 10)), {0, 0, 0})};
     scene.camera.eye = {0, 0.8, -3.4};
     scene.camera.target = {0, 0, 0};
     return scene;
-}
-
-std::string heat_map(const std::vector<StabilityCell>& cells, const std::vector<std::string>& methods) {
-    constexpr double kLeft = 250, kTop = 64, kWidth = 74, kRow = 22;
-    std::string svg;
-    const std::size_t columns = methods.size(), rows = cells.size() / columns;
-    for (std::size_t column = 0; column < columns; ++column)
-        svg += svg_text({kLeft + kWidth * (static_cast<double>(column) + 0.5), kTop - 10}, methods[column],
-                        TextAnchor::middle);
-    for (std::size_t row = 0; row < rows; ++row) {
-        const double y = kTop + kRow * static_cast<double>(row);
-        svg += svg_text({kLeft - 8, y + 15}, cells[row * columns].stiff->name, TextAnchor::end);
-        for (std::size_t column = 0; column < columns; ++column) {
-            const StabilityCell& cell = cells[row * columns + column];
-            const double x = kLeft + kWidth * static_cast<double>(column);
-            svg += svg_box(
-                {x + 2, y + 2}, {x + kWidth - 2, y + kRow - 2}, colour_of(cell.verdict),
-                std::string(word_of(cell.verdict)) + ", measured " + significant_text(cell.measured, 3));
-        }
-    }
-    const double bottom = kTop + kRow * static_cast<double>(rows) + 24;
-    double x = kLeft;
-    for (const StabilityVerdict verdict : {StabilityVerdict::exact, StabilityVerdict::within,
-                                           StabilityVerdict::warned, StabilityVerdict::wrong}) {
-        svg += svg_box({x, bottom - 11}, {x + 12, bottom + 1}, colour_of(verdict), word_of(verdict)) +
-               svg_text({x + 18, bottom}, word_of(verdict));
-        x += 92;
-    }
-    return svg_picture("Stiff cases and methods", kLeft + kWidth * static_cast<double>(columns) + 10,
-                       bottom + 14, svg);
 }
 
 }  // namespace crevice

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "chapters/stability/stability.h"
 #include "chapters/stability/stiff_scenes.h"
 #include "ssao/methods/luna_occlusion.h"
 
@@ -18,6 +17,8 @@ std::string stairs(double epsilon);
 
 // The near cut of an edge, when z_clip = a w + b has been rounded to float: where on the edge z_clip is 0, and w there.
 double w_of_float_cut(const Camera& camera, double w_before, double w_behind);
+// {w, w of the cut} of edges from w to -w, w from 1 to 10,000.
+std::vector<std::vector<std::string>> float_cut_rows(const Camera& camera);
 
 // The tutorials' estimator without a floor for rounding: epsilon, however far away.
 Image<float> ao_without_floor(const AoInputs& inputs, const LunaSettings& settings);
@@ -31,10 +32,8 @@ TurnedNormals turned_to_eye(const GBuffer& gbuffer, const Camera& camera);
 
 // The block, and a triangle one of whose corners somebody has lost far away.
 Scene with_lost_vertex();
+Scene without_lost_vertex();
 // A ball of few triangles, whose normals say that it is smooth.
 Scene coarse_ball();
-
-// A row a case, a column a method; `cells` row by row.
-std::string heat_map(const std::vector<StabilityCell>& cells, const std::vector<std::string>& methods);
 
 }  // namespace crevice

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "chapters/props/stiff_faults.h"
@@ -98,6 +99,23 @@ FormatLosses format_losses() {
         }
     }
     return losses;
+}
+
+ScaledFrames scaled_frames(const StiffView& view, Size size) {
+    constexpr int kSurePower = 40;
+    ScaledFrames result;
+    const Frame unscaled = drawn(view, size);
+    for (const int k : {-40, -20, 20, 40, -60, 60}) {
+        const Frame frame = drawn(scaled(view, k), size);
+        const double off = largest_difference(frame.ao_blurred, unscaled.ao_blurred);
+        const std::string warning = first_warning(frame);
+        result.rows.push_back({"2^" + std::to_string(k), short_text(off), warning});
+        if (std::abs(k) <= kSurePower)
+            result.agree = result.agree && off == 0;
+        else
+            result.beyond_is_said = result.beyond_is_said && (off == 0 || warning != kNoWarning);
+    }
+    return result;
 }
 
 double worst_grazing_loss(const std::vector<std::string>& methods) {

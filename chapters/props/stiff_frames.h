@@ -38,6 +38,15 @@ struct FormatLosses {
 };
 FormatLosses format_losses();
 
+// The view with all lengths times 2^-60 ... 2^60, a row for each: the factor, the largest difference of the AO from that of
+// the view as it is, the frame's first warning.
+struct ScaledFrames {
+    std::vector<std::vector<std::string>> rows;
+    bool agree = true;           // up to 2^40 either way
+    bool beyond_is_said = true;  // beyond, each frame that differs has a warning
+};
+ScaledFrames scaled_frames(const StiffView& view, Size size);
+
 // The largest share of an open plane's AO that one of the methods loses, over tilts up to 89.99 degrees.
 double worst_grazing_loss(const std::vector<std::string>& methods);
 

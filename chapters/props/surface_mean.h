@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "ssao/inputs/ao_inputs.h"
+#include "ssao/methods/ao_map.h"
 
 namespace crevice {
 
@@ -18,5 +18,6 @@ inline double mean_over_surfaces(const Image<float>& ao, const AoInputs& inputs)
     }
     return sum / count;
 }
+inline double mean_over_surfaces(const RawAo& raw) { return mean_over_surfaces(raw.ao, raw.inputs); }
 
 }  // namespace crevice

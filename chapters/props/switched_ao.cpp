@@ -127,4 +127,11 @@ Image<float> difference_of(Image<float> a, const Image<float>& b) {
     return a;
 }
 
+Image3 difference_of(Image3 a, const Image3& b) {
+    for (int y = 0; y < a.size().height; ++y) {
+        for (int x = 0; x < a.size().width; ++x) a.set(x, y, a.at(x, y) - b.at(x, y));
+    }
+    return a;
+}
+
 }  // namespace crevice

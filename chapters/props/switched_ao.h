@@ -85,5 +85,6 @@ Texel followed_texel(Size ao_map);
 
 // a - b, of images of one size.
 Image<float> difference_of(Image<float> a, const Image<float>& b);
+Image3 difference_of(Image3 a, const Image3& b);
 
 }  // namespace crevice

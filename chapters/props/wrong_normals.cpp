@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "chapters/terminal/number_text.h"
 #include "scenes/builtin_scenes.h"
 #include "scenes/composing.h"
 #include "scenes/shapes.h"
@@ -84,6 +85,11 @@ double tutorial_error_deg(const Scene& scene, const Camera& camera, NormalProduc
         most_deg = std::max(most_deg, normal_error(turned, right).most_deg);
     }
     return most_deg;
+}
+
+std::vector<std::string> normals_row(const std::string& name, const ComparedNormals& both) {
+    return {name, significant_text(both.off.most_deg, 3), percent_text(both.off.share),
+            percent_text(both.shade_lost), percent_text(both.shade_invented)};
 }
 
 }  // namespace crevice

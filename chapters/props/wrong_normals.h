@@ -1,6 +1,9 @@
 // Normals turned by a matrix that is not the inverse transpose, and what AO makes of them: for chapter 03.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "rasterizer/draw/normal_depth.h"
 
 namespace crevice {
@@ -21,6 +24,8 @@ struct ComparedNormals {
     double shade_lost = 0, shade_invented = 0;  // mean over the AO map of how much lighter, darker it got
 };
 ComparedNormals compare_normals(const Scene& scene, NormalMatrix matrix, Size size);
+// {name, largest angle, share that is off, shade lost, shade invented}
+std::vector<std::string> normals_row(const std::string& name, const ComparedNormals& both);
 
 // On a floor, all stretched by (2, 1, 2): Luna's box; a box that was turned before; a ball.
 Scene stretched_scene();
