@@ -5,20 +5,16 @@
 #include <ostream>
 #include <utility>
 
-#include "chapters/bench/agreement.h"
 #include "chapters/bench/machine.h"
-#include "chapters/bench/peer_scene.h"
+#include "chapters/bench/peer_duel.h"
 #include "chapters/frame/presets.h"
 #include "chapters/notebook/picture.h"
 #include "chapters/notebook/table.h"
 #include "chapters/study/statistics.h"
-#include "chapters/study/turns.h"
 #include "chapters/terminal/number_text.h"
 #include "chapters/terminal/output_directory.h"
-#include "chapters/terminal/progress.h"
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/image_io.h"
-#include "rasterizer/base/image_summary.h"
 
 namespace crevice {
 
@@ -37,93 +33,7 @@ std::optional<double> aim_of(const PeerSubject& subject, const std::string& pass
     return std::nullopt;
 }
 
-// The times of all frames of one side, pass by pass.
-struct Side {
-    std::vector<PassSamples> passes;
-
-    explicit Side(const std::vector<std::string>& names) {
-        for (const std::string& name : names) passes.push_back({name, {}, {}});
-    }
-    void add(const std::vector<PassClock>& frame) {
-        for (std::size_t i = 0; i < passes.size(); ++i) {
-            passes[i].wall_ms.push_back(frame[i].wall_ms);
-            passes[i].cpu_ms.push_back(frame[i].cpu_ms);
-        }
-    }
-};
-
-struct Duel {
-    Side ours, again, theirs;                     // `again`: ours as if it were another
-    std::string renderer, first_hash, last_hash;  // hashes of our last image
-    std::vector<Agreement> agreement;
-    PeerBuffers their_buffers;
-};
-
-std::vector<PassClock> times_of(const Frame& frame, const std::vector<std::string>& passes,
-                                const std::string& subject) {
-    std::vector<PassClock> times;
-    for (const std::string& name : passes) {
-        const auto pass = std::find_if(frame.passes.begin(), frame.passes.end(),
-                                       [&](const PassTime& time) { return time.name == name; });
-        if (pass == frame.passes.end()) {
-            throw UsageError(subject + ": we have nothing to do in one pass (" + name +
-                             "); compare with a scene that needs all of them");
-        }
-        times.push_back({pass->wall_ms, pass->cpu_ms});
-    }
-    return times;
-}
-
-FrameRequest request_of(const PeerSubject& subject, const SceneArgument& argument,
-                        const PeersOptions& options) {
-    FrameRequest request;
-    request.size = options.size;
-    request.method = &find_method(subject.method);
-    request.settings = settings_for(argument, subject.scene, *request.method, subject.params);
-    if (subject.draws == PeerSubject::Draws::ao) request.wanted.erase("lit");
-    request.run = options.run;
-    return request;
-}
-
-std::string hash_of_last(const Frame& frame) {
-    return frame.lit.empty() ? content_hash(frame.ao_blurred) : content_hash(frame.lit);
-}
-
-Duel fight(const PeerSubject& subject, const SceneArgument& argument, const PeersOptions& options) {
-    const FrameRequest request = request_of(subject, argument, options);
-    const Camera camera = chosen_camera(argument, options.camera);
-    const PeerScene scene = peer_scene(argument.scene, camera, request);
-    PeerSession peer(options.program, thread_count(options.run), options.patience_s);
-    Progress progress(subject.name, options.pairs + 1);
-    const std::string renderer = peer.load(scene);
-    const std::vector<std::string> passes = peer.passes();
-    Duel duel{Side(passes), Side(passes), Side(passes), renderer, {}, {}, {}, {}};
-    Frame frame;
-    const auto draw_ours = [&](Side& side, bool counts) {
-        frame = render_frame(argument.scene, camera, request);
-        const std::vector<PassClock> times = times_of(frame, passes, subject.name);
-        if (duel.first_hash.empty()) duel.first_hash = hash_of_last(frame);
-        if (counts) side.add(times);
-    };
-    for (int round = -1; round < options.pairs; ++round) {
-        const bool counts = round >= 0;
-        constexpr std::uint32_t kSeed = 1;
-        for (const std::size_t turn : turn_order(3, round, kSeed)) {
-            if (turn == 0) draw_ours(duel.ours, counts);
-            if (turn == 1) draw_ours(duel.again, counts);
-            if (turn != 2) continue;
-            const std::vector<PassClock> times = peer.frame();
-            if (counts) duel.theirs.add(times);
-        }
-        progress.advance();
-    }
-    duel.last_hash = hash_of_last(frame);
-    duel.their_buffers = peer.buffers();
-    duel.agreement = agreement(argument.scene, request, frame, duel.their_buffers);
-    return duel;
-}
-
-void add_times(Table& table, const PeerSubject& subject, const Duel& duel) {
+void add_times(Table& table, const PeerSubject& subject, const PeerDuel& duel) {
     for (std::size_t i = 0; i < duel.ours.passes.size(); ++i) {
         const PassSamples &ours = duel.ours.passes[i], &theirs = duel.theirs.passes[i];
         const PassTime our_time = ours.summary(), their_time = theirs.summary();
@@ -140,7 +50,7 @@ void add_times(Table& table, const PeerSubject& subject, const Duel& duel) {
 }
 
 // False when the two sides did not draw the same picture.
-bool add_agreement(Table& table, const PeerSubject& subject, const Duel& duel, std::ostream& out) {
+bool add_agreement(Table& table, const PeerSubject& subject, const PeerDuel& duel, std::ostream& out) {
     bool same = duel.first_hash == duel.last_hash;
     if (!same) {
         out << subject.name << ": our first and last picture differ (" << duel.first_hash << ", "
@@ -241,7 +151,7 @@ int bench_peers(const PeersOptions& options, std::ostream& out) {
         const SceneArgument argument = load_scene(subject.scene, {.surfaces = whole, .run = options.run});
         const std::size_t triangles = triangle_count(argument.scene);
         if (triangles == 0) throw UsageError(name + ": no triangles to compare; choose another --scene");
-        Duel duel = fight(subject, argument, options);
+        PeerDuel duel = peer_duel(subject, argument, options);
         if (&subject == &options.subjects.front()) report.facts.push_back({"peer", duel.renderer});
         report.facts.push_back(
             {name, std::to_string(triangles) + " triangles, last image " + duel.last_hash});

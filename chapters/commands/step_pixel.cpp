@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <iostream>
 
+#include "chapters/frame/second_drawing.h"
 #include "chapters/probe/left_out_reason.h"
 #include "chapters/probe/pixel_probe.h"
 #include "chapters/terminal/debugger.h"

@@ -38,8 +38,4 @@ void show(WorkedFrame& worked, const FrameRequest& request);
 // The AO map that its lit pass reads, of its own size or, with a lookup of another kind, at picture size; empty: all open.
 const Image<float>& lit_map(const WorkedFrame& worked);
 
-// A pixel of its lit image in numbers: what render_frame() lights it with, sky and all. `request` wants "lit".
-LitExplanation explain_lit(const Scene& scene, const FrameRequest& request, const WorkedFrame& worked, int x,
-                           int y);
-
 }  // namespace crevice

@@ -1,5 +1,6 @@
 #include "chapters/probe/lit_probe.h"
 
+#include "chapters/frame/second_drawing.h"
 #include "chapters/probe/linear_weights.h"
 
 namespace crevice {

@@ -8,6 +8,7 @@
 #include "chapters/report/contest.h"
 #include "chapters/report/setting_words.h"
 #include "chapters/study/error_points.h"
+#include "chapters/sweep/error_terms.h"
 #include "chapters/terminal/number_text.h"
 
 namespace crevice {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "chapters/report/setting_words.h"
+#include "chapters/sweep/error_terms.h"
 #include "chapters/terminal/number_text.h"
 
 namespace crevice {

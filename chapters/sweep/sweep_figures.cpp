@@ -211,33 +211,6 @@ std::vector<const SettingFigures*> settings_apart(const ViewFigures& view) {
     return chosen;
 }
 
-ErrorTerms error_terms(const std::vector<SweepErrorPart>& parts) {
-    ErrorTerms terms;
-    for (const SweepErrorPart& part : parts) {
-        if (part.step == "depth buffer") {
-            terms.screen_bias = part.bias;
-            terms.screen_rmse = part.rmse;
-            terms.screen_share = part.share;
-        } else if (part.step == "definition") {
-            terms.limit_bias = part.bias;
-            terms.limit_rmse = part.rmse;
-            terms.limit_share = part.share;
-        } else {
-            terms.frame_bias += part.bias;
-            terms.frame_share += part.share;
-        }
-    }
-    return terms;
-}
-
-const SweepErrorPart* largest_part(const std::vector<SweepErrorPart>& parts) {
-    const SweepErrorPart* largest = nullptr;
-    for (const SweepErrorPart& part : parts) {
-        if (part.share > 0 && (largest == nullptr || part.share > largest->share)) largest = &part;
-    }
-    return largest;
-}
-
 std::optional<double> parameter_value(const SweepSetting& setting, const std::string& parameter) {
     for (const auto& [name, value] : setting.parameters) {
         if (name == parameter) return number_in(value);

@@ -75,22 +75,6 @@ std::vector<ViewFigures> view_figures(const SweepResults& results);
 // Of each method the setting with the most samples whose error was taken apart, the first of equals.
 std::vector<const SettingFigures*> settings_apart(const ViewFigures& view);
 
-// The steps from truth to frame as three terms: what the depth buffer does not hold (T -> S), what the method's definition
-// changes (S -> C), and all that comes of samples, resolution, storage and blur (C -> frame).
-struct ErrorTerms {
-    double screen_bias = 0, limit_bias = 0, frame_bias = 0;  // add up to the bias
-    double screen_rmse = 0, limit_rmse = 0;                  // of each term alone
-    double screen_share = 0, limit_share = 0,
-           frame_share = 0;  // add up to the mean squared error of the frame
-
-    // What ever more samples would leave: that of the method's limit.
-    double floor_bias() const { return screen_bias + limit_bias; }
-};
-ErrorTerms error_terms(const std::vector<SweepErrorPart>& parts);
-
-// The step with the largest share, the first of equals; null where there are no parts or none adds to the error.
-const SweepErrorPart* largest_part(const std::vector<SweepErrorPart>& parts);
-
 // The value of a parameter, the method's default where the setting does not change it. None where the method has no such
 // number.
 std::optional<double> parameter_value(const SweepSetting& setting, const std::string& parameter);

@@ -5,10 +5,9 @@
 #include <cstdlib>
 #include <iostream>
 #include <memory>
+#include <utility>
 
 #include <SDL2/SDL.h>
-#include <SDL2/SDL_opengl.h>
-#include <backends/imgui_impl_opengl2.h>
 #include <backends/imgui_impl_sdl.h>
 #include <imgui.h>
 
@@ -18,101 +17,18 @@
 #include "chapters/view/view_camera.h"
 #include "chapters/view/view_panels.h"
 #include "chapters/view/view_pictures.h"
+#include "chapters/view/view_window.h"
 #include "rasterizer/base/error.h"
-#include "rasterizer/base/image_io.h"
 
 namespace crevice {
 
 namespace {
 
-constexpr int kWindowWidth_px = 1280, kWindowHeight_px = 760;
 constexpr double kTurn_rad_per_px = 0.006;
 constexpr double kStep = 0.06;    // of a key, parts of the distance between eye and target
 constexpr double kZoom = 1.12;    // of a notch of the wheel
 constexpr int kNextLook_ms = 15;  // how long to wait for an event before the next look at the frame
 constexpr int kClick_px = 3;      // a press that moves no further is a click
-
-// Throws UsageError with SDL's own words.
-[[noreturn]] void fail(const std::string& what) {
-    throw UsageError("crevice view: " + what + " (" + SDL_GetError() +
-                     "); it needs a display, such as that of a desktop or of xvfb-run");
-}
-
-// Without a display SDL falls back to drivers that show nothing to nobody.
-void require_screen() {
-    const std::string driver = SDL_GetCurrentVideoDriver();
-    if (std::getenv("SDL_VIDEODRIVER") != nullptr || (driver != "offscreen" && driver != "dummy")) return;
-    SDL_SetError("only the driver %s is there", driver.c_str());
-    SDL_QuitSubSystem(SDL_INIT_VIDEO);
-    fail("no window can be opened");
-}
-
-// SDL, a window in it, OpenGL in the window (of any version: that only shows what was drawn here), and Dear ImGui on top, for
-// as long as this lives.
-class Window {
- public:
-    Window() {
-        if (SDL_Init(SDL_INIT_VIDEO) != 0) fail("no window can be opened");
-        require_screen();
-        window_ = SDL_CreateWindow("Crevice", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, kWindowWidth_px,
-                                   kWindowHeight_px, SDL_WINDOW_RESIZABLE | SDL_WINDOW_OPENGL);
-        if (window_ == nullptr) fail("no window can be opened");
-        context_ = SDL_GL_CreateContext(window_);
-        if (context_ == nullptr) fail("the window cannot be drawn in");
-        ImGui::CreateContext();
-        ImGui::GetIO().IniFilename = nullptr;  // nothing is written unasked
-        ImGui_ImplSDL2_InitForOpenGL(window_, context_);
-        ImGui_ImplOpenGL2_Init();
-    }
-    ~Window() {
-        ImGui_ImplOpenGL2_Shutdown();
-        ImGui_ImplSDL2_Shutdown();
-        ImGui::DestroyContext();
-        SDL_GL_DeleteContext(context_);
-        SDL_DestroyWindow(window_);
-        SDL_Quit();
-    }
-    Window(const Window&) = delete;
-    Window& operator=(const Window&) = delete;
-
-    void begin() const {
-        ImGui_ImplOpenGL2_NewFrame();
-        ImGui_ImplSDL2_NewFrame();
-        ImGui::NewFrame();
-    }
-    void end() const {
-        ImGui::Render();
-        const Size size = drawn_size();
-        glViewport(0, 0, size.width, size.height);
-        glClearColor(0.09f, 0.09f, 0.1f, 1);
-        glClear(GL_COLOR_BUFFER_BIT);
-        ImGui_ImplOpenGL2_RenderDrawData(ImGui::GetDrawData());
-    }
-    void present() const { SDL_GL_SwapWindow(window_); }
-    // What end() drew, as a PNG. Throws OutputError.
-    void save(const std::filesystem::path& path) const {
-        const Size size = drawn_size();
-        const auto row = 3 * static_cast<std::size_t>(size.width);
-        std::vector<std::uint8_t> upside_down(row * static_cast<std::size_t>(size.height)), pixels;
-        glPixelStorei(GL_PACK_ALIGNMENT, 1);
-        glReadPixels(0, 0, size.width, size.height, GL_RGB, GL_UNSIGNED_BYTE, upside_down.data());
-        pixels.reserve(upside_down.size());
-        for (auto end = upside_down.end(); end != upside_down.begin();
-             end -= static_cast<std::ptrdiff_t>(row))
-            pixels.insert(pixels.end(), end - static_cast<std::ptrdiff_t>(row), end);
-        write_png(path, size, 3, pixels);
-    }
-
- private:
-    Size drawn_size() const {
-        Size size;
-        SDL_GL_GetDrawableSize(window_, &size.width, &size.height);
-        return size;
-    }
-
-    SDL_Window* window_ = nullptr;
-    SDL_GLContext context_ = nullptr;
-};
 
 void press(ViewState& state, SDL_Keycode key, const ViewFrame& newest) {
     const auto go = [&](double right, double up, double forward) {
@@ -181,7 +97,7 @@ class PictureMouse {
 };
 
 // What was asked for by key or button and is done with the frame that is on the screen.
-void do_asked(ViewState& state, const ViewFrame& newest, const Window& window,
+void do_asked(ViewState& state, const ViewFrame& newest, const ViewWindow& window,
               const std::filesystem::path& out) {
     if (std::exchange(state.copies_command, false)) {
         const std::string command = render_command(newest.words);
@@ -211,7 +127,7 @@ void do_asked(ViewState& state, const ViewFrame& newest, const Window& window,
 }  // namespace
 
 void view(const ViewOptions& options) {
-    const Window window;
+    const ViewWindow window;
     FrameThread frames(options.run);
     ViewState state;
     state.wish.words = options.words;

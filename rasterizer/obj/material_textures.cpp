@@ -7,6 +7,7 @@
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/float_text.h"
 #include "rasterizer/base/memory.h"
+#include "rasterizer/obj/cutout_images.h"
 #include "rasterizer/obj/texel_images.h"
 #include "rasterizer/textures/cutout_mips.h"
 
@@ -17,30 +18,6 @@ namespace fs = std::filesystem;
 namespace {
 
 bool is_named(const MtlTexture& texture) { return !texture.file.empty(); }
-
-bool keeps_nothing(const Image<float>& alpha) {
-    for (int y = 0; y < alpha.size.height; ++y) {
-        for (int x = 0; x < alpha.size.width; ++x) {
-            if (alpha.at(x, y) >= kCutoutAlpha) return false;
-        }
-    }
-    return true;
-}
-
-// Brings colours and cut-outs to one size, the larger on each axis.
-void bring_to_one_size(Image3& colour, Image<float>& alpha, const std::string& name) {
-    const Size a = colour.size(), b = alpha.size,
-               size{std::max(a.width, b.width), std::max(a.height, b.height)};
-    if (std::int64_t{size.width} * size.height > kMaxTexturePixels) {
-        throw InputError(name + ": the sizes of the texture and its cut-out do not go together (" +
-                         std::to_string(size.width) + " x " + std::to_string(size.height) +
-                         " would hold both); give both one size");
-    }
-    if (a != size) {
-        for (Image<float>* plane : {&colour.x, &colour.y, &colour.z}) *plane = resized(*plane, size);
-    }
-    if (b != size) alpha = resized(alpha, size);
-}
 
 }  // namespace
 
@@ -203,7 +180,7 @@ void MaterialTextures::add_colours(Material& material, Request& request) {
         }
         if (image.colour.empty()) return nullptr;
         if (!image.alpha.empty()) bring_to_one_size(image.colour, image.alpha, main.file);
-        if (!image.alpha.empty() && keeps_nothing(image.alpha)) {
+        if (!image.alpha.empty() && keeps_nothing(image.alpha, kCutoutAlpha)) {
             request.from.notes.push_back(
                 {"a texture cuts out the whole of a material", "drawn without cut-outs", main.line});
             image.alpha = {};

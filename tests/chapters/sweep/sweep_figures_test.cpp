@@ -125,21 +125,6 @@ TEST_CASE(
     CHECK(view_figures(results)[0].settings[0].errors->rmse.value == 0);
 }
 
-TEST_CASE("error_terms: T to S, S to C and C to frame add up") {
-    const std::vector<SweepErrorPart> parts = {{"depth buffer", 0.01, 0.03, 0.0001},
-                                               {"definition", 0.02, 0.05, -0.0003},
-                                               {"half size", 0.001, 0.02, 0.0005},
-                                               {"sampling", 0, 0.04, 0.002},
-                                               {"blur, bias", -0.002, 0.01, -0.0004}};
-    const ErrorTerms terms = error_terms(parts);
-    CHECK(terms.floor_bias() == doctest::Approx(0.03));
-    CHECK(terms.frame_share == doctest::Approx(0.0021));
-    CHECK(terms.frame_bias == doctest::Approx(-0.001));
-    REQUIRE(largest_part(parts) != nullptr);
-    CHECK(largest_part(parts)->step == "sampling");
-    CHECK(largest_part({{"blur", 0, 0, -1}}) == nullptr);
-}
-
 TEST_CASE("parameter_value: as set, or the method's default") {
     CHECK(parameter_value({"xjun", {{"samples", "3"}}}, "samples") == 3.0);
     CHECK(parameter_value({"xjun", {}}, "samples") == 14.0);
