@@ -29,7 +29,6 @@ constexpr int kSeeds = 32;  // whose mean is the method without its noise
 // Cells stand at the margin, where notebooks look for them.
 // clang-format off
 void raw_ao(Notebook& book) {
-
 // %% question [markdown]
 // # Raw ambient occlusion
 //
@@ -73,11 +72,9 @@ float sum = 0;
 for (const ExplainedSample& sample : texel.samples) sum += sample.contribution;
 const float access = 1 - sum / kCubeVectors;
 book.numbers({{"x", at.x}, {"y", at.y}, {"sum", text(sum)}, {"access", text(access)}, {"ao_4", text(grain.raw.at(at.x, at.y))},
-              {"ao_6", text(std::pow(access, 6.0f))},
-              {"background", decimal_text(static_cast<double>(kBackgroundOverFar) * foot.camera().far_plane, 0)},
-              {"cosine", decimal_text(static_cast<double>(kSameSurfaceCosine), 1)},
-              {"pixels", decimal_text(static_cast<double>(kSameSurface_px), 0)},
-              {"steepest", decimal_text(static_cast<double>(kSteepest), 2)}});
+              {"ao_6", text(std::pow(access, 6.0f))}, {"cosine", exact_text(kSameSurfaceCosine)},
+              {"pixels", exact_text(kSameSurface_px)}, {"steepest", exact_text(kSteepest)}});
+book.number("background", static_cast<double>(kBackgroundOverFar) * foot.camera().far_plane, 0);
 
 // %% formula [markdown]
 // ## From samples to a map
@@ -120,8 +117,13 @@ book.check("The exponent 6 instead of 4 raises the mean occlusion of the picture
 // normal and the depth of a surface that does not exist. The samples find the real surfaces in front of it, and a line of dark
 // dots remains along every edge. (Luna takes the normal of one of the four pixels and the mean of the stored depths.)
 //
-// This lab tells the two cases apart. Pixel $m$ of the four has the normal $n_m$, the view depth $z_m$ and the point $p_m$, on
-// the ray through its *own* centre. The *texel's* ray is another one: let $e$ be its point with $e_z = 1$.
+// This lab tells the two cases apart. If the four pixels show one surface, the texel takes the mean. If not, it takes the nearest of
+// their surfaces: the normal of that pixel, and the depth at which the texel's *own* ray meets that pixel's plane.
+//
+// <details><summary>The rule in six steps, for whoever builds it</summary>
+//
+// Pixel $m$ of the four has the normal $n_m$, the view depth $z_m$ and the point $p_m$, on the ray through its own centre. Let $e$
+// be the point of the texel's ray with $e_z = 1$.
 //
 // 1. If all four show the sky, the texel has no surface. Steps 2 to 6 are for all others.
 // 2. The *nearest* pixel has the smallest $z_m$; of equals it is the first in the order of the table below.
@@ -136,12 +138,13 @@ book.check("The exponent 6 instead of 4 raises the mean occlusion of the picture
 //    $|n_\text{nearest} \cdot e| \le {{steepest}}$, or $z$ is not positive, it takes $z_\text{nearest}$.
 // 6. A depth from step 5 is at most the mean of the four depths in the map that the samples read. With the sky's {background}
 //    among the four, this limits nothing.
+//
+// </details>
 
 // %% edge_texel
 const SwitchedAo mixed = foot.ao({seed[0], "edge_texels=mixed"});
 const Texel edge = most_mixed(grain, mixed);
-const float z_mixed = mixed.inputs.view_depth.at(edge.x, edge.y);
-const float z_nearest = grain.inputs.view_depth.at(edge.x, edge.y);
+const float z_mixed = mixed.inputs.view_depth.at(edge.x, edge.y), z_nearest = grain.inputs.view_depth.at(edge.x, edge.y);
 book.numbers({{"edge_x", edge.x}, {"edge_y", edge.y}});
 book.table({"texel ({edge_x}, {edge_y})", "normal", "view depth"},
            pixel_rows(edge, grain, mixed), "A texel at a silhouette, and the four pixels that it lies between.");
@@ -212,8 +215,7 @@ const SkyTexels sky = sky_texels(shown);
 const BufferStatistics all = buffer_statistics(shown.raw);
 book.numbers({{"sky", sky.count}, {"least", text(all.min)}});
 book.check("None of the {sky} sky texels is darkened.", sky.count > 0 && sky.darkened == 0);
-book.check("Every texel lies between 0 and 1, the darkest at {least}, and none is NaN.",
-           all.min >= 0 && all.max <= 1 && all.nan == 0);
+book.check("All texels lie between 0 and 1, the darkest at {least}, and none is NaN.", all.min >= 0 && all.max <= 1 && all.nan == 0);
 
 // %% noise_text [markdown]
 // ## How much noise
@@ -323,7 +325,7 @@ book.compare({"sky_infinite", ao_part(infinite_sky.raw, where, 10), "An infinite
               view.render_command(infinite)},
              {"sky_finite", ao_part(finite_sky.raw, where, 10), "The sky at 65504: single texels of the outline are grey again.",
               view.render_command(nearest_even)});
-book.number("lost", std::to_string(lost));
+book.numbers({{"lost", lost}});
 book.check("With the infinite sky {lost} texels lose their shade. No NaN leaves the pass.",
            lost > 0 && buffer_statistics(infinite_sky.raw).nan == 0);
 
@@ -354,21 +356,19 @@ book.check("Single texels change by up to {last_change} and {wrap_change}; no po
 // %% exercises [markdown]
 // ## Exercises
 //
-// 1. Run `crevice chapter 07 --seed 2`. What stays, and what changes?
-// 2. Run `crevice chapter 07 --cell raw_ao --param radius=2`. How far does the shade reach now, and what has become of the
+// 1. Run `crevice chapter 07 --cell raw_ao --param radius=2`. How far does the shade reach now, and what has become of the
 //    noise?
-// 3. Run `crevice chapter 07 --cell raw_ao --param as_published=true`, which takes random vectors that are not unit vectors
+// 2. Run `crevice chapter 07 --cell raw_ao --param as_published=true`, which takes random vectors that are not unit vectors
 //    and mixes edge texels, as X_Jun's text does. Why is the shade wider?
-// 4. The roof's joints vanish at half size. Could a blur at full size bring them back?
+// 3. The roof's joints vanish at half size. Could a blur at full size bring them back?
 //
 // <details><summary>Answers</summary>
 //
-// 1. The shade stays at its places; the grain is another one.
-// 2. It reaches four times as far. Fourteen samples now stand for sixteen times the area, so the noise is coarser, and far
+// 1. It reaches four times as far. Fourteen samples now stand for sixteen times the area, so the noise is coarser, and far
 //    columns darken the floor between them.
-// 3. A vector that is not a unit vector makes no mirror: it lengthens some of the samples, up to five radii. They find
+// 2. A vector that is not a unit vector makes no mirror: it lengthens some of the samples, up to five radii. They find
 //    occluders farther away.
-// 4. No: what no texel has seen is not in the map. It takes full size, or more texels along edges.
+// 3. No: what no texel has seen is not in the map. It takes full size, or more texels along edges.
 //
 // </details>
 
