@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kFailedChecks = "<meta name=\"failed-checks\" content=\"";
 
 // Longer code than this is folded: it would tear the text apart.
-constexpr auto kShownLines = 10;
+constexpr auto kShownLines = 8;
 
 std::string code_html(const SourceCell& cell, const std::string& file) {
     const bool folded = cell.kind == SourceCell::Kind::setup ||

@@ -9,6 +9,7 @@
 
 #include "chapters/diagrams/vector_panels.h"
 #include "chapters/notebook/plot.h"
+#include "rasterizer/base/image.h"
 #include "ssao/inputs/random_vectors.h"
 
 namespace crevice {

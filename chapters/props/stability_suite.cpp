@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "chapters/notebook/svg.h"
+#include "chapters/terminal/number_text.h"
 
 namespace crevice {
 namespace {

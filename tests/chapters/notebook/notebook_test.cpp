@@ -153,6 +153,18 @@ TEST_CASE("checks are counted and passed through") {
     CHECK(book.failed_checks() == 1);
 }
 
+TEST_CASE("numbers: so many digits for all of them, or each as it is") {
+    const ScratchDirectory scratch;
+    std::ostringstream terminal;
+    std::istringstream answers;
+    Notebook book(notebook_options_in(scratch), notebook_source("01_test", ""), terminal, answers);
+    book.numbers(2, {{"half", 0.5}, {"third", 1.0 / 3}});
+    book.numbers({{"count", 14}, {"size", std::size_t{3}}, {"word", "red"}});
+    book.check("{half}, {third}, {count}, {size}, {word}.", true);
+    CHECK(contains(terminal.str(), "0.50, 0.33, 14, 3, red."));
+    CHECK_THROWS_AS(book.numbers(1, {{"other", 1}, {"half", 1}}), UsageError);
+}
+
 TEST_CASE("mistakes of a chapter are named") {
     const ScratchDirectory scratch;
     std::ostringstream terminal;
