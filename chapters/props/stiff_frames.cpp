@@ -1,13 +1,13 @@
 #include "chapters/props/stiff_frames.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <utility>
 
 #include "chapters/props/stiff_faults.h"
 #include "chapters/terminal/number_text.h"
 #include "rasterizer/draw/depth_precision.h"
+#include "ssao/judge/metrics.h"
 
 namespace crevice {
 
@@ -61,13 +61,7 @@ double covered_share(const Frame& frame) {
     return count / (static_cast<double>(seen.size.width) * seen.size.height);
 }
 double largest_difference(const Image<float>& a, const Image<float>& b) {
-    double largest = 0;
-    for (int y = 0; y < a.size.height; ++y) {
-        for (int x = 0; x < a.size.width; ++x)
-            largest = std::max(largest,
-                               std::fabs(static_cast<double>(a.at(x, y)) - static_cast<double>(b.at(x, y))));
-    }
-    return largest;
+    return compare_images(a, b).max_abs;
 }
 int texels_below(const Image<float>& ao, float limit) {
     int count = 0;

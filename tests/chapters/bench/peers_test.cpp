@@ -11,6 +11,7 @@
 #include "chapters/bench/peers.h"
 #include "rasterizer/base/error.h"
 #include "scenes/builtin_scenes.h"
+#include "tests/tools/error_message.h"
 #include "tests/tools/scratch_directory.h"
 #include "tests/tools/tutorial_settings.h"
 
@@ -23,17 +24,6 @@ std::filesystem::path script(const ScratchDirectory& scratch, const std::string&
     std::ofstream(path) << "#!/bin/sh\n" << text << "\n";
     chmod(path.c_str(), 0700);
     return path;
-}
-
-// The message of an InputError, or "no error".
-template <class Action>
-std::string input_error_of(const Action& action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
 }
 
 FrameRequest request_for(const char* method, Size size) {
@@ -69,7 +59,7 @@ TEST_CASE("a peer that is not there, dies, hangs or talks nonsense is an error t
     for (const Case& c : cases) {
         CAPTURE(c.text);
         const ScratchDirectory scratch;
-        const std::string message = input_error_of([&] {
+        const std::string message = message_of<InputError>([&] {
             PeerSession peer(script(scratch, c.text), 1, 0.5);
             peer.load(trench_stream());
         });
@@ -77,7 +67,7 @@ TEST_CASE("a peer that is not there, dies, hangs or talks nonsense is an error t
         CHECK(message.find(c.named) != std::string::npos);
         CHECK(message.find(';') != std::string::npos);  // and what to do
     }
-    const std::string missing = input_error_of([] { PeerSession("no_such_peer", 1, 0.5); });
+    const std::string missing = message_of<InputError>([] { PeerSession("no_such_peer", 1, 0.5); });
     CHECK(missing.find("libgl1-mesa-dri") != std::string::npos);
 }
 
@@ -88,7 +78,7 @@ TEST_CASE("times that are no times are refused") {
         const ScratchDirectory scratch;
         const std::string text =
             "exec 3<&0; cat <&3 >/dev/null & echo ready fake; sleep .1; echo '" + times + "'; wait";
-        const std::string message = input_error_of([&] {
+        const std::string message = message_of<InputError>([&] {
             PeerSession peer(script(scratch, text), 1, 5);
             CHECK(peer.load(trench_stream()) == "fake");
             peer.frame();

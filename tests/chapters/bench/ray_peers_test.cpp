@@ -11,6 +11,7 @@
 
 #include "chapters/terminal/child.h"
 #include "rasterizer/base/error.h"
+#include "tests/tools/error_message.h"
 #include "tests/tools/scratch_directory.h"
 
 using namespace crevice;
@@ -48,16 +49,6 @@ double number(const Table& table, std::size_t row, const std::string& column) {
     const auto at = std::find(table.columns.begin(), table.columns.end(), column);
     REQUIRE_MESSAGE(at != table.columns.end(), column);
     return table.rows.at(row).at(static_cast<std::size_t>(at - table.columns.begin())).number;
-}
-
-template <class Action>
-std::string input_error_of(const Action& action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
 }
 
 }  // namespace
@@ -114,11 +105,11 @@ TEST_CASE("lines that are no answers are named") {
                                R"({"kind":"build","threads":1,"ours_ms":"2","embree_ms":[1]})"};
     for (const std::string& line : bad) {
         CAPTURE(line);
-        const std::string message = input_error_of([&] { ray_tables("box", {line}); });
+        const std::string message = message_of<InputError>([&] { ray_tables("box", {line}); });
         CHECK(message.find("not an answer (" + line) != std::string::npos);
         CHECK(message.find(';') != std::string::npos);
     }
-    const std::string unpaired = input_error_of([&] {
+    const std::string unpaired = message_of<InputError>([&] {
         ray_tables("box", {kLines[2], kLines[3], kLines[4]});
     });
     CHECK(unpaired.find("no times of embree8 at length 0.5") != std::string::npos);
@@ -135,7 +126,7 @@ TEST_CASE("without the peer there is a note and no failure; a peer that dies is 
     options.program = scratch / "peer";
     std::ofstream(options.program) << "#!/bin/sh\necho '{\"kind\":\"scene\"}'\nexit 7\n";
     chmod(options.program.c_str(), 0700);
-    const std::string message = input_error_of([&] { bench_ray_peers(options, out); });
+    const std::string message = message_of<InputError>([&] { bench_ray_peers(options, out); });
     CHECK(message.find("exit code 7") != std::string::npos);
 }
 

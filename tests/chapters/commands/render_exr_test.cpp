@@ -9,6 +9,7 @@
 #include "rasterizer/base/error.h"
 #include "tests/tools/crevice_says.h"
 #include "tests/tools/error_message.h"
+#include "tests/tools/has_openexr.h"
 #include "tests/tools/scratch_directory.h"
 
 using namespace crevice;
@@ -17,16 +18,6 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
-
-bool has_openexr() {
-    try {
-        require_openexr();
-        return true;
-    } catch (const UsageError&) {
-        MESSAGE("built without OpenEXR");
-        return false;
-    }
-}
 
 nlohmann::json passes_in(const fs::path& directory) {
     std::ifstream stream(directory / "passes.json");

@@ -9,22 +9,13 @@
 #include "rasterizer/base/write_file.h"
 #include "tests/tools/compared_files.h"
 #include "tests/tools/error_message.h"
+#include "tests/tools/has_openexr.h"
 #include "tests/tools/scratch_directory.h"
 
 using namespace crevice;
 namespace fs = std::filesystem;
 
 namespace {
-
-bool has_openexr() {
-    try {
-        require_openexr();
-        return true;
-    } catch (const UsageError&) {
-        MESSAGE("built without OpenEXR");
-        return false;
-    }
-}
 
 Image3 normals() {
     Image3 image({12, 12}, {0, 0, -1});

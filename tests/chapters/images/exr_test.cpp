@@ -10,21 +10,11 @@
 #include "rasterizer/base/image_summary.h"
 #include "tests/tools/error_message.h"
 #include "tests/tools/exr_by_hand.h"
+#include "tests/tools/has_openexr.h"
 
 using namespace crevice;
 
 namespace {
-
-bool has_openexr() {
-    try {
-        require_openexr();
-        return true;
-    } catch (const UsageError& error) {
-        CHECK(contains(error.what(), "built without OpenEXR; install libopenexr-dev"));
-        MESSAGE("built without OpenEXR");
-        return false;
-    }
-}
 
 // Every kind of float, and no two pixels alike.
 Image<float> floats(Size size, float from) {

@@ -11,21 +11,9 @@
 #include "tests/tools/image_checks.h"
 #include "tests/tools/special_floats.h"
 #include "tests/tools/still_life.h"
+#include "tests/tools/tutorial_fetches.h"
 
 using namespace crevice;
-
-namespace {
-
-const AoFetch kXjunFetch = {DepthSource::view_depth, false, 0.5f};
-const AoFetch kLunaFetch = {DepthSource::ndc_depth, true, 0.5f};
-
-AoFetch published(AoFetch fetch) {
-    fetch.edge_texels = EdgeTexels::mixed;
-    fetch.sky_depth = SkyDepth::as_stored;
-    return fetch;
-}
-
-}  // namespace
 
 TEST_CASE("ao map size: half rounded up, or full; anything else is refused by name") {
     CHECK(ao_map_size({801, 601}, 0.5f) == Size{401, 301});

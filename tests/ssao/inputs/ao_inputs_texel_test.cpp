@@ -11,19 +11,11 @@
 #include "tests/tools/image_checks.h"
 #include "tests/tools/special_floats.h"
 #include "tests/tools/still_life.h"
+#include "tests/tools/tutorial_fetches.h"
 
 using namespace crevice;
 
 namespace {
-
-const AoFetch kXjunFetch = {DepthSource::view_depth, false, 0.5f};
-const AoFetch kLunaFetch = {DepthSource::ndc_depth, true, 0.5f};
-
-AoFetch published(AoFetch fetch) {
-    fetch.edge_texels = EdgeTexels::mixed;
-    fetch.sky_depth = SkyDepth::as_stored;
-    return fetch;
-}
 
 struct Pixel {
     double weight, z, stored;  // view depth, or infinity; what the depth map holds

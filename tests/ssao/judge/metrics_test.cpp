@@ -6,29 +6,12 @@
 #include <doctest/doctest.h>
 
 #include "rasterizer/base/error.h"
+#include "tests/tools/noisy_images.h"
 #include "tests/tools/special_floats.h"
 
 using namespace crevice;
 
 namespace {
-
-// A hash of the pixel as 24 bits in [0,1): the same on every machine.
-float noise(int x, int y, std::uint32_t seed) {
-    std::uint32_t h =
-        static_cast<std::uint32_t>(x) * 0x9e3779b1u ^ static_cast<std::uint32_t>(y) * 0x85ebca77u ^ seed;
-    h = (h ^ h >> 15) * 0x2c1b3c6du;
-    h = (h ^ h >> 12) * 0x297a2d39u;
-    return static_cast<float>((h ^ h >> 15) >> 8) / 16777216.0f;
-}
-
-template <class ValueAt>
-Image<float> image_of(Size size, ValueAt value_at) {
-    Image<float> image(size, 99.0f);  // the padding must not count
-    for (int y = 0; y < size.height; ++y) {
-        for (int x = 0; x < size.width; ++x) image.at(x, y) = value_at(x, y);
-    }
-    return image;
-}
 
 bool near(double value, double expected, double tolerance) {
     return std::fabs(value - expected) <= tolerance;
@@ -40,7 +23,7 @@ TEST_CASE("identical images: nothing differs, SSIM is exactly 1") {
     for (const Size size : {Size{1, 1}, Size{10, 40}, Size{11, 11}, Size{37, 23}}) {
         CAPTURE(size.width);
         CAPTURE(size.height);
-        const Image<float> image = image_of(size, [](int x, int y) { return noise(x, y, 1); });
+        const Image<float> image = image_of(size, [](int x, int y) { return noise(1, x, y); });
         const ImageError error = compare_images(image, image);
         CHECK(error.identical());
         CHECK(error.rmse == 0);
@@ -55,7 +38,7 @@ TEST_CASE("identical images: nothing differs, SSIM is exactly 1") {
 
 TEST_CASE("an image 0.1 brighter has bias 0.1, and every other error follows") {
     const Size size{40, 30};
-    const Image<float> b = image_of(size, [](int x, int y) { return 0.5f * noise(x, y, 2); });
+    const Image<float> b = image_of(size, [](int x, int y) { return 0.5f * noise(2, x, y); });
     const Image<float> a = image_of(size, [&](int x, int y) { return b.at(x, y) + 0.1f; });
     const ImageError error = compare_images(a, b);
     // a is rounded to float, so each difference is 0.1 within half an ulp of 1.
@@ -99,7 +82,7 @@ TEST_CASE("p99 is the smallest error that 99 of 100 values do not exceed") {
 
 TEST_CASE("a NaN or infinity fails, is counted, and is left out of the means") {
     const Size size{30, 20};
-    const Image<float> b = image_of(size, [](int x, int y) { return noise(x, y, 3); });
+    const Image<float> b = image_of(size, [](int x, int y) { return noise(3, x, y); });
     for (const float broken : {kNan, kInfinity, -kInfinity}) {
         CAPTURE(broken);
         Image<float> a = b;
@@ -125,7 +108,7 @@ TEST_CASE("a NaN or infinity fails, is counted, and is left out of the means") {
 
 TEST_CASE("the same infinity on both sides is equal background") {
     const Size size{30, 20};
-    Image<float> a = image_of(size, [](int x, int y) { return noise(x, y, 4); });
+    Image<float> a = image_of(size, [](int x, int y) { return noise(4, x, y); });
     for (int x = 0; x < 30; ++x) a.at(x, 0) = kInfinity;
     CHECK(compare_images(a, a).identical());
     CHECK(compare_images(a, a).compared_pixels == 570);
@@ -148,7 +131,7 @@ TEST_CASE("noise of known spread is measured as that") {
     const auto noisy = [&](std::uint32_t seed) {
         return image_of(size, [seed](int x, int y) {
             float sum = -6;
-            for (std::uint32_t k = 0; k < 12; ++k) sum += noise(x, y, seed + 1000 * k);
+            for (std::uint32_t k = 0; k < 12; ++k) sum += noise(seed + 1000 * k, x, y);
             return 0.5f + 0.05f * sum;
         });
     };

@@ -6,28 +6,11 @@
 #include <doctest/doctest.h>
 
 #include "ssao/judge/metrics.h"
+#include "tests/tools/noisy_images.h"
 
 using namespace crevice;
 
 namespace {
-
-// A hash of the pixel as 24 bits in [0,1): the same on every machine.
-float noise(int x, int y, std::uint32_t seed) {
-    std::uint32_t h =
-        static_cast<std::uint32_t>(x) * 0x9e3779b1u ^ static_cast<std::uint32_t>(y) * 0x85ebca77u ^ seed;
-    h = (h ^ h >> 15) * 0x2c1b3c6du;
-    h = (h ^ h >> 12) * 0x297a2d39u;
-    return static_cast<float>((h ^ h >> 15) >> 8) / 16777216.0f;
-}
-
-template <class ValueAt>
-Image<float> image_of(Size size, ValueAt value_at) {
-    Image<float> image(size, 99.0f);  // the padding must not count
-    for (int y = 0; y < size.height; ++y) {
-        for (int x = 0; x < size.width; ++x) image.at(x, y) = value_at(x, y);
-    }
-    return image;
-}
 
 bool near(double value, double expected, double tolerance) {
     return std::fabs(value - expected) <= tolerance;
@@ -83,9 +66,9 @@ TEST_CASE("SSIM of constant images is its closed form") {
 
 TEST_CASE("SSIM equals its definition, window by window") {
     const Size size{23, 17};
-    const Image<float> a = image_of(size, [](int x, int y) { return noise(x, y, 5); });
+    const Image<float> a = image_of(size, [](int x, int y) { return noise(5, x, y); });
     const Image<float> b =
-        image_of(size, [&](int x, int y) { return 0.6f * a.at(x, y) + 0.3f * noise(x, y, 6); });
+        image_of(size, [&](int x, int y) { return 0.6f * a.at(x, y) + 0.3f * noise(6, x, y); });
     const double expected = slow_ssim(a, b);
     REQUIRE(expected > 0.5);
     REQUIRE(expected < 0.95);
@@ -96,8 +79,8 @@ TEST_CASE("SSIM equals its definition, window by window") {
 }
 
 TEST_CASE("SSIM leaves out every window with a pixel left out") {
-    const Image<float> a = image_of({12, 11}, [](int x, int y) { return noise(x, y, 7); });
-    const Image<float> b = image_of({12, 11}, [](int x, int y) { return noise(x, y, 8); });
+    const Image<float> a = image_of({12, 11}, [](int x, int y) { return noise(7, x, y); });
+    const Image<float> b = image_of({12, 11}, [](int x, int y) { return noise(8, x, y); });
     const auto cropped = [](const Image<float>& image) {
         return image_of({11, 11}, [&](int x, int y) { return image.at(x + 1, y); });
     };

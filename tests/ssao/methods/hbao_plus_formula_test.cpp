@@ -9,6 +9,7 @@
 #include "ssao/methods/hbao_plus.h"
 #include "ssao/methods/screen_rays.h"
 #include "tests/tools/ao_cases.h"
+#include "tests/tools/depth_map_points.h"
 #include "tests/tools/listed_errors.h"
 
 using namespace crevice;
@@ -39,7 +40,7 @@ class Listing {
             for (int step = 0; step < s_.steps; ++step) {
                 const double along = (step + stored(noise_.shift.at<float>(x, y))) * spacing + 1;
                 const glm::dvec3 v =
-                    surface_at(texel.at.x + along * turned.x, texel.at.y - along * turned.y) - p;
+                    surface_at(inputs_, texel.at.x + along * turned.x, texel.at.y - along * turned.y) - p;
                 double squared = glm::dot(v, v);
                 if (s_.near_samples == NearSamples::clamped)
                     squared = std::fmax(squared, radius * radius / 64);
@@ -60,15 +61,6 @@ class Listing {
         const double angle = 2 * kPi * i / (s_.table == RayTable::listed ? 3 : directions_);
         return {std::cos(angle), std::sin(angle)};
     }
-    glm::dvec3 surface_at(double at_x, double at_y) const {
-        const Size picture = inputs_.picture;
-        const double x = std::floor(at_x), y = std::floor(at_y);
-        if (x < 0 || y < 0 || x >= picture.width || y >= picture.height) return glm::dvec3(1e9);
-        const double z = inputs_.depth_map.at(static_cast<int>(x) + 1, static_cast<int>(y) + 1);
-        return {z * static_cast<double>(inputs_.rays.ray_scale.x) * (2 * (x + 0.5) / picture.width - 1),
-                z * static_cast<double>(inputs_.rays.ray_scale.y) * (1 - 2 * (y + 0.5) / picture.height), z};
-    }
-
     const AoInputs& inputs_;
     HbaoPlusSettings s_;
     int directions_;

@@ -11,6 +11,7 @@
 #include "ssao/inputs/pixel_fetch.h"
 #include "ssao/methods/each_texel.h"
 #include "ssao/methods/screen_rays.h"
+#include "tests/tools/depth_map_points.h"
 #include "tests/tools/image_checks.h"
 #include "tests/tools/plane_inputs.h"
 
@@ -41,7 +42,7 @@ class NaiveHorizons {
             for (int step = 0; step < s_.steps; ++step) {
                 const double shift = noise_.shift.at<float>(x, y), along = (step + shift) * spacing + 1;
                 const glm::dvec3 delta =
-                    surface_at(texel.at.x + along * across.x, texel.at.y - along * across.y) - p;
+                    surface_at(inputs_, texel.at.x + along * across.x, texel.at.y - along * across.y) - p;
                 const double share = glm::length(delta) / static_cast<double>(s_.radius);
                 if (!(share < 1)) continue;
                 const glm::dvec3 beside = delta - glm::dot(delta, v) * v;
@@ -60,15 +61,6 @@ class NaiveHorizons {
     static double tangent_angle(glm::dvec3 n, glm::dvec3 v, glm::dvec3 across) {
         const glm::dvec3 t = glm::normalize(across - glm::dot(across, v) * v);
         return std::atan2(-glm::dot(n, t), glm::dot(n, v));
-    }
-
-    glm::dvec3 surface_at(double at_x, double at_y) const {
-        const Size picture = inputs_.picture;
-        const double x = std::floor(at_x), y = std::floor(at_y);
-        if (x < 0 || y < 0 || x >= picture.width || y >= picture.height) return glm::dvec3(1e9);
-        const double z = inputs_.depth_map.at(static_cast<int>(x) + 1, static_cast<int>(y) + 1);
-        return {z * static_cast<double>(inputs_.rays.ray_scale.x) * (2 * (x + 0.5) / picture.width - 1),
-                z * static_cast<double>(inputs_.rays.ray_scale.y) * (1 - 2 * (y + 0.5) / picture.height), z};
     }
 
     const AoInputs& inputs_;
