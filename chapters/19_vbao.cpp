@@ -279,8 +279,8 @@ book.check("As an answer to the question of ambient light, rays apart, {nearest}
 //
 // - **The look of a given engine or tutorial.** Take its method with its numbers, faults included, and do not call it accurate. X_Jun's
 //   and Luna's (chapters 03 to 09) make strong, dark contacts by an exponent of 4 or 6.
-// - **Ambient light that adds up with the rest.** GTAO asks the right question, and gives bent normals and a fit for bounces. Cut it at
-//   the radius if you measure, keep its fade if you look.
+// - **Ambient light that adds up with the rest.** GTAO asks the right question, and gives bent normals; for bounces its paper has a fit
+//   (chapter 20). Cut it at the radius if you measure, keep its fade if you look.
 // - **Fences, leaves, hair, cables.** The visibility bitmask, with the thickness of the thinnest thing that matters. Solid things become
 //   too light; measure how much.
 // - **Few samples and no patience for noise.** HBAO+ or HBAO. Take the bias out as far as the meshes allow.
