@@ -5,6 +5,7 @@
 #include "chapters/terminal/exit_code.h"
 #include "chapters/terminal/program_version.h"
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/worker_placement.h"
 
 namespace {
 
@@ -36,5 +37,6 @@ int main(int argc, char** argv) {
     // Frame buffers are kept for the next frame instead of going back to the system, page by page.
     mallopt(M_MMAP_THRESHOLD, 1 << 30);
     mallopt(M_TRIM_THRESHOLD, 1 << 30);
+    keep_workers_off_caller();
     return exit_code_of([&] { return run(argc, argv); });
 }
