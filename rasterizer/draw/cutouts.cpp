@@ -1,6 +1,8 @@
 #include "rasterizer/draw/cutouts.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "rasterizer/draw/texture_coordinates.h"
 
@@ -40,11 +42,15 @@ bool has_cutouts(const Scene& scene) {
 
 Holes alpha_holes(const Scene& scene, const ScreenGeometry& geometry, const Run& run) {
     if (!has_cutouts(scene)) return {};
-    return [&scene, attributes = instance_attributes(scene, geometry), run](const FragmentGroup& group) {
+    std::vector<bool> whole;
+    for (const Material& material : scene.materials) whole.push_back(!has_cutouts(material));
+    const auto cut = [&scene, attributes = instance_attributes(scene, geometry),
+                      run](const FragmentGroup& group) {
         const Material& material = scene.materials[static_cast<std::size_t>(group.triangle.material)];
         const InstanceAttributes& instance = attributes[group.triangle.instance];
-        if (has_cutouts(material) && instance.has_texcoords()) cut_out(group, material, instance, run);
+        if (instance.has_texcoords()) cut_out(group, material, instance, run);
     };
+    return {cut, std::move(whole)};
 }
 
 }  // namespace crevice

@@ -111,12 +111,12 @@ class PixelRaster {
     }
 
     bool has_hole(std::int32_t number, bool passes) const {
-        if (!holes_) return false;
+        const ScreenTriangle& triangle = *geometry_.triangle(number).triangle;
+        if (!holes_.may_be_in(triangle)) return false;
         const auto block = static_cast<std::uint32_t>(number) >> geometry_.index_bits;
         std::int32_t kept[1] = {-1};
         const std::int32_t passing[1] = {passes ? -1 : 0};
-        holes_({geometry_.blocks[block], *geometry_.triangle(number).triangle, pixel_.x, pixel_.y, 1, kept,
-                passing});
+        holes_.cut_out({geometry_.blocks[block], triangle, pixel_.x, pixel_.y, 1, kept, passing});
         return kept[0] == 0;
     }
 

@@ -30,8 +30,8 @@ struct Drawing {
     std::vector<std::int32_t>* hidden = nullptr;
 };
 
-// One tile while it is drawn. Without kAsksHoles the drawing has none.
-template <class F, bool kAsksHoles>
+// One tile while it is drawn.
+template <class F>
 struct TileRaster {
     const Drawing& drawing;
     const PixelRect tile;
@@ -52,12 +52,13 @@ struct TileRaster {
                 if (run.leaves_out(Skip::hidden_triangles)) {
                     if (is_hidden(hidden, t, number, reached)) continue;
                 }
-                if (!kAsksHoles && t.covered != 0 && reached == t.bounds) {
+                const bool asks_holes = drawing.holes.may_be_in(t);
+                if (!asks_holes && t.covered != 0 && reached == t.bounds) {
                     draw_tiny(t, number);
-                } else if (t.small) {
-                    draw<Int<F>>(block, t, number, reached);
+                } else if (asks_holes) {
+                    draw<true>(block, t, number, reached);
                 } else {
-                    draw<Double<F>>(block, t, number, reached);
+                    draw<false>(block, t, number, reached);
                 }
             }
         }
@@ -96,8 +97,19 @@ struct TileRaster {
             });
     }
 
+    // Without kAsksHoles the triangle has none.
+    template <bool kAsksHoles>
+    CREVICE_INLINE void draw(const TriangleBlock& block, const ScreenTriangle& t, std::int32_t number,
+                             PixelRect rect) {
+        if (t.small) {
+            draw<kAsksHoles, Int<F>>(block, t, number, rect);
+        } else {
+            draw<kAsksHoles, Double<F>>(block, t, number, rect);
+        }
+    }
+
     // E is the type of the edge values: Int<F> for small triangles, Double<F> for the others.
-    template <class E>
+    template <bool kAsksHoles, class E>
     CREVICE_INLINE void draw(const TriangleBlock& block, const ScreenTriangle& t, std::int32_t number,
                              PixelRect rect) {
         constexpr bool test_blocks = !std::is_same_v<E, Int<F>>;
@@ -120,9 +132,9 @@ struct TileRaster {
                                         std::min(block_y + step_y, rect.y1)};
                 for (int x = part.x0; x < part.x1; x += kLanes<F>) {
                     if (reach == Reach::all) {
-                        covered_column(block, t, number, edges, x, part);
+                        covered_column<kAsksHoles>(block, t, number, edges, x, part);
                     } else {
-                        column(block, t, number, edges, x, part);
+                        column<kAsksHoles>(block, t, number, edges, x, part);
                     }
                 }
             }
@@ -147,7 +159,7 @@ struct TileRaster {
     }
 
     // The groups of pixels at x, one below the other.
-    template <class E>
+    template <bool kAsksHoles, class E>
     CREVICE_INLINE void column(const TriangleBlock& block, const ScreenTriangle& t, std::int32_t number,
                                const LaneEdge<F, E> (&edges)[3], int x, PixelRect part) {
         auto c0 = edges[0].column(x, part.y0), c1 = edges[1].column(x, part.y0),
@@ -156,8 +168,8 @@ struct TileRaster {
             const E e0 = c0.lanes, e1 = c1.lanes, e2 = c2.lanes;
             const Mask<F> covered = none_negative<F>(e0, e1, e2);
             if (any(covered)) {
-                group(block, t, number, x, y, covered, F(to_float(e1 + edges[1].threshold)),
-                      F(to_float(e2 + edges[2].threshold)));
+                group<kAsksHoles>(block, t, number, x, y, covered, F(to_float(e1 + edges[1].threshold)),
+                                  F(to_float(e2 + edges[2].threshold)));
             }
             c0.next();
             c1.next();
@@ -166,20 +178,21 @@ struct TileRaster {
     }
 
     // The same where all pixels are covered.
-    template <class E>
+    template <bool kAsksHoles, class E>
     CREVICE_INLINE void covered_column(const TriangleBlock& block, const ScreenTriangle& t,
                                        std::int32_t number, const LaneEdge<F, E> (&edges)[3], int x,
                                        PixelRect part) {
         const Mask<F> covered = lane_index<F>() >= Int<F>(0);
         auto c1 = edges[1].whole_column(x, part.y0), c2 = edges[2].whole_column(x, part.y0);
         for (int y = part.y0; y < part.y1; ++y) {
-            group(block, t, number, x, y, covered, F(to_float(c1.lanes)), F(to_float(c2.lanes)));
+            group<kAsksHoles>(block, t, number, x, y, covered, F(to_float(c1.lanes)), F(to_float(c2.lanes)));
             c1.next();
             c2.next();
         }
     }
 
     // Depth test of a group of covered pixels.
+    template <bool kAsksHoles>
     CREVICE_INLINE void group(const TriangleBlock& block, const ScreenTriangle& t, std::int32_t number, int x,
                               int y, Mask<F> covered, F e1, F e2) {
         const Int<F> code = depth_code(drawing.format, z_ndc_at(t, e1, e2), t.depth_bias);
@@ -208,7 +221,7 @@ struct TileRaster {
         std::int32_t kept[kLanes<F>], passes[kLanes<F>];
         store(kept, select(asked, every, none));
         store(passes, select(passed, every, none));
-        drawing.holes({block, t, x, y, kLanes<F>, kept, passes});
+        drawing.holes.cut_out({block, t, x, y, kLanes<F>, kept, passes});
         return load<F>(kept) != none;
     }
 

@@ -32,16 +32,10 @@ TileRecord draw_tile(const Drawing& drawing, int tile, PixelRect part, const Run
     record.triangles = drawing.geometry.triangles_of_tile(tile);
     if (record.triangles == 0 && run.leaves_out(Skip::empty_tiles)) return record;
     run_kernel(run, [&]<class F>(Lanes<F>) {
-        const auto draw = [&](auto raster) __attribute__((always_inline)) {
-            raster.draw_all(tile, run);
-            record.hidden = raster.record.hidden;
-            record.tied = raster.record.tied;
-        };
-        if (drawing.holes) {
-            draw(TileRaster<F, true>{drawing, part});
-        } else {
-            draw(TileRaster<F, false>{drawing, part});
-        }
+        TileRaster<F> raster{drawing, part};
+        raster.draw_all(tile, run);
+        record.hidden = raster.record.hidden;
+        record.tied = raster.record.tied;
     });
     return record;
 }

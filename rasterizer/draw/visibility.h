@@ -11,6 +11,8 @@
 
 #include <functional>
 #include <span>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "rasterizer/draw/screen_geometry.h"
@@ -44,9 +46,28 @@ struct FragmentGroup {
     const std::int32_t* passes;  // bits set where the depth passes
 };
 
-// Called for groups of fragments, on all threads. It must depend on triangle and pixel alone, the same way in
-// all passes of a view: then EQUAL finds what the first pass left. Empty: triangles are whole.
-using Holes = std::function<void(const FragmentGroup&)>;
+// Which fragments of triangles are cut out. Empty: all triangles are whole.
+class Holes {
+ public:
+    Holes() = default;
+    // `cut` is called for groups of fragments, on all threads. It must depend on triangle and pixel alone, the same way
+    // in all passes of a view: then EQUAL finds what the first pass left. It is not asked of triangles whose material
+    // is `whole` (beyond its end none is): they are drawn faster.
+    template <class Cut>
+    requires std::is_invocable_v<const Cut&, const FragmentGroup&> Holes(Cut cut,
+                                                                         std::vector<bool> whole = {})
+        : cut_(std::move(cut)), whole_(std::move(whole)) {}
+
+    bool may_be_in(const ScreenTriangle& t) const {
+        const auto material = static_cast<std::size_t>(t.material);
+        return cut_ && !(material < whole_.size() && whole_[material]);
+    }
+    void cut_out(const FragmentGroup& group) const { cut_(group); }
+
+ private:
+    std::function<void(const FragmentGroup&)> cut_;
+    std::vector<bool> whole_;  // one a material
+};
 
 // Called with the rows of pixels [first_row, end_row) of each row of tiles when all of these have been drawn, by the
 // thread that drew the last: what else is computed of them then finds their triangles in the cache.

@@ -99,6 +99,42 @@ TEST_CASE("tiny triangles: depths, triangles and ties are those of one triangle 
     CHECK(tied_tiles > 100);
 }
 
+TEST_CASE(
+    "tiny triangles: beside cut-outs, those of whole materials leave what they leave when holes are asked of "
+    "all") {
+    constexpr std::int32_t kCut = 1, kMaterials = 3;
+    const auto cut = [](const FragmentGroup& group) {
+        for (int i = 0; i < group.lanes; ++i) {
+            if (group.triangle.material == kCut && (group.x + i + group.y) % 3 == 0) group.kept[i] = 0;
+        }
+    };
+    const auto only_the_cut = [&](const FragmentGroup& group) {
+        CHECK(group.triangle.material == kCut);
+        cut(group);
+    };
+    for (std::uint64_t seed = 0; seed < 24; ++seed) {
+        RandomSequence random(seed);
+        const ClipSpaceScene scene = gravel(random, {70, 50}, 700);
+        for_every_run({.threads = {1}}, [&](const Run& run) {
+            CAPTURE(seed);
+            ScreenGeometry geometry = geometry_of(scene, {.cull_back_faces = false}, run);
+            std::int32_t material = 0;
+            for (TriangleBlock& block : geometry.blocks) {
+                for (ScreenTriangle& t : block.triangles) t.material = material++ % kMaterials;
+            }
+            const Visibility all = visibility(geometry, DepthFormat::d32f, false, cut, run),
+                             some = visibility(geometry, DepthFormat::d32f, false,
+                                               {only_the_cut, {true, false, true}}, run);
+            CHECK(differences(all.depth.codes, some.depth.codes) == "");
+            CHECK(differences(all.triangle, some.triangle) == "");
+            for (std::size_t i = 0; i < all.tiles.size(); ++i) {
+                CHECK(all.tiles[i].tied.empty() == some.tiles[i].tied.empty());
+                CHECK(all.tiles[i].hidden == some.tiles[i].hidden);
+            }
+        });
+    }
+}
+
 TEST_CASE("tiny triangles: what lies behind them is left out at every lane count, padded rows or not") {
     for_every_run({.threads = {1}}, [](const Run& run) {
         CHECK(hidden_of_layers({16, 16}, run) == 31);
