@@ -44,7 +44,7 @@ struct ShownSurface {
 
 struct TileLighting {
     const Scene& scene;
-    const std::vector<float>& no_highlight_below;  // of each material
+    const std::vector<InvisibleHighlights>& invisible_highlights;  // of each material
     const ScreenGeometry& geometry;
     const ViewLights& lights;
     const AoTaps& ao;
@@ -142,7 +142,7 @@ struct TileLighting {
         witness.point(point);
         if (scene.lighting == LightingModel::phong) return phong(point, material, lights, witness);
         const Vec3<F> colour =
-            blinn_schlick(point, material, lights, scene.ambient_light, no_highlight_below[index], witness);
+            blinn_schlick(point, material, lights, scene.ambient_light, invisible_highlights[index], witness);
         if (kEffects == Effects::none || around == nullptr) return colour;
         const F smoothness = point.gloss * F(material.shininess / kFullShininess);
         const Vec3<F> reflected =

@@ -2,6 +2,7 @@
 // linear light.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include <glm/common.hpp>
@@ -75,33 +76,44 @@ CREVICE_INLINE Vec3<F> phong(const LitPoint<F>& s, const Material& material, con
     return s.texture_colour * (s.ambient * ambient + diffuse) + specular;
 }
 
-// Up to this cosine between normal and half vector a highlight of blinn_schlick cannot be seen: added to the
-// albedo of an untextured surface it changes no bit. The highlight is at most its roughness term
-// (m + 8) / 8 cosine^m, and less than 2^-26 of every channel of the albedo rounds away.
-inline float invisible_highlight(const Material& material) {
+// Where a highlight of blinn_schlick cannot be seen: added to the albedo it changes no bit.
+struct InvisibleHighlights {
+    // m (1 - cosine) beyond this: m the point's shininess, the cosine that of normal and half vector
+    float falloff;
+    float albedo;  // and no channel of the point's albedo below this
+};
+inline constexpr InvisibleHighlights kNoInvisibleHighlights{std::numeric_limits<float>::infinity(), 0};
+
+// Of points whose texture is at least `darkest_texture` in every channel, (0,1]; 1 where there is none. A highlight is
+// at most its roughness term (m + 8) / 8 cosine^m, the power at most e^(-m (1 - cosine)), and what is less than
+// 2^-26 of every channel of the albedo rounds away. A point's gloss, which is at most 1, only lessens m + 8.
+inline InvisibleHighlights invisible_highlights(const Material& material, float darkest_texture) {
     const glm::vec3& albedo = material.diffuse;
-    const float m = material.shininess, smallest = glm::min(albedo.x, glm::min(albedo.y, albedo.z));
+    const float m = material.shininess;
+    const float darkest = darkest_texture * glm::min(albedo.x, glm::min(albedo.y, albedo.z));
     // With a specular reflectance above 1 so may be the Fresnel term, and a highlight is more than its
     // roughness.
     const bool bounded =
         glm::max(material.specular.x, glm::max(material.specular.y, material.specular.z)) <= 1;
-    if (!(smallest > 0) || !(m > 0) || !bounded) return 0;
-    const float log2_highest = log2_of(smallest) - 26 - log2_of((m + 8) / 8);
-    if (log2_highest < -125) return 0;  // power() ends at 2^-126
-    constexpr float margin = 0.999f;    // of the approximations above and of power()
-    return margin * exp2_of(log2_highest / m);
+    if (!(darkest >= std::numeric_limits<float>::min()) || !(m > 0) || !bounded)
+        return kNoInvisibleHighlights;
+    const float log2_highest = log2_of(darkest) - 26 - log2_of((m + 8) / 8);
+    if (log2_highest < -125) return kNoInvisibleHighlights;  // power() ends at 2^-126
+    constexpr float ln_2 = 0.693147181f, margin = 1.001f;    // of the approximations above and of power()
+    return {margin * ln_2 * -log2_highest, darkest};
 }
 
 // As in Luna: one ambient term; each light's diffuse albedo plus a Blinn-Phong highlight, normalised, times
-// Schlick's Fresnel term and brought into [0,1) for a low dynamic range; told as one term a light. Highlights up to
-// `no_highlight_below` (0, or invisible_highlight of an untextured surface) are left out.
+// Schlick's Fresnel term and brought into [0,1) for a low dynamic range; told as one term a light. Of a
+// group of points whose highlights are all `invisible` they are left out.
 template <class F, class Witness = NoLightWitness>
 CREVICE_INLINE Vec3<F> blinn_schlick(const LitPoint<F>& s, const Material& material, const ViewLights& lights,
-                                     const glm::vec3& ambient_light, float no_highlight_below,
+                                     const glm::vec3& ambient_light, InvisibleHighlights invisible,
                                      const Witness& witness = {}) {
     const F zero = F(0), one = F(1);
     const Vec3<F> albedo = s.texture_colour * spread<F>(material.diffuse);
     const Vec3<F> r0 = spread<F>(material.specular);
+    const Mask<F> dark = min_of(albedo.x, min_of(albedo.y, albedo.z)) < F(invisible.albedo);
     Vec3<F> colour = s.ambient * (spread<F>(ambient_light) * albedo);
     witness.term(LitTerm::ambient, -1, colour);
     const auto add = [&](LitTerm kind, const ViewLight& light, Vec3<F> term) __attribute__((always_inline)) {
@@ -116,7 +128,7 @@ CREVICE_INLINE Vec3<F> blinn_schlick(const LitPoint<F>& s, const Material& mater
         if (!any(facing > zero)) continue;  // would add zero
         const Vec3<F> half = normalize_or<F>(to_light + s.to_eye, s.n);
         const F m = s.gloss * F(material.shininess), cosine = max_of(dot(s.n, half), zero);
-        if (!any(cosine > F(no_highlight_below))) {
+        if (!any((m * (one - cosine) <= F(invisible.falloff)) | dark)) {
             add(LitTerm::diffuse, light, facing * (spread<F>(light.diffuse) * albedo));
             continue;
         }

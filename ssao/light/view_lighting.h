@@ -26,16 +26,19 @@ inline ViewLights lights_in_view(const Scene& scene, const CameraMatrices& matri
     return lights;
 }
 
-// See blinn_schlick. One a material; with textures or vertex colours the albedo of a pixel is anything.
-inline std::vector<float> highlight_limits(const Scene& scene, const Run& run) {
-    std::vector<float> limits;
+// One a material. Darker texels than kDarkTexture are rare, and few points of a texture show a highlight: so the
+// points around them look theirs up.
+inline constexpr float kDarkTexture = 1 / 1024.0f;
+inline std::vector<InvisibleHighlights> highlights_left_out(const Scene& scene, const Run& run) {
     const bool coloured = has_vertex_colours(scene);
+    std::vector<InvisibleHighlights> result;
     for (const Material& material : scene.materials) {
-        const bool plain = material.texture == nullptr && material.normal_map == nullptr && !coloured &&
-                           run.leaves_out(Skip::faint_highlights);
-        limits.push_back(plain ? invisible_highlight(material) : 0);
+        const bool plain = material.texture == nullptr && !coloured;
+        result.push_back(run.leaves_out(Skip::faint_highlights)
+                             ? invisible_highlights(material, plain ? 1 : kDarkTexture)
+                             : kNoInvisibleHighlights);
     }
-    return limits;
+    return result;
 }
 
 // By how much bent normals differ from the normals of their texels, at the pixels of a picture.
@@ -60,7 +63,7 @@ struct ViewLighting {
     CameraMatrices matrices;
     ViewLights lights;
     AoTaps ao;
-    std::vector<float> no_highlight_below;
+    std::vector<InvisibleHighlights> invisible_highlights;
     std::optional<ShadowLookup> shadow;
     std::optional<Surroundings> around;
     AmbientSettings ambient;
@@ -72,7 +75,7 @@ struct ViewLighting {
           matrices(camera_matrices(camera, size)),
           lights(lights_in_view(scene, matrices, shadow_map != nullptr)),
           ao(ao_map, size),
-          no_highlight_below(highlight_limits(scene, run)),
+          invisible_highlights(highlights_left_out(scene, run)),
           ambient(use.settings) {
         if (shadow_map != nullptr && !lights.empty() && lights.front().casts_shadow)
             shadow.emplace(shadow_lookup(*shadow_map, camera));
@@ -84,7 +87,7 @@ struct ViewLighting {
 
     TileLighting of_tiles(const ScreenGeometry& geometry, Image3& lit) const {
         return {scene,
-                no_highlight_below,
+                invisible_highlights,
                 geometry,
                 lights,
                 ao,

@@ -1,4 +1,5 @@
 // Highlights that are left out because they cannot be seen: the bits of a surface lit with and without them.
+#include <algorithm>
 #include <cmath>
 
 #include <doctest/doctest.h>
@@ -31,8 +32,17 @@ struct Lit {
     glm::vec3 ambient_light;
     double cosine;  // between normal and half vector
 
-    Vec3<float> colour(float no_highlight_below) const {
-        return blinn_schlick(point, material, {light}, ambient_light, no_highlight_below);
+    Vec3<float> colour(InvisibleHighlights invisible) const {
+        return blinn_schlick(point, material, {light}, ambient_light, invisible);
+    }
+    double shininess() const { return static_cast<double>(point.gloss * material.shininess); }
+    double albedo() const {
+        const Vec3<float> of = point.texture_colour * spread<float>(material.diffuse);
+        return static_cast<double>(std::min(of.x, std::min(of.y, of.z)));
+    }
+    bool leaves_out(InvisibleHighlights invisible) const {
+        return shininess() * (1 - cosine) > static_cast<double>(invisible.falloff) &&
+               albedo() >= static_cast<double>(invisible.albedo);
     }
 };
 
@@ -67,6 +77,13 @@ Material random_material(RandomSequence& random) {
     return material;
 }
 
+// A texture that is white, or has anything from just below `darkest` to white in it, and a gloss below 1.
+void cover(RandomSequence& random, Lit& lit, double darkest) {
+    if (random.whole(0, 1) == 0) return;
+    lit.point.texture_colour = kernel_vector(glm::dvec3(random_vec3(random, 0.9 * darkest, 1.2 * darkest)));
+    lit.point.gloss = static_cast<float>(random.between(0, 1));
+}
+
 bool same_bits(const Vec3<float>& a, const Vec3<float>& b) {
     return float_bits(a.x) == float_bits(b.x) && float_bits(a.y) == float_bits(b.y) &&
            float_bits(a.z) == float_bits(b.z);
@@ -74,55 +91,68 @@ bool same_bits(const Vec3<float>& a, const Vec3<float>& b) {
 
 }  // namespace
 
-TEST_CASE(
-    "invisible highlight: left out or not, random materials, normals, eyes and lights give the same bits") {
+TEST_CASE("invisible highlight: left out or not, random surfaces, eyes and lights give the same bits") {
     int left_out = 0;
     for (std::uint64_t seed = 0; seed < 200000; ++seed) {
         RandomSequence random(seed);
         const Material material = random_material(random);
-        const float limit = invisible_highlight(material);
-        REQUIRE(limit >= 0);
-        REQUIRE(limit < 1);
-        // Half of them just below the limit, where the highlight is brightest.
-        const double cosine = limit > 0 && seed % 2 == 0 ? limit * (1 - std::exp2(random.between(-22, -3)))
-                                                         : random.between(0, 1);
-        const Lit lit = lit_at(random, material, cosine);
-        INFO("seed " << seed << ", shininess " << material.shininess << ", albedo " << material.diffuse.x
-                     << " " << material.diffuse.y << " " << material.diffuse.z << ", cosine " << cosine
-                     << ", limit " << limit);
-        REQUIRE(same_bits(lit.colour(limit), lit.colour(0)));
-        left_out += cosine < static_cast<double>(limit);
+        const double darkest = std::exp2(random.between(-20, 0));
+        const InvisibleHighlights invisible = invisible_highlights(material, static_cast<float>(darkest));
+        REQUIRE(invisible.falloff > 0);
+        Lit lit = lit_at(random, material, random.between(0, 1));
+        cover(random, lit, darkest);
+        // Half of them just beyond the limit, where the highlight is brightest.
+        const double limit = 1 - static_cast<double>(invisible.falloff) / lit.shininess();
+        if (limit > 0 && seed % 2 == 0) {
+            const Vec3<float> colour = lit.point.texture_colour;
+            const float gloss = lit.point.gloss;
+            lit = lit_at(random, material, limit * (1 - std::exp2(random.between(-22, -3))));
+            lit.point.texture_colour = colour;
+            lit.point.gloss = gloss;
+        }
+        INFO("seed " << seed << ", shininess " << lit.shininess() << ", albedo " << lit.albedo()
+                     << ", cosine " << lit.cosine << ", limit " << limit);
+        REQUIRE(same_bits(lit.colour(invisible), lit.colour(kNoInvisibleHighlights)));
+        left_out += lit.leaves_out(invisible);
     }
-    CHECK(left_out > 90000);
+    CHECK(left_out > 40000);
 }
 
-TEST_CASE("invisible highlight: a limit twice as near to 1 would be seen") {
+TEST_CASE("invisible highlight: half the limit would be seen") {
     int seen = 0;
     for (std::uint64_t seed = 0; seed < 2000; ++seed) {
         RandomSequence random(seed);
         Material material;
         material.diffuse = random_vec3(random, 0.2, 1);
-        material.shininess = static_cast<float>(random.between(8, 500));
-        const float limit = invisible_highlight(material);
+        material.shininess = static_cast<float>(random.between(50, 500));
+        const InvisibleHighlights invisible = invisible_highlights(material, 1);
         CAPTURE(material.shininess);
-        // At least as wide as the angle outside of which the highlight is a millionth of a millionth.
-        CHECK(static_cast<double>(limit) > std::exp2(-40.0 / static_cast<double>(material.shininess)) * 0.99);
-        const float raised = 0.5f * (1 + limit);
-        const Lit lit = lit_at(random, material, static_cast<double>(raised) * 0.999);
-        seen += !same_bits(lit.colour(raised), lit.colour(0));
+        // No wider than where the highlight is a millionth of a millionth.
+        CHECK(invisible.falloff < 28);
+        const InvisibleHighlights halved{0.5f * invisible.falloff, invisible.albedo};
+        const double cosine = 1 - 1.01 * static_cast<double>(halved.falloff / material.shininess);
+        const Lit lit = lit_at(random, material, cosine);
+        seen += !same_bits(lit.colour(halved), lit.colour(kNoInvisibleHighlights));
     }
     CHECK(seen > 1000);
 }
 
 TEST_CASE("invisible highlight: nothing is left out where any highlight may be seen") {
+    const auto none_is = [](const Material& material) {
+        return std::isinf(invisible_highlights(material, 1).falloff);
+    };
     Material material;
+    CHECK_FALSE(none_is(material));
     for (const glm::vec3 albedo : {glm::vec3(0), {0, 1, 1}, {1, 1, -1}, {kNan, 1, 1}}) {
         material.diffuse = albedo;
-        CHECK(invisible_highlight(material) == 0);
+        CHECK(none_is(material));
     }
     material.diffuse = glm::vec3(1);
     for (const float shininess : {0.0f, -1.0f, kNan}) {
         material.shininess = shininess;
-        CHECK(invisible_highlight(material) == 0);
+        CHECK(none_is(material));
     }
+    material = {};
+    material.specular = glm::vec3(1.5f);
+    CHECK(none_is(material));
 }
