@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "rasterizer/base/image.h"
 #include "rasterizer/draw/triangle_pixels.h"
 #include "rasterizer/scene/tangents.h"
 
@@ -158,7 +159,7 @@ void SurfaceTextures::look_up(const std::int32_t* triangle, int x0, int x1, int 
                               const Run& run) const {
     const int padded = round_up(x1 - x0, kRowAlignment);
     for (float* const plane : {row.colour[0], row.colour[1], row.colour[2], row.gloss}) {
-        if (plane != nullptr) std::fill(plane, plane + padded, 1.0f);
+        if (plane != nullptr) fill_groups(plane, plane + padded, 1.0f);
     }
     run_kernel(run, [&]<class F>(Lanes<F>) {
         for (int x = x0; x < x1; x += kLanes<F>) {

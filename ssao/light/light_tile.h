@@ -90,6 +90,7 @@ struct TileLighting {
         WidenedAo<F> accessibility(ao, tile.x0, tile.x1);
         for (int y = tile.y0; y < tile.y1; ++y) {
             accessibility.go_to_row(y);
+            for (Image<float>* plane : {&lit.x, &lit.y, &lit.z}) expect_next_row(*plane, tile.x0, tile.x1, y);
             const ShownRow row = row_of(y);
             for (int x = tile.x0; x < tile.x1; x += kLanes<F>) {
                 const ShownSurface<F> surface(row, x - tile.x0);

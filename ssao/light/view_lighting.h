@@ -105,6 +105,15 @@ inline bool knows_surfaces(const Scene& scene, const GBuffer& gbuffer) {
            (scene.materials.size() == 1 || !gbuffer.material.empty());
 }
 
+// As expect_next_row of image.h, of a row that is going to be read.
+template <class T>
+void expect_next_row_read(const Image<T>& image, int x0, int x1, int y) {
+    if (y + 1 >= image.size.height) return;
+    constexpr int per_line = 64 / sizeof(T);
+    const T* const next = image.row(y + 1);
+    for (int x = x0; x < x1; x += per_line) __builtin_prefetch(next + x);
+}
+
 // The rows of a tile, for its lighting: read from a G-buffer that knows them, else from their triangles.
 class TileRows {
  public:
@@ -122,19 +131,22 @@ class TileRows {
 
     ShownRow row(int y) {
         const std::int32_t* const triangle = triangle_.row(y) + tile_.x0;
+        expect_next_row_read(triangle_, tile_.x0, tile_.x1, y);
+        ShownRow shown{material_, {normal_[0], normal_[1], normal_[2]}, {}, nullptr, view_depth_};
         if (gbuffer_ != nullptr) {
-            copy_known(*gbuffer_, triangle, y);
+            read_known(*gbuffer_, triangle, y, shown);
         } else {
             find_surfaces(geometry_, triangle, tile_.x0, tile_.x1, y,
                           {view_depth_, {normal_[0], normal_[1], normal_[2]}, material_}, run_);
         }
-        ShownRow shown{material_, {normal_[0], normal_[1], normal_[2]}, {}, nullptr, view_depth_};
         if (!textures_.any() && !vertex_colours_.any()) return shown;
         // Without textures it says 1 everywhere.
-        textures_.look_up(
-            triangle, tile_.x0, tile_.x1, y,
-            {material_, {normal_[0], normal_[1], normal_[2]}, {colour_[0], colour_[1], colour_[2]}, gloss_},
-            run_);
+        textures_.look_up(triangle, tile_.x0, tile_.x1, y,
+                          {shown.material,
+                           {normal_[0], normal_[1], normal_[2]},
+                           {colour_[0], colour_[1], colour_[2]},
+                           gloss_},
+                          run_);
         if (vertex_colours_.any()) {
             vertex_colours_.multiply(triangle, tile_.x0, tile_.x1, y, {colour_[0], colour_[1], colour_[2]},
                                      run_);
@@ -145,20 +157,22 @@ class TileRows {
     }
 
  private:
-    void copy_known(const GBuffer& g, const std::int32_t* triangle, int y) {
+    // Normals are copied, for normal maps to bend.
+    void read_known(const GBuffer& g, const std::int32_t* triangle, int y, ShownRow& shown) {
         const int count = round_up(tile_.x1 - tile_.x0, kRowAlignment);
-        const auto copy = [&](const auto& image, auto* to) {
-            std::copy_n(image.row(y) + tile_.x0, count, to);
-        };
-        copy(g.normal.x, normal_[0]);
-        copy(g.normal.y, normal_[1]);
-        copy(g.normal.z, normal_[2]);
-        copy(g.view_depth, view_depth_);
+        const Image<float>* const planes[3] = {&g.normal.x, &g.normal.y, &g.normal.z};
+        for (std::size_t i = 0; i < 3; ++i) {
+            expect_next_row_read(*planes[i], tile_.x0, tile_.x1, y);
+            std::copy_n(planes[i]->row(y) + tile_.x0, count, normal_[i]);
+        }
+        expect_next_row_read(g.view_depth, tile_.x0, tile_.x1, y);
+        shown.view_depth = g.view_depth.row(y) + tile_.x0;
         if (one_material_) {
             std::transform(triangle, triangle + count, material_,
                            [](std::int32_t number) { return number < 0 ? kNoTriangle : 0; });
         } else {
-            copy(g.material, material_);
+            expect_next_row_read(g.material, tile_.x0, tile_.x1, y);
+            shown.material = g.material.row(y) + tile_.x0;
         }
     }
 
