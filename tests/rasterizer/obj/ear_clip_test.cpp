@@ -1,15 +1,18 @@
 #include "rasterizer/obj/ear_clip.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
 
 #include <doctest/doctest.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
+#include "rasterizer/obj/outline_crossing.h"
 #include "tests/tools/random_outline.h"
 
 using namespace crevice;
@@ -220,6 +223,64 @@ TEST_CASE("ear_clip: a comb with thousands of teeth") {
     std::vector<glm::ivec2> outline = {{0, -1}, {4000, -1}};
     for (int x = 4000; x >= 0; --x) outline.emplace_back(x, x % 2 == 0 ? 0 : 1000);
     check_triangulates(flat_polygon(outline), outline.size() - 2);
+}
+
+TEST_CASE("ear_clip: thousands of corners, most of them reflex, all over the inside or along a line") {
+    const auto noise = [](std::uint32_t i) { return static_cast<double>(hash_of(i) & 0xffff) / 0x10000; };
+    const auto around = [](std::size_t count, const auto& radius_of) {
+        Polygon polygon;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const double angle = 2 * 3.141592653589793 * i / static_cast<double>(count);
+            polygon.emplace_back(radius_of(i) * glm::dvec2(std::cos(angle), std::sin(angle)), 0);
+        }
+        return polygon;
+    };
+    check_triangulates(around(2000, [](std::uint32_t) { return 1.0; }), 1998);
+    check_triangulates(around(2000, [](std::uint32_t i) { return i % 2 == 0 ? 1.0 : 0.5; }), 1998);
+    check_triangulates(around(2000, [&](std::uint32_t i) { return 0.7 + 0.3 * noise(i); }), 1998);
+    // Wound clockwise on screen, as files have it as well: only its own normal counts.
+    Polygon comb;
+    for (int i = 0; i <= 2000; ++i) comb.emplace_back(2000 - i, i % 2 == 0 ? 100 : 3 + i % 3, 0);
+    comb.emplace_back(0, 0, 0);
+    comb.emplace_back(2000, 0, 0);
+    check_triangulates(comb, comb.size() - 2);
+    for (glm::vec3& p : comb) p = {p.x - p.y, p.x + p.y, 0};
+    check_triangulates(comb, comb.size() - 2);
+}
+
+TEST_CASE("outline_crosses_itself: of many edges the sweep says what all pairs say") {
+    const auto crosses = [](glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 d) {
+        const double ac = area2(a, b, c), ad = area2(a, b, d), ca = area2(c, d, a), cb = area2(c, d, b);
+        return ((ac > 0 && ad < 0) || (ac < 0 && ad > 0)) && ((ca > 0 && cb < 0) || (ca < 0 && cb > 0));
+    };
+    int crossing = 0;
+    constexpr std::uint32_t kOutlines = 120;
+    for (std::uint32_t seed = 0; seed < kOutlines; ++seed) {
+        // Whole numbers, so that corners meet, lie on other edges and edges on each other; a few are out of order.
+        std::vector<glm::dvec2> points;
+        std::vector<std::uint32_t> outline;
+        const std::uint32_t count = 1030 + seed;
+        const double size = seed % 3 == 0 ? 100 : seed % 3 == 1 ? 1000 : 1e6;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const double angle = 2 * 3.141592653589793 * i / count;
+            const double radius =
+                size * (0.6 + 0.4 * static_cast<double>(hash_of(seed * 5000 + i) & 0xff) / 255);
+            points.push_back(glm::round(radius * glm::dvec2(std::cos(angle), std::sin(angle))));
+            outline.push_back(i);
+        }
+        if (seed % 4 == 3) std::swap(outline[seed], outline[seed + 2]);
+        bool wanted = false;
+        const auto corner = [&](std::uint32_t i) { return points[outline[i % count]]; };
+        for (std::uint32_t i = 0; i < count; ++i) {
+            for (std::uint32_t j = i + 1; j < count && !wanted; ++j)
+                wanted = crosses(corner(i), corner(i + 1), corner(j), corner(j + 1));
+        }
+        CAPTURE(seed);
+        CHECK(outline_crosses_itself(points, outline) == wanted);
+        crossing += wanted;
+    }
+    CHECK(crossing > 20);
+    CHECK(crossing < 100);
 }
 
 TEST_CASE("quad_cut: convex along the first and third corner, concave along its only inner diagonal") {
