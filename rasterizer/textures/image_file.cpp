@@ -17,6 +17,7 @@
 #include "rasterizer/base/png_layout.h"
 #include "rasterizer/lanes/approx_math.h"
 #include "rasterizer/textures/image_kind.h"
+#include "rasterizer/textures/jpeg_channels.h"
 #include "rasterizer/textures/png_chunks.h"
 #include "rasterizer/textures/tga.h"
 
@@ -174,6 +175,10 @@ DecodedImage loaded_with(const Load& load, const std::string& bytes, const std::
 DecodedImage decode_with_stb(const std::string& file, const std::string& name, TextureEncoding encoding,
                              std::int64_t most_pixels) {
     const StbInfo info = checked_info(file, name, most_pixels);
+    if (starts_as(file, kJpegSignature)) {
+        return loaded_with<stbi_uc>(stbi_load_from_memory, with_channels_as_marked(file), name, info,
+                                    {encoding}, std::nullopt);
+    }
     const CodeMeaning codes{encoding, png_gamma(file)};
     if (const auto whole = with_whole_palette(file))
         return loaded_with<stbi_uc>(stbi_load_from_memory, whole->png, name, info, codes, whole->alpha);

@@ -227,6 +227,50 @@ TEST_CASE("decode_image: a JPEG of four channels is read where Adobe's marker sa
     for (const int known : {0, 2}) CHECK(error_of(file(marker(known))) == "no error");
 }
 
+TEST_CASE(
+    "decode_image: channels of a JPEG called RGB are so where no marker says otherwise, as in libjpeg") {
+    const std::string jfif =
+        byte_string({0xff, 0xe0, 0, 16}) + "JFIF" + byte_string({0, 1, 2, 0, 0, 1, 0, 1, 0, 0});
+    const auto adobe = [](int transform) {
+        return "\xff\xee\0\x0e"s + "Adobe" + "\0\x64\0\0\0\0"s + static_cast<char>(transform);
+    };
+    // 8 x 8; the first channel is 100 above the middle, by a DC code of category 7, the others are the middle.
+    const auto colour_of = [](const std::string& segments, const std::string& names) {
+        std::string channels, of_scan;
+        for (const char name : names) {
+            channels += name + byte_string({0x11, 0});
+            of_scan += name + byte_string({0});
+        }
+        const std::string file =
+            byte_string({0xff, 0xd8}) + segments + byte_string({0xff, 0xdb, 0, 67, 0}) +
+            std::string(64, '\x8') + byte_string({0xff, 0xc0, 0, 17, 8, 0, 8, 0, 8, 3}) + channels +
+            byte_string({0xff, 0xc4, 0, 21, 0x00, 1, 1}) + std::string(14, '\0') + byte_string({0, 7}) +
+            byte_string({0xff, 0xc4, 0, 20, 0x10, 1}) + std::string(15, '\0') + byte_string({0}) +
+            byte_string({0xff, 0xda, 0, 12, 3}) + of_scan + byte_string({0, 63, 0, 0xb2, 0x03, 0xff, 0xd9});
+        return 255.0f * decode_image(file, "a.jpg", TextureEncoding::linear).colour.at(3, 3);
+    };
+    const glm::vec3 red(228, 128, 128), light(228);
+    const std::string rgb = "RGB", numbers = "\1\2\3";
+    const std::tuple<std::string, std::string, glm::vec3> rows[] = {
+        {"", rgb, red},
+        {"", numbers, light},
+        {"", "rgb", light},
+        {jfif, rgb, light},
+        {jfif, numbers, light},
+        {jfif + adobe(0), numbers, light},
+        {adobe(0), rgb, red},
+        {adobe(0), numbers, red},
+        {adobe(1), rgb, light},
+        {adobe(1), numbers, light},
+        {jfif + adobe(0), rgb, light},
+    };
+    for (const auto& [segments, names, wanted] : rows) {
+        CAPTURE(segments);
+        CAPTURE(names);
+        CHECK(glm::length(colour_of(segments, names) - wanted) < 0.01f);
+    }
+}
+
 TEST_CASE("decode_image: a PNG with far more data than its pixels need is refused before it is inflated") {
     const std::string bomb =
         png_file({1, 1}, {.colour_type = 0, .chunks = png_chunk("IDAT", std::string(1 << 17, '\0'))}, "\1");
