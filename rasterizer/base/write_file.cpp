@@ -11,6 +11,7 @@
 #include <string>
 #include <system_error>
 
+#include "rasterizer/base/dead_partials.h"
 #include "rasterizer/base/error.h"
 
 namespace crevice {
@@ -67,6 +68,7 @@ int write_all(const fs::path& path, const WritePieces& write_pieces) {
     errno = 0;
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "wb"), std::fclose);
     if (file == nullptr) return errno;
+    mark_being_written(fileno(file.get()));
     int error_number = 0;
     const auto note = [&error_number](bool failed) {
         if (failed && error_number == 0) error_number = errno != 0 ? errno : EIO;
@@ -102,6 +104,7 @@ void write_file_atomically(const fs::path& path, const WritePieces& write_pieces
     }
     const fs::path unfinished = partial_path(target, getpid());
     if (fs::is_directory(unfinished, error)) refuse(path, unfinished.filename().string() + " is a directory");
+    remove_dead_partials(target);
     Partial partial(unfinished);
     if (const int failed = write_all(unfinished, write_pieces)) refuse(path, reason(failed));
     partial.keep_as(target, error);

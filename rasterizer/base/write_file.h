@@ -10,7 +10,8 @@ namespace crevice {
 // Writes partial_path() beside the target and renames it when every byte has been accepted, so that a reader
 // sees the old file or the new one, never a part, also where several programs write the same file at the same
 // time: the last one's stays. A symbolic link is followed. What exists but is not a regular file (a pipe,
-// /dev/stdout) is written to directly; a directory is refused. Throws OutputError naming the path and the
+// /dev/stdout) is written to directly; a directory is refused. Partial files of this target that killed processes left
+// are removed. Throws OutputError naming the path and the
 // system's reason; nothing of the new file is left behind then.
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
 
