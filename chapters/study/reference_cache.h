@@ -40,9 +40,13 @@ class ContentKey {
 // What of a material decides where its triangles have holes; no more where it cuts nothing out.
 void add_cutout(ContentKey& key, const Material& material);
 
-// What was stored as `name`, or nothing when it is not there, not of this size or damaged.
-std::optional<ReferenceImage> find_reference(const std::filesystem::path& cache, const std::string& name,
-                                             Size size);
+// What was stored as `name`.
+struct FoundReference {
+    std::optional<ReferenceImage> image;  // none: it was not there, or is damaged
+    std::string damage;                   // one line on what is wrong with what is there; empty: nothing is
+};
+// The images are believed only where their checksum, which was stored behind them, says that they are those that were stored.
+FoundReference find_reference(const std::filesystem::path& cache, const std::string& name, Size size);
 // Throws OutputError.
 void store_reference(const std::filesystem::path& cache, const std::string& name,
                      const ReferenceImage& image);

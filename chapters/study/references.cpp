@@ -163,7 +163,10 @@ class ReferenceMaker {
     }
 
     std::optional<ReferenceImage> find(const std::string& name) const {
-        return request_.cache ? find_reference(*request_.cache, name, request_.size) : std::nullopt;
+        if (!request_.cache) return std::nullopt;
+        FoundReference found = find_reference(*request_.cache, name, request_.size);
+        if (!found.damage.empty()) std::cerr << "warning: " << found.damage << "\n";
+        return std::move(found.image);
     }
     void store(const std::string& name, const ReferenceImage& image) {
         if (!request_.cache || cache_failed_) return;

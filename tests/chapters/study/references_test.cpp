@@ -5,6 +5,9 @@
 #include <memory>
 
 #include <doctest/doctest.h>
+#include <iostream>
+#include <sstream>
+#include <vector>
 
 #include "chapters/study/reference_cache.h"
 #include "rasterizer/base/image_io.h"
@@ -132,8 +135,8 @@ TEST_CASE(
     ReferenceRequest request = request_of();
     request.cache = scratch / "cache";
     const References stored = make_references(scene, scene.camera, request);
-    // hard, soft, hard and soft of the screen, limit; four files each.
-    CHECK(files_in(*request.cache) == 20);
+    // hard, soft, hard and soft of the screen, limit; four images and a checksum each.
+    CHECK(files_in(*request.cache) == 25);
     for (const auto& entry : std::filesystem::directory_iterator(*request.cache)) {
         const auto size = std::filesystem::file_size(entry.path());
         std::filesystem::resize_file(entry.path(), size - 5);
@@ -147,6 +150,37 @@ TEST_CASE(
     std::ofstream(scratch / "file") << "in the way";
     request.cache = scratch / "file" / "cache";
     CHECK(same(make_references(scene, scene.camera, request).soft.image, stored.soft.image));
+}
+
+TEST_CASE("references: a bit that flips in the cache is found, said and mended") {
+    const Scene scene = still_life();
+    const ScratchDirectory scratch;
+    ReferenceRequest request = request_of();
+    request.cache = scratch.path();
+    const References stored = make_references(scene, scene.camera, request);
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(scratch.path()))
+        files.push_back(entry.path());
+    for (const std::filesystem::path& file : files) {
+        CAPTURE(file.string());
+        // The last byte but three: of a float the lowest bits, of a checksum one of its digits.
+        std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
+        stream.seekg(-4, std::ios::end);
+        const int byte = stream.get();
+        stream.seekp(-4, std::ios::end);
+        stream.put(static_cast<char>(byte ^ 1));
+        stream.close();
+        std::ostringstream said;
+        std::streambuf* const before = std::cerr.rdbuf(said.rdbuf());
+        const References again = make_references(scene, scene.camera, request);
+        std::cerr.rdbuf(before);
+        CHECK(said.str().find("this reference in the cache is damaged") != std::string::npos);
+        CHECK(same(again.hard.image, stored.hard.image));
+        CHECK(same(again.screen.image, stored.screen.image));
+        CHECK(same(again.limit.image, stored.limit.image));
+    }
+    const References last = make_references(scene, scene.camera, request);
+    CHECK((last.hard.from_cache && last.soft.from_cache && last.limit.from_cache));
 }
 
 TEST_CASE("references: rays are doubled until the error that was asked for") {
