@@ -4,6 +4,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "chapters/notebook/plain_math.h"
 #include "chapters/terminal/number_text.h"
 
 namespace crevice {
@@ -20,18 +21,23 @@ std::string styled(const std::string& text, const char* code, bool colour) {
     return colour ? code + text + kCodePlain : text;
 }
 
-// Columns on the terminal: one a code point, two where it is Chinese or another wide one.
+// Columns on the terminal: one a code point, two where it is Chinese or another wide one, none where it is a mark over
+// the letter before it.
 std::size_t shown_width(std::string_view text) {
     std::size_t width = 0;
     for (const char c : text) {
         const auto byte = static_cast<unsigned char>(c);
-        if ((byte & 0xc0) != 0x80) width += byte >= 0xe3 && byte < 0xf0 ? 2 : 1;
+        if ((byte & 0xc0) != 0x80 && byte != 0xcc) width += byte >= 0xe3 && byte < 0xf0 ? 2 : 1;
     }
     return width;
 }
 
+std::string words_of(const BookText& text, const TerminalStyle& style) {
+    return with_plain_math(text.in(style.language));
+}
+
 std::string lines_of(const BookText& caption, const TerminalStyle& style) {
-    return caption.empty() ? "" : caption.in(style.language) + "\n";
+    return caption.empty() ? "" : words_of(caption, style) + "\n";
 }
 
 std::string text_of(const PictureOutput& output, const TerminalStyle& style) {
@@ -40,7 +46,7 @@ std::string text_of(const PictureOutput& output, const TerminalStyle& style) {
         result += "  " + (style.directory / (shown.name + ".png")).string() + "  " +
                   size_text(shown.picture.size) + "\n";
         if (!shown.caption.empty()) result += "    " + lines_of(shown.caption, style);
-        result += "    " + styled(shown.about.in(style.language), kCodeDim, style.colour) + "\n";
+        result += "    " + styled(words_of(shown.about, style), kCodeDim, style.colour) + "\n";
         if (!shown.command.empty()) result += "    " + styled(shown.command, kCodeDim, style.colour) + "\n";
     }
     return result + "\n";
@@ -59,14 +65,14 @@ std::string text_of(const DrawingOutput& output, const TerminalStyle& style) {
 std::string text_of(const TableOutput& table, const TerminalStyle& style) {
     std::vector<std::size_t> widths;
     for (std::size_t c = 0; c < table.header.size(); ++c) {
-        std::size_t width = shown_width(table.header[c].in(style.language));
-        for (const auto& row : table.rows) width = std::max(width, shown_width(row[c].in(style.language)));
+        std::size_t width = shown_width(words_of(table.header[c], style));
+        for (const auto& row : table.rows) width = std::max(width, shown_width(words_of(row[c], style)));
         widths.push_back(width);
     }
     const auto line = [&](const std::vector<BookText>& row) {
         std::string text = "  ";
         for (std::size_t c = 0; c < row.size(); ++c) {
-            const std::string& word = row[c].in(style.language);
+            const std::string word = words_of(row[c], style);
             const std::string padding(widths[c] - shown_width(word), ' ');
             text += is_numeric_column(table, c) ? padding + word : word + padding;
             text += "  ";
@@ -83,7 +89,7 @@ std::string text_of(const CheckOutput& check, const TerminalStyle& style) {
     const std::string mark =
         check.ok ? styled("✓", kCodeGreen, style.colour) : styled("✗", kCodeRed, style.colour);
     const std::string detail = check.detail.empty() ? "" : "  (" + check.detail + ")";
-    return mark + " " + check.claim.in(style.language) + detail + "\n";
+    return mark + " " + words_of(check.claim, style) + detail + "\n";
 }
 
 std::string text_of(const ListingOutput& output, const TerminalStyle& style) {
@@ -116,7 +122,7 @@ std::string without_fold(const std::string& line) {
 }  // namespace
 
 std::string terminal_prose(const std::string& markdown, bool colour) {
-    std::istringstream lines(markdown);
+    std::istringstream lines(with_plain_math(markdown));
     std::string result;
     for (std::string line; std::getline(lines, line);) {
         const std::string shown = without_fold(line);

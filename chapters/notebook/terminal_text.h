@@ -14,7 +14,7 @@ struct TerminalStyle {
     bool colour = false;  // headings, marks of checks and captions in ANSI colours
 };
 
-// Markdown as a terminal shows it: without tags of folded parts, headings in bold.
+// Markdown as a terminal shows it: without tags of folded parts, headings in bold, formulas as plain_math() has them.
 std::string terminal_prose(const std::string& markdown, bool colour);
 
 // One output as plain text that ends in a newline.
