@@ -82,10 +82,10 @@ Facts facts_of(const BenchErrorOptions& options, const std::vector<ErrorStudy>& 
     Facts facts = machine_facts(options.run);
     facts.push_back({"scene", options.scene});
     facts.push_back({"size", std::to_string(plan.size.width) + "x" + std::to_string(plan.size.height)});
-    facts.push_back({"seeds", std::to_string(plan.seeds) + " images of each setting"});
+    facts.push_back({"seeds", counted(plan.seeds, "image") + " of each setting"});
     facts.push_back(
         {"timed", "the AO pass and its blur; the rays of ray casting; the rays of a bake; median of " +
-                      std::to_string(plan.rounds) + " rounds in turns (" + std::to_string(plan.slow_rounds) +
+                      counted(plan.rounds, "round") + " in turns (" + std::to_string(plan.slow_rounds) +
                       " above " + decimal_text(kSlow_ms, 0) + " ms)"});
     for (const ErrorStudy& study : studies) {
         const std::string name = study.method->name;
@@ -134,7 +134,8 @@ std::vector<ErrorPoint> points_against_truth(std::span<const StudyPoint> of) {
 
 int bench_error(const BenchErrorOptions& options, std::ostream& out) {
     validate(options.run);
-    const SceneArgument argument = load_scene(options.scene, {.surfaces = false});
+    const SceneArgument argument =
+        load_scene(options.scene, {.surfaces = false, .crease_angle_rad = options.crease_angle_rad});
     if (triangle_count(argument.scene) == 0)
         throw InputError(options.scene + ": no error to measure (0 triangles); give a scene with some");
     const Camera camera = chosen_camera(argument, options.camera);

@@ -17,7 +17,8 @@ namespace crevice {
 struct BenchErrorOptions {
     std::string scene;
     CameraFlags camera;
-    std::optional<Size> size;  // none: the plan's
+    std::optional<double> crease_angle_rad;  // WantedOfScene::crease_angle_rad
+    std::optional<Size> size;                // none: the plan's
     bool quick = false;
     Run run;
     std::optional<std::filesystem::path> cache;  // of the references

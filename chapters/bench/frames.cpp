@@ -21,11 +21,14 @@ constexpr const char* kPasses[] = {"normal_depth", "ao", "blur", "lit"};
 constexpr double kStartPatience_s = 300;  // for one program run
 
 // To make a built-in scene, or to read a file and its textures.
-PassTime loading(const std::string& name) {
+PassTime loading(const FramesOptions& options, const std::string& name) {
     Stopwatch stopwatch;
     for (int i = 0; i < kBenchRuns; ++i) {
         SceneArgument scene;
-        stopwatch.time("load", [&] { scene = load_scene(name, {.surfaces = false}); });
+        stopwatch.time("load", [&] {
+            scene = load_scene(name, {.surfaces = false, .crease_angle_rad = options.crease_angle_rad},
+                               [](const std::string&) {});
+        });
     }
     return stopwatch.summaries().front();
 }
@@ -56,8 +59,9 @@ struct SceneFigures {
 };
 
 SceneFigures measured(const FramesOptions& options, const std::string& name) {
-    const SceneArgument scene = load_scene(name, {.surfaces = false});
-    const PassTime load = loading(name);
+    const SceneArgument scene =
+        load_scene(name, {.surfaces = false, .crease_angle_rad = options.crease_angle_rad});
+    const PassTime load = loading(options, name);
     FrameRequest request = bench_request(scene.scene, options.size, options.run);
     const Camera camera = chosen_camera(scene, options.camera);
     render_frame(scene.scene, camera, request);  // the first frame also makes the buffers

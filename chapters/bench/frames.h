@@ -17,6 +17,7 @@ namespace crevice {
 struct FramesOptions {
     std::vector<std::string> scenes;  // none: all built-in ones that have triangles
     CameraFlags camera;
+    std::optional<double> crease_angle_rad;  // WantedOfScene::crease_angle_rad
     Size size{1280, 720};
     Run run;
     std::optional<std::filesystem::path> out;  // the directory for tables, if any

@@ -41,7 +41,8 @@ int bench_left_out(const FramesOptions& options, std::ostream& out) {
                  {}};
     bool holds = true;
     for (const std::string& name : options.scenes.empty() ? scenes_with_triangles() : options.scenes) {
-        const SceneArgument argument = load_scene(name, {.surfaces = false});
+        const SceneArgument argument =
+            load_scene(name, {.surfaces = false, .crease_angle_rad = options.crease_angle_rad});
         const Camera camera = chosen_camera(argument, options.camera);
         const FrameRequest request = bench_request(argument.scene, options.size, options.run);
         const Frame frame = render_frame(argument.scene, camera, request);

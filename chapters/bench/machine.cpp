@@ -1,4 +1,5 @@
 #include "chapters/bench/machine.h"
+#include "chapters/terminal/number_text.h"
 
 #include <fstream>
 #include <sstream>
@@ -47,7 +48,7 @@ Machine machine_of(const Run& run) {
 
 Facts machine_facts(const Run& run) {
     const Machine machine = machine_of(run);
-    return {{"cpu", machine.cpu + ", " + std::to_string(machine.cores) + " threads"},
+    return {{"cpu", machine.cpu + ", " + counted(machine.cores, "thread")},
             {"compiler", machine.compiler},
             {"threads", std::to_string(thread_count(run))},
             {"lanes", std::to_string(machine.lanes)},

@@ -81,7 +81,8 @@ MethodShown shown(const Method& method, const SceneArgument& argument, const Met
 }
 
 SceneShown shown(const std::string& name, const BenchMethodsOptions& options) {
-    const SceneArgument argument = load_scene(name, {.surfaces = false, .run = options.run});
+    const SceneArgument argument = load_scene(
+        name, {.surfaces = false, .crease_angle_rad = options.crease_angle_rad, .run = options.run});
     const Scene& scene = argument.scene;
     if (triangle_count(scene) == 0)
         throw InputError(name + ": nothing to compare methods on (0 triangles); give a scene with some");

@@ -16,6 +16,7 @@ namespace crevice {
 struct BenchMethodsOptions {
     std::vector<std::string> scenes;  // empty: kSideBySideScenes
     Size size{640, 360};
+    std::optional<double> crease_angle_rad;  // WantedOfScene::crease_angle_rad
     Run run;
     std::optional<std::filesystem::path> cache;  // of the references
     std::optional<std::filesystem::path> out;    // the directory for bench_methods.html, CSV and JSON, if any

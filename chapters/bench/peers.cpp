@@ -153,8 +153,8 @@ int bench_peers(const PeersOptions& options, std::ostream& out) {
         if (triangles == 0) throw UsageError(name + ": no triangles to compare; choose another --scene");
         PeerDuel duel = peer_duel(subject, argument, options);
         if (&subject == &options.subjects.front()) report.facts.push_back({"peer", duel.renderer});
-        report.facts.push_back(
-            {name, std::to_string(triangles) + " triangles, last image " + duel.last_hash});
+        report.facts.push_back({name, counted(static_cast<long long>(triangles), "triangle") +
+                                          ", last image " + duel.last_hash});
         add_times(times, subject, duel);
         same = add_agreement(pictures, subject, duel, out) && same;
         const std::string note = busy_note(duel.ours.passes.back().summary(), thread_count(options.run));

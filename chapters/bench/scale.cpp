@@ -8,6 +8,7 @@
 #include "chapters/bench/scale_page.h"
 #include "chapters/bench/threads.h"
 #include "chapters/study/statistics.h"
+#include "chapters/terminal/number_text.h"
 #include "chapters/terminal/progress.h"
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/write_file.h"
@@ -157,7 +158,8 @@ int bench_scale(const ScaleOptions& options, std::ostream& out) {
         for (const PointFigures& figures : study.figures) {
             const std::string note = busy_note(figures.passes.back(), thread_count(run));
             if (!note.empty())
-                out << study.name << ", " << figures.triangles << " triangles: " << note << "\n";
+                out << study.name << ", " << counted(static_cast<long long>(figures.triangles), "triangle")
+                    << ": " << note << "\n";
         }
     }
     const bool fits = need.largest_picture_bytes < kMemoryLimit_bytes;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "chapters/terminal/number_text.h"
 #include "rasterizer/base/error.h"
 
 namespace crevice {
@@ -21,8 +22,11 @@ RayScene centred_ray_scene(const Scene& scene, const std::string& name, const Ru
     return rays;
 }
 
-void print_warning(const BakeOptions& options, const char* name, std::size_t count, const char* what) {
-    if (count > 0) std::cerr << options.scene << ": " << name << ": " << count << " " << what << "\n";
+void print_warning(const BakeOptions& options, const char* name, std::size_t count, const char* one,
+                   const char* many) {
+    if (count > 0)
+        std::cerr << options.scene << ": " << name << ": "
+                  << counted(static_cast<long long>(count), one, many) << "\n";
 }
 
 }  // namespace crevice

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <iosfwd>
+#include <optional>
 #include <string>
 
 #include "rasterizer/base/run.h"
@@ -12,8 +13,9 @@
 namespace crevice {
 
 struct BakeOptions {
-    std::string scene;           // SCENE of the command line
-    bool outside_files = false;  // WantedOfScene::outside_files
+    std::string scene;                       // SCENE of the command line
+    bool outside_files = false;              // WantedOfScene::outside_files
+    std::optional<double> crease_angle_rad;  // the same
     // The radius, too: both bakes are of whole meshes, so the command leaves it unbounded unless it is given.
     RayAoSettings rays;
     int texels = 512;  // of bake_lightmap: side of the map
@@ -28,8 +30,9 @@ struct BakeOptions {
 // the origin. `name` is for the InputError that a scene without triangles that block rays ends with.
 RayScene centred_ray_scene(const Scene& scene, const std::string& name, const Run& run);
 
-// One line on stderr of `count` things, "SCENE: NAME: COUNT WHAT"; nothing when there are none.
-void print_warning(const BakeOptions& options, const char* name, std::size_t count, const char* what);
+// One line on stderr of `count` things, "SCENE: NAME: COUNT WHAT", what is `one` of a single one; nothing when there are none.
+void print_warning(const BakeOptions& options, const char* name, std::size_t count, const char* one,
+                   const char* many);
 
 // Writes OUT/NAME_vertex_ao.obj: the scene as one mesh, accessibility as vertex colours, and prints what it
 // took. Throws UsageError, InputError, OutputError.

@@ -18,6 +18,7 @@ namespace {
 struct BakeWords {
     std::string scene, texels = "512", out = "out";
     RayWords rays{.rays = "256", .radius = {}};
+    std::optional<std::string> crease;
     RunWords run;
     bool vertex = false, lightmap = false, mesh_texcoords = false, outside_files = false;
 };
@@ -34,6 +35,7 @@ BakeOptions options_of(const BakeWords& words) {
     options.texels = static_cast<int>(parse_whole("--texels", words.texels, 16, 4096));
     options.mesh_texcoords = words.mesh_texcoords;
     options.outside_files = words.outside_files;
+    options.crease_angle_rad = crease_angle_of(words.crease);
     options.out = words.out;
     options.run = run_of(words.run);
     return options;
@@ -54,6 +56,7 @@ Command add_bake_command(CommandLine& program) {
     add_ray_flags(bake, words->rays, "inf");
     add_run_flags(bake, words->run);
     bake.flag("--outside-files", words->outside_files, kOutsideFilesMeaning);
+    add_crease_flag(bake, words->crease);
     bake.option("--out", words->out, "the directory for the files");
     return {bake, [words] {
                 const BakeOptions options = options_of(*words);

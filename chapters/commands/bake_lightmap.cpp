@@ -46,10 +46,13 @@ Bake bake(const Scene& scene, const BakeOptions& options) {
 void warn(const Bake& done, const BakeOptions& options) {
     print_warning(
         options, "not-finite", done.rays.not_finite,
+        "triangle has a corner that is no finite number or beyond 2^36 units and is left out; mend the file",
         "triangles have a corner that is no finite number or beyond 2^36 units and are left out; mend the "
         "file");
-    print_warning(options, "no-area", done.rays.degenerate, "triangles have no area and are left out");
+    print_warning(options, "no-area", done.rays.degenerate, "triangle has no area and is left out",
+                  "triangles have no area and are left out");
     print_warning(options, "offset-exceeds-radius/100", done.map.lifted_far,
+                  "texel's rays start more than radius / 100 above their surface; take a larger --radius",
                   "texels' rays start more than radius / 100 above their surface; take a larger --radius");
     if (!done.charts.note.empty()) std::cerr << options.scene << ": " << done.charts.note << "\n";
 }
@@ -59,7 +62,8 @@ void print(const Bake& done, std::ostream& out) {
     const double texels = double(done.charts.texels) * done.charts.texels;
     const auto share = [&](std::size_t count) { return percent_text(static_cast<double>(count) / texels); };
     const std::size_t centre = map.count(TexelKind::centre), touched = map.count(TexelKind::touched);
-    out << done.charts.rects.size() << " charts for " << done.rays.triangles.size() << " triangles, "
+    out << counted(static_cast<long long>(done.charts.rects.size()), "chart") << " for "
+        << counted(static_cast<long long>(done.rays.triangles.size()), "triangle") << ", "
         << decimal_text(done.charts.density, 3) << " texels a scene unit\n"
         << share(centre + touched) << " of the texels are used, " << share(touched)
         << " of them at edges; dilation fills another " << share(map.count(TexelKind::dilated)) << "\n"
@@ -79,6 +83,7 @@ void bake_lightmap(const BakeOptions& options, std::ostream& out) {
     const SceneArgument argument = load_scene(options.scene, {.surfaces = false,
                                                               .unused_texcoords = options.mesh_texcoords,
                                                               .outside_files = options.outside_files,
+                                                              .crease_angle_rad = options.crease_angle_rad,
                                                               .run = options.run});
     try_output_directory(options.out);
     const Bake done = bake(argument.scene, options);

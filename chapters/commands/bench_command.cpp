@@ -25,7 +25,7 @@ namespace {
 // As they were typed.
 struct BenchWords {
     std::vector<std::string> scenes;
-    std::optional<std::string> scene, preset, ao, size, pairs, out, figures, point;
+    std::optional<std::string> scene, preset, ao, size, pairs, out, figures, point, crease;
     std::string threads = "0";
     CameraFlags camera;
     bool quick = false, bless = false;
@@ -43,6 +43,7 @@ FramesOptions frames_options(const BenchWords& words) {
     FramesOptions options;
     options.scenes = words.scenes;
     options.camera = words.camera;
+    options.crease_angle_rad = crease_angle_of(words.crease);
     if (words.size) options.size = parse_size("--size", *words.size);
     options.run = run_of(words);
     options.out = directory_of(words);
@@ -102,6 +103,7 @@ int error_against_time(const BenchWords& words) {
     BenchErrorOptions options;
     options.scene = words.scenes.empty() ? "columns" : words.scenes.front();
     options.camera = words.camera;
+    options.crease_angle_rad = crease_angle_of(words.crease);
     if (words.size) options.size = parse_size("--size", *words.size);
     options.quick = words.quick;
     options.run = run_of(words);
@@ -113,6 +115,7 @@ int error_against_time(const BenchWords& words) {
 int methods(const BenchWords& words) {
     BenchMethodsOptions options;
     options.scenes = words.scenes;
+    options.crease_angle_rad = crease_angle_of(words.crease);
     if (words.size) options.size = parse_size("--size", *words.size);
     options.run = run_of(words);
     options.cache = default_cache();
@@ -133,14 +136,15 @@ struct Benchmark {
 };
 
 constexpr Benchmark kBenchmarks[] = {
-    {"", "", "SCENE --size --threads CAMERA", frames},
+    {"", "", "SCENE --size --threads --crease CAMERA", frames},
     {"--error", "error against run time: settings, ray casting, vertex bakes",
-     "SCENE --size --threads --quick CAMERA", error_against_time},
+     "SCENE --size --threads --quick --crease CAMERA", error_against_time},
     {"--methods", "every method on scenes: raw, denoised, signed error to truth and time, as a page",
-     "SCENE --size --threads", methods},
+     "SCENE --size --threads --crease", methods},
     {"--peers", "our passes against the same on Mesa's llvmpipe, our rays against Embree's, in turns",
      "--scene --preset --ao --size --threads --pairs CAMERA", peers},
-    {"--left-out", "what leaving out saves, kind by kind", "SCENE --size --threads CAMERA", left_out},
+    {"--left-out", "what leaving out saves, kind by kind", "SCENE --size --threads --crease CAMERA",
+     left_out},
     {"--scale", "time and memory over pixels, triangles, samples and threads", "--threads --quick", scale},
     {"--instructions", "instructions per pass against the stored figures", "--bless --figures", instructions},
     // One measurement of --scale, which starts this program for each of them.
@@ -210,12 +214,14 @@ Command add_bench_command(CommandLine& program) {
     bench.option("--pairs", words->pairs,
                  "with --peers: in how many rounds all take turns, 15..999; default: 21");
     add_camera_flags(bench, words->camera);
+    add_crease_flag(bench, words->crease);
     bench.option("--threads", words->threads, "0: all; 1: a plain loop");
     bench.flag("--quick", words->quick, "with --scale or --error: less of it, in under a minute");
     bench.flag("--bless", words->bless, "with --instructions: store the figures instead of comparing");
     bench.option("--figures", words->figures,
                  "with --instructions: where they are stored; default: tests/golden/instructions.json");
-    bench.option("--out", words->out, "the directory for tables (CSV, JSON) and pages");
+    bench.option("--out", words->out,
+                 "the directory for tables (CSV, and JSON as schemas/bench.schema.json has it) and pages");
     bench.option("--point", words->point, "");
     return {bench, [bench, words] { return run(bench.given(), *words); }};
 }

@@ -87,7 +87,9 @@ void render_film(const RenderOptions& options, const FilmOptions& film, std::ost
         history = std::move(frame.history);
         progress.advance();
     }
-    out << pictures.front().string() << " ... " << pictures.back().filename().string() << "\n";
+    out << pictures.front().string();
+    if (pictures.size() > 1) out << " ... " << pictures.back().filename().string();
+    out << "\n";
     const std::optional<std::string> bytes = webp.bytes();
     if (!bytes) {
         out << "no animated WebP: this program was built without libwebp\n";

@@ -19,6 +19,7 @@ void add_frame_flags(CommandLine& command, FrameWords& words) {
                    "size of the AO map: .5 or 1 times the picture; default: the method's");
     command.option("--time", words.time, "seconds that the scene's lights have been turning");
     command.flag("--outside-files", words.outside_files, kOutsideFilesMeaning);
+    add_crease_flag(command, words.crease);
     add_run_flags(command, words.run);
 }
 
@@ -39,6 +40,7 @@ RenderOptions frame_options(const std::string& command, const FrameWords& words)
     options.params.insert(options.params.end(), words.params.begin(), words.params.end());
     options.time_s = parse_number("--time", words.time);
     options.outside_files = words.outside_files;
+    options.crease_angle_rad = crease_angle_of(words.crease);
     FrameRequest& request = options.request;
     request.run = run_of(words.run);
     request.size = parse_size("--size", words.size);

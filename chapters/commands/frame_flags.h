@@ -18,6 +18,7 @@ struct FrameWords {
     CameraFlags camera;
     RunWords run;
     bool outside_files = false;
+    std::optional<std::string> crease;
 };
 
 // All but SCENE, whose place among the words each command knows.

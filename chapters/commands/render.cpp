@@ -145,8 +145,10 @@ PreparedRender prepared_render(const RenderOptions& options) {
     const FrameSettings asked = settings_of(*request.method, options.params);
     // Loads or makes no texture when nothing shows one.
     const bool surfaces = request.wanted.contains("lit") || asked.buffers.mapped_normals;
-    SceneArgument argument = load_scene(
-        options.scene, {.surfaces = surfaces, .outside_files = options.outside_files, .run = request.run});
+    SceneArgument argument = load_scene(options.scene, {.surfaces = surfaces,
+                                                        .outside_files = options.outside_files,
+                                                        .crease_angle_rad = options.crease_angle_rad,
+                                                        .run = request.run});
     named_as({{"time", "--time"}},
              [&] { argument.scene.lights = lights_at(argument.scene, options.time_s); });
     const Camera camera = chosen_camera(argument, options.camera);
@@ -157,12 +159,14 @@ PreparedRender prepared_render(const RenderOptions& options) {
 
 void write_frame(const RenderOptions& options, const PreparedRender& prepared,
                  const std::filesystem::path& out, const Frame& frame,
-                 const std::vector<std::string>& unchanged) {
+                 const std::vector<std::string>& unchanged, std::ostream* told) {
     std::ostream quiet(nullptr);
+    std::ostream& lines = told != nullptr ? *told : quiet;
     try_output_directory(out);
-    Json buffers = described_buffers(frame, options, prepared.request, out, quiet);
+    Json buffers = described_buffers(frame, options, prepared.request, out, lines);
     write_file_atomically(out / "passes.json", json_text(report_json(options, prepared, frame, unchanged, {},
                                                                      std::move(buffers))));
+    lines << (out / "passes.json").string() << "\n";
 }
 
 void render(const RenderOptions& options) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
+#include <optional>
 #include <string>
 
 #include "chapters/frame/buffer_writer.h"
@@ -12,7 +14,8 @@ namespace crevice {
 
 struct RenderOptions {
     std::string scene;
-    bool outside_files = false;  // WantedOfScene::outside_files
+    bool outside_files = false;              // WantedOfScene::outside_files
+    std::optional<double> crease_angle_rad;  // the same
     CameraFlags camera;
     std::vector<std::string> params;  // "name=value"
     FrameRequest request;             // its settings follow from params and the scene
@@ -31,11 +34,12 @@ struct PreparedRender {
 };
 PreparedRender prepared_render(const RenderOptions& options);
 
-// Writes a frame's wanted buffers and its passes.json into a directory, as render() does, and prints nothing. `unchanged`
+// Writes a frame's wanted buffers and its passes.json into a directory, as render() does, and tells of the files where
+// there is somebody to be told. `unchanged`
 // as in WorkedFrame.
 void write_frame(const RenderOptions& options, const PreparedRender& prepared,
                  const std::filesystem::path& out, const Frame& frame,
-                 const std::vector<std::string>& unchanged = {});
+                 const std::vector<std::string>& unchanged = {}, std::ostream* told = nullptr);
 
 // Writes OUT/NAME.npy and OUT/NAME.png for each wanted buffer, or OUT/frame.exr, and OUT/passes.json, and prints one
 // line for each. Throws InputError, UsageError (for a history, which takes frames before this one, too), OutputError;

@@ -8,6 +8,7 @@
 
 #include "chapters/notebook/book_index.h"
 #include "chapters/notebook/chapter_page.h"
+#include "chapters/terminal/number_text.h"
 #include "rasterizer/base/no_such.h"
 #include "rasterizer/base/write_file.h"
 
@@ -100,7 +101,7 @@ int run_chapter(const Chapter& chapter, NotebookOptions options, std::span<const
         }
         if (!left && options.cell.empty())
             std::cout << chapter.name() << ": " << book.checks() - book.failed_checks() << " of "
-                      << book.checks() << " checks hold\n";
+                      << counted(book.checks(), "check") << (book.checks() == 1 ? " holds\n" : " hold\n");
         // What a chapter claims, it claims of its own scenes and parameters; that it runs, of all.
         const bool changed = !options.words.empty() || !options.scene.empty();
         return changed && (ended || left) ? 0 : book.failed_checks();

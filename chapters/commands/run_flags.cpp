@@ -30,6 +30,12 @@ Run with_lanes(Run run, int lanes, bool isa_was_named) {
 
 }  // namespace
 
+void add_crease_flag(CommandLine& command, std::optional<std::string>& word) {
+    command.option("--crease", word,
+                   "of an OBJ without normals: edges between faces that turn by more degrees than this stay "
+                   "sharp, 0..180; 0: every face flat; default: 180, smooth within its smoothing groups");
+}
+
 void add_run_flags(CommandLine& command, RunWords& words) {
     command.option("--threads", words.threads, "0: all; 1: a plain loop");
     command.option("--lanes", words.lanes, "pixels at a time: 1, or as many as --isa has; default: those");

@@ -1,6 +1,7 @@
 // Flags that several commands share.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "chapters/frame/scene_argument.h"
@@ -14,6 +15,9 @@ inline constexpr const char* kSceneMeaning = "a built-in scene (crevice scenes) 
 
 inline constexpr const char* kOutsideFilesMeaning =
     "also read materials and textures of the OBJ that lie outside its directory";
+
+// `--crease DEG`: which edges of an OBJ stay sharp where it has no normals.
+void add_crease_flag(CommandLine& command, std::optional<std::string>& word);
 
 // How to run, as it was typed.
 struct RunWords {

@@ -24,15 +24,16 @@ std::string stepped_normal_depth(const Scene& scene, const FrameRequest& request
     const NormalDepthSettings& settings = request.settings.buffers;
     CREVICE_STOP_IN_DEBUGGER();
     PixelFragments told = pixel_fragments(scene, camera, worked.geometry, settings, x, y, request.run);
-    return "depth code " + std::to_string(told.code) + ", of " + std::to_string(told.fragments.size()) +
-           " triangles";
+    return "depth code " + std::to_string(told.code) + ", of " +
+           counted(static_cast<long long>(told.fragments.size()), "triangle");
 }
 
 std::string stepped_ao(const Scene& scene, const FrameRequest& request, const WorkedFrame& worked, int x,
                        int y) {
     CREVICE_STOP_IN_DEBUGGER();
     AoProbe told = probe_ao(scene, request, worked, x, y);
-    return exact_text(told.value) + ", of " + std::to_string(told.explanation.samples.size()) + " samples";
+    return exact_text(told.value) + ", of " +
+           counted(static_cast<long long>(told.explanation.samples.size()), "sample");
 }
 
 std::string stepped_blur(const Scene& scene, const FrameRequest& request, const WorkedFrame& worked, int x,
@@ -40,7 +41,8 @@ std::string stepped_blur(const Scene& scene, const FrameRequest& request, const 
     const AoProbe ao = probe_ao(scene, request, worked, x, y);
     CREVICE_STOP_IN_DEBUGGER();
     BlurProbe told = probe_blur(request, worked, ao);
-    return exact_text(told.value) + ", of " + std::to_string(told.passes.size()) + " passes";
+    return exact_text(told.value) + ", of " +
+           counted(static_cast<long long>(told.passes.size()), "pass", "passes");
 }
 
 std::string stepped_lit(const Scene& scene, const FrameRequest& request, const WorkedFrame& worked, int x,
@@ -48,7 +50,7 @@ std::string stepped_lit(const Scene& scene, const FrameRequest& request, const W
     CREVICE_STOP_IN_DEBUGGER();
     LitExplanation told = explain_lit(scene, request, worked, x, y);
     return exact_text(told.colour.x) + " " + exact_text(told.colour.y) + " " + exact_text(told.colour.z) +
-           ", of " + std::to_string(told.terms.size()) + " terms";
+           ", of " + counted(static_cast<long long>(told.terms.size()), "term");
 }
 
 struct SteppedPass {

@@ -11,6 +11,7 @@
 #include "chapters/frame/frame_settings.h"
 #include "chapters/study/tutorial_units.h"
 #include "chapters/terminal/json_text.h"
+#include "chapters/terminal/number_text.h"
 #include "chapters/terminal/output_directory.h"
 #include "chapters/terminal/program_version.h"
 #include "rasterizer/base/error.h"
@@ -66,10 +67,14 @@ std::vector<std::string> warnings_of(const References& references, float radius)
                            shortest_text(radius) + "); bring the camera nearer or take a larger --radius");
     }
     if (references.dropped_triangles > 0) {
-        warnings.push_back("not-finite: " + std::to_string(references.dropped_triangles) +
-                           " triangles have a corner that is no finite number, or are too far from all "
-                           "others for rays, and are left out; "
-                           "mend the file");
+        warnings.push_back(
+            "not-finite: " +
+            counted(static_cast<long long>(references.dropped_triangles),
+                    "triangle has a corner that is no finite number, or is too far from all "
+                    "others for rays, and is left out; ",
+                    "triangles have a corner that is no finite number, or are too far from all "
+                    "others for rays, and are left out; ") +
+            "mend the file");
     }
     return warnings;
 }
@@ -136,8 +141,10 @@ void write_truth(const TruthOptions& options) {
     request.settings = settings_of(*request.method, options.params).method;
     request.rays.radius = options.radius.value_or(1);
     validate(request.rays);
-    const SceneArgument argument = load_scene(
-        options.scene, {.surfaces = false, .outside_files = options.outside_files, .run = request.run});
+    const SceneArgument argument = load_scene(options.scene, {.surfaces = false,
+                                                              .outside_files = options.outside_files,
+                                                              .crease_angle_rad = options.crease_angle_rad,
+                                                              .run = request.run});
     if (triangle_count(argument.scene) == 0)
         std::cerr << options.scene << ": 0 triangles; everything is open\n";
     const Camera camera = chosen_camera(argument, options.camera);

@@ -13,7 +13,8 @@ namespace crevice {
 
 struct TruthOptions {
     std::string scene;
-    bool outside_files = false;  // WantedOfScene::outside_files
+    bool outside_files = false;              // WantedOfScene::outside_files
+    std::optional<double> crease_angle_rad;  // the same
     CameraFlags camera;
     std::vector<std::string> params;  // "name=value", of the method
     std::optional<float> radius;      // scene units; none: the method's

@@ -20,6 +20,7 @@ struct TruthWords {
     std::optional<std::string> error, cache;
     RayWords rays{.rays = "1024", .radius = {}};
     CameraFlags camera;
+    std::optional<std::string> crease;
     RunWords run;
     bool no_cache = false, outside_files = false;
 };
@@ -30,6 +31,7 @@ TruthOptions options_of(const TruthWords& words) {
     options.camera = words.camera;
     options.params = words.params;
     options.outside_files = words.outside_files;
+    options.crease_angle_rad = crease_angle_of(words.crease);
     options.out = words.out;
     ReferenceRequest& request = options.request;
     request.run = run_of(words.run);
@@ -76,6 +78,7 @@ Command add_truth_command(CommandLine& program) {
     truth.flag("--no-cache", words->no_cache, "make everything anew and keep nothing");
     add_run_flags(truth, words->run);
     truth.flag("--outside-files", words->outside_files, kOutsideFilesMeaning);
+    add_crease_flag(truth, words->crease);
     truth.option("--out", words->out, "the directory for the files");
     return {truth, [words] {
                 write_truth(options_of(*words));

@@ -16,7 +16,7 @@ namespace {
 struct TuneWords {
     std::vector<std::string> scenes;
     std::string method, against = "hard", size = "1280x720", seeds = "6";
-    std::optional<std::string> ms, error, out;
+    std::optional<std::string> ms, error, out, crease;
     RunWords run;
 };
 
@@ -57,6 +57,7 @@ TuneOptions options_of(const TuneWords& words) {
     views.truth = parse_choice<TuneTruth>("--against", words.against,
                                           {{"soft", TuneTruth::soft}, {"hard", TuneTruth::hard}});
     views.cache = default_cache();
+    views.crease_angle_rad = crease_angle_of(words.crease);
     views.run = run_of(words.run);
     return options;
 }
@@ -78,8 +79,9 @@ Command add_tune_command(CommandLine& program) {
     tune.option("--size", words->size, "size of the picture in pixels, WxH");
     tune.option("--seeds", words->seeds,
                 "images of each setting and view, 1..64; below 5 no gain is told from noise");
+    add_crease_flag(tune, words->crease);
     add_run_flags(tune, words->run);
-    tune.option("--out", words->out, "the directory for tune.json and tune.csv");
+    tune.option("--out", words->out, "the directory for tune.json (schemas/tune.schema.json) and tune.csv");
     return {tune, [words] { return crevice::tune(options_of(*words), std::cout); }};
 }
 

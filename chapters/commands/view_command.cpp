@@ -26,8 +26,13 @@ int view_scene(const ViewWords& words) {
     if (options.outside_files)
         throw UsageError("--outside-files: a window reads none; leave it away, or copy them beside the OBJ");
     ViewOptions view_options;
-    view_options.words = {options.scene,  request.method->name, words.size,
-                          options.camera, options.params,       {}};
+    view_options.words = {.scene = options.scene,
+                          .ao = request.method->name,
+                          .size = words.size,
+                          .camera = options.camera,
+                          .crease = words.crease,
+                          .params = options.params,
+                          .only = {}};
     view_options.shown = {words.buffer};
     if (words.beside) view_options.shown.push_back(*words.beside);
     const std::vector<std::string> known = buffers_to_show(request.method->name);

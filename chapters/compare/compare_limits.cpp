@@ -98,16 +98,17 @@ std::vector<std::string> exceeded_limits(const CompareLimits& limits, const Imag
             lines.push_back(std::string(name) + " " + significant_text(value, 6) + ", limit " +
                             significant_text(limit, 6));
     };
-    if (error.failed()) lines.push_back(std::to_string(error.nan_or_inf) + " pixels are NaN or infinite");
+    if (error.failed())
+        lines.push_back(counted(error.nan_or_inf, "pixel is", "pixels are") + " NaN or infinite");
     if (limits.max_abs) check(error.max_abs <= *limits.max_abs, "max", error.max_abs, *limits.max_abs);
     if (limits.rmse) check(error.rmse <= *limits.rmse, "RMSE", error.rmse, *limits.rmse);
     if (limits.flip) check(flip <= *limits.flip, "FLIP", flip, *limits.flip);
     if (limits.ssim) check(error.ssim >= *limits.ssim, "SSIM", error.ssim, *limits.ssim);
     if (limits.max_pixels && error.differing_pixels > *limits.max_pixels)
-        lines.push_back(std::to_string(error.differing_pixels) + " pixels differ, limit " +
+        lines.push_back(counted(error.differing_pixels, "pixel differs", "pixels differ") + ", limit " +
                         std::to_string(*limits.max_pixels));
     if (!limits.any() && error.differing_pixels > 0)
-        lines.push_back(std::to_string(error.differing_pixels) + " pixels differ, limit 0");
+        lines.push_back(counted(error.differing_pixels, "pixel differs", "pixels differ") + ", limit 0");
     return lines;
 }
 

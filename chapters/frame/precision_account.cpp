@@ -160,8 +160,13 @@ std::size_t through_the_eye_plane(const ScreenGeometry& geometry) {
     return count;
 }
 
-std::string warning_of(std::size_t count, const std::string& what, const std::string& cure) {
-    return count == 0 ? "" : std::to_string(count) + " " + what + ": " + cure;
+// What is wrong with one, and with several.
+struct WhatIsWrong {
+    std::string one, many;
+};
+
+std::string warning_of(std::size_t count, const WhatIsWrong& what, const std::string& cure) {
+    return count == 0 ? "" : counted(static_cast<long long>(count), what.one, what.many) + ": " + cure;
 }
 
 }  // namespace
@@ -175,27 +180,35 @@ std::vector<PrecisionLoss> precision_account(const Scene& scene, const Camera& c
     const std::string finer_depth = settings.reversed_z || camera.projection == Projection::orthographic
                                         ? "give a larger --near or a smaller --far"
                                         : "give a larger --near or --param depth_format=d32f_reversed";
-    const auto add = [&](const char* name, std::size_t count, const std::string& what,
+    const auto add = [&](const char* name, std::size_t count, const WhatIsWrong& what,
                          const std::string& cure) {
         account.push_back({name, count, warning_of(count, what, cure)});
     };
     add("pixels_lost_to_clear_depth", lost_to_clear_code(scene, geometry, gbuffer, camera.reversed_z, run),
-        "pixels of surfaces became sky, their depth is that of the cleared buffer", finer_depth);
+        {"pixel of a surface became sky, its depth is that of the cleared buffer",
+         "pixels of surfaces became sky, their depth is that of the cleared buffer"},
+        finer_depth);
     const Tolerance tolerance = method.computes_ao() ? tolerance_of(method, settings.method) : Tolerance{};
+    const std::string behind =
+        " a surface that lies behind another one, the depth buffer's steps are larger than the distance "
+        "between "
+        "them";
     add("pixels_in_wrong_order",
         pixels_in_wrong_order(scene, camera, gbuffer, tolerance.length, settings, run),
-        "pixels show a surface that lies behind another one, the depth buffer's steps are larger than the "
-        "distance between them",
-        finer_depth);
+        {"pixel shows" + behind, "pixels show" + behind}, finer_depth);
     const std::size_t unseen = shows_something(gbuffer) ? 0 : geometry.submitted_triangles;
-    add("triangles_of_an_empty_picture", unseen, "triangles, and none is seen",
+    add("triangles_of_an_empty_picture", unseen,
+        {"triangle, and it is not seen", "triangles, and none is seen"},
         "give another --eye and --target, or --near and --far");
     add("vertices_not_finite", vertices_not_finite(geometry),
-        "vertices are no finite numbers on their way to the screen, and their triangles are left out",
+        {"vertex is no finite number on its way to the screen, and its triangles are left out",
+         "vertices are no finite numbers on their way to the screen, and their triangles are left out"},
         "mend the file, or bring scene and camera to a smaller scale");
     account.push_back({"triangles_through_eye_plane", through_the_eye_plane(geometry), ""});
     add("triangles_out_of_reach_of_rays", rays == nullptr ? 0 : rays->not_finite,
-        "triangles lie further than rays reach, 2^36 units, and block none", "scale the scene");
+        {"triangle lies further than rays reach, 2^36 units, and blocks none",
+         "triangles lie further than rays reach, 2^36 units, and block none"},
+        "scale the scene");
     if (!method.computes_ao() || inputs.view_depth.empty()) return account;
 
     const double radius = value_of(method, settings.method, "radius").value_or(1);
@@ -208,18 +221,21 @@ std::vector<PrecisionLoss> precision_account(const Scene& scene, const Camera& c
                        "and occlusion may be lost: scale the scene"});
     if (!(tolerance.length > 0)) return account;
     const bool reads_depth_buffer = inputs.fetch.depth == DepthSource::ndc_depth;
+    const std::string steps = " steps of the depth buffer larger than half of " + in_brackets(tolerance);
     add("texels_of_coarse_depth",
         reads_depth_buffer ? texels_beyond(inputs, depth_of_step(camera, gbuffer.depth.format,
                                                                  kFinerSteps * tolerance.length))
                            : 0,
-        "AO texels see steps of the depth buffer larger than half of " + in_brackets(tolerance), finer_depth);
+        {"AO texel sees" + steps, "AO texels see" + steps}, finer_depth);
     add("texels_of_coarse_positions",
         texels_beyond(inputs, tolerance.length / static_cast<double>(kViewDepthRounding)),
-        "AO texels see rounding larger than " + in_brackets(tolerance),
+        {"AO texel sees rounding larger than " + in_brackets(tolerance),
+         "AO texels see rounding larger than " + in_brackets(tolerance)},
         "bring the camera nearer, or give a larger " + tolerance.larger);
+    const std::string coarse = " coordinates whose steps are larger than " + in_brackets(tolerance) +
+                               ", or than 1/" + significant_text(1 / kHarmlessStep, 3);
     add("vertices_far_from_origin", vertices_far_from_origin(scene, tolerance.length),
-        "vertices have coordinates whose steps are larger than " + in_brackets(tolerance) + ", or than 1/" +
-            significant_text(1 / kHarmlessStep, 3) + " of their triangles",
+        {"vertex has" + coarse + " of its triangles", "vertices have" + coarse + " of their triangles"},
         "move the scene nearer to its origin before it is written");
     return account;
 }

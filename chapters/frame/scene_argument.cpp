@@ -66,6 +66,15 @@ void require_fit(const Scene& scene, const std::string& name, const Method& meth
 
 }  // namespace
 
+std::optional<double> crease_angle_of(const std::optional<std::string>& word) {
+    if (!word) return std::nullopt;
+    const double degrees = parse_number("--crease", *word);
+    // All the way round, whatever radians() rounds that to.
+    if (degrees == 180) return kSmoothEverywhere_rad;
+    if (degrees >= 0 && degrees < 180) return radians(degrees);
+    throw UsageError("--crease: out of range (" + *word + "); give degrees from 0 to 180");
+}
+
 void warn_on_stderr(const std::string& line) { std::cerr << line << "\n"; }
 
 SceneArgument load_scene(const std::string& name_or_path, const WantedOfScene& wanted,
@@ -89,10 +98,15 @@ SceneArgument load_scene(const std::string& name_or_path, const WantedOfScene& w
     options.want_textures = wanted.surfaces;
     options.want_unused_texcoords = wanted.unused_texcoords;
     options.outside_files = wanted.outside_files;
+    if (wanted.crease_angle_rad) options.crease_angle_rad = *wanted.crease_angle_rad;
     LoadedObj loaded = load_obj(name_or_path, options, wanted.run);
     const Bounds bounds = world_bounds(loaded.scene);
     require_within_reach(name_or_path, bounds);
     for (const std::string& warning : loaded.report.warnings) warn(warning);
+    // At 0 what had no normals has got those of its faces, which are not called generated.
+    if (wanted.crease_angle_rad.value_or(0) > 0 && loaded.report.generated_normals == 0)
+        warn(name_or_path +
+             ": --crease changes nothing (every corner has its normal from the file); leave it away");
     if (const auto warning = warning_of_smallness(name_or_path, bounds)) warn(*warning);
     add_clusters(loaded.scene, wanted.run);
     return {std::move(loaded.scene), true, std::move(loaded.steps)};

@@ -23,14 +23,19 @@ struct WantedOfScene {
     bool surfaces = true;
     bool unused_texcoords = false;  // of an OBJ: texture coordinates that no texture asks for
     bool outside_files = false;     // of an OBJ: materials and textures outside its directory
-    Run run = {};                   // with which a built-in scene is made, and an OBJ is read
+    // Of an OBJ: ObjOptions::crease_angle_rad; none: as that says.
+    std::optional<double> crease_angle_rad = {};
+    Run run = {};  // with which a built-in scene is made, and an OBJ is read
 };
+
+// WantedOfScene::crease_angle_rad of the word of --crease, degrees in [0, 180]. Throws UsageError.
+std::optional<double> crease_angle_of(const std::optional<std::string>& word);
 
 // Takes what is to be said while a scene is loaded, a line at a time, without its end.
 using WarningSink = std::function<void(const std::string& line)>;
 void warn_on_stderr(const std::string& line);
 
-// `warn` takes the warnings of the OBJ loader. Throws UsageError for a word that names nothing, InputError for a file that
+// `warn` takes the warnings of the OBJ loader, and that a crease angle has nothing to decide. Throws UsageError for a word that names nothing, InputError for a file that
 // cannot be read and for coordinates beyond 1e29, which no camera can frame. A scene too small for floats is a warning.
 SceneArgument load_scene(const std::string& name_or_path, const WantedOfScene& wanted = {},
                          const WarningSink& warn = warn_on_stderr);

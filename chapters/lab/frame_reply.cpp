@@ -59,6 +59,7 @@ LabWords lab_words(const nlohmann::json& request) {
     for (const auto& [name, flag] : flags) {
         if (camera.contains(name)) words.camera.*flag = camera.at(name).get<std::string>();
     }
+    if (request.contains("crease")) words.crease = request.at("crease").get<std::string>();
     return words;
 }
 
@@ -68,10 +69,12 @@ bool wants_surfaces(const LabWords& words) {
     return words.only.contains("lit") || asked.buffers.mapped_normals;
 }
 
-LoadedScene loaded_scene(const std::string& name, bool surfaces, const Run& run) {
-    LoadedScene loaded{name, surfaces, {}, {}};
+LoadedScene loaded_scene(const LabWords& words, bool surfaces, const Run& run) {
+    const std::string& name = words.scene;
+    LoadedScene loaded{name, words.crease, surfaces, {}, {}};
     const auto warn = [&](const std::string& line) { loaded.warnings.push_back(line); };
-    loaded.argument = load_scene(name, {.surfaces = surfaces, .run = run}, warn);
+    loaded.argument = load_scene(
+        name, {.surfaces = surfaces, .crease_angle_rad = crease_angle_of(words.crease), .run = run}, warn);
     for (const std::string& line : scene_warnings(loaded.argument, name)) warn(line);
     return loaded;
 }

@@ -1,6 +1,7 @@
 // A frame of the lab: from the words of a request to buffers, and to what is told of them.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,8 @@ namespace crevice {
 struct LabWords {
     std::string scene, ao, size;
     CameraFlags camera;
-    std::vector<std::string> params;  // "name=value"
+    std::optional<std::string> crease;  // --crease
+    std::vector<std::string> params;    // "name=value"
     WantedBuffers only;
     bool hashes = false;  // of the buffers: reading every byte takes a third of the time of a small frame
 };
@@ -24,6 +26,7 @@ LabWords lab_words(const nlohmann::json& request);
 // Read or made once for all its frames.
 struct LoadedScene {
     std::string name;
+    std::optional<std::string> crease;
     bool surfaces = false;  // WantedOfScene::surfaces
     SceneArgument argument;
     std::vector<std::string> warnings;  // the lines that the program prints
@@ -41,8 +44,8 @@ struct DrawnFrame {
 
 // What a frame of these words needs of its scene. Throws UsageError.
 bool wants_surfaces(const LabWords& words);
-// Throws InputError.
-LoadedScene loaded_scene(const std::string& name, bool surfaces, const Run& run);
+// Throws UsageError and InputError.
+LoadedScene loaded_scene(const LabWords& words, bool surfaces, const Run& run);
 // Throws UsageError, as `crevice render` does. `before` is a frame of the same scene; it is used up, unless a word was wrong.
 DrawnFrame drawn_frame(const LoadedScene& scene, const LabWords& words, const Run& run, WorkedFrame& before);
 

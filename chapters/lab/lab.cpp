@@ -49,7 +49,7 @@ Json Lab::answer(const nlohmann::json& request) {
 
 Json Lab::frame(const LabWords& words) {
     const DrawnFrame& drawn = session_.draw(words);
-    return frame_reply(session_.scene(words.scene, false), drawn);
+    return frame_reply(session_.scene(words, false), drawn);
 }
 
 Json Lab::truth() {

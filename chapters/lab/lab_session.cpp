@@ -17,10 +17,11 @@ constexpr std::size_t kPointsAtOnce = 1 << 15;
 
 }  // namespace
 
-const LoadedScene& LabSession::scene(const std::string& name, bool surfaces) {
-    if (!scene_ || scene_->name != name || (surfaces && !scene_->surfaces)) {
+const LoadedScene& LabSession::scene(const LabWords& words, bool surfaces) {
+    if (!scene_ || scene_->name != words.scene || scene_->crease != words.crease ||
+        (surfaces && !scene_->surfaces)) {
         before_ = {};
-        scene_ = loaded_scene(name, surfaces, run_);
+        scene_ = loaded_scene(words, surfaces, run_);
     }
     return *scene_;
 }
@@ -30,7 +31,7 @@ const DrawnFrame& LabSession::draw(const LabWords& words) {
     drawn_.reset();
     has_all_ = false;
     truth_.reset();
-    const LoadedScene& of = scene(words.scene, wants_surfaces(words));
+    const LoadedScene& of = scene(words, wants_surfaces(words));
     drawn_ = drawn_frame(of, words, run_, before_);
     return *drawn_;
 }
@@ -40,7 +41,7 @@ const WorkedFrame& LabSession::worked() {
     if (!has_all_) {
         before_ = std::exchange(drawn_->worked, {});
         drawn_->request.wanted = all_buffers();
-        const Scene& of = scene(drawn_->words.scene, true).argument.scene;
+        const Scene& of = scene(drawn_->words, true).argument.scene;
         drawn_->worked = worked_frame(of, drawn_->camera, drawn_->request, {}, std::exchange(before_, {}));
         has_all_ = true;
     }

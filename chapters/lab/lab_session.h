@@ -26,7 +26,7 @@ class LabSession {
     explicit LabSession(const Run& run = {}) : run_(run) {}
 
     // Reads or makes the scene where it is not at hand. Throw UsageError and InputError, as `crevice render` does.
-    const LoadedScene& scene(const std::string& name, bool surfaces);
+    const LoadedScene& scene(const LabWords& words, bool surfaces);
     const DrawnFrame& draw(const LabWords& words);
 
     // Of the frame that was drawn last; `probe` and `cast_truth` throw UsageError where there is none.

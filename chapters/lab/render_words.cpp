@@ -16,6 +16,7 @@ std::string render_command(const LabWords& words) {
     for (const auto& [flag, word] : flags) {
         if (word) command += " " + shell_word(flag + *word);
     }
+    if (words.crease) command += " --crease " + shell_word(*words.crease);
     for (const std::string& assignment : words.params) command += " --param " + shell_word(assignment);
     return command;
 }

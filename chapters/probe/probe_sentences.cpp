@@ -43,13 +43,15 @@ std::string answer(const PixelProbe& probe) {
     const std::vector<ExplainedSample>& samples = ao.explanation.samples;
     const auto occluding = std::count_if(samples.begin(), samples.end(),
                                          [](const ExplainedSample& s) { return s.contribution > 0; });
-    const std::string all = std::to_string(samples.size());
-    if (occluding == 0) return value + "none of " + all + " samples occludes" + afterwards(probe);
+    if (occluding == 0)
+        return value + "none of " + counted(static_cast<long long>(samples.size()), "sample") + " occludes" +
+               afterwards(probe);
     const auto darkest = std::max_element(
         samples.begin(), samples.end(),
         [](const ExplainedSample& a, const ExplainedSample& b) { return a.contribution < b.contribution; });
-    return value + std::to_string(occluding) + " of " + all +
-           (occluding == 1 ? " samples occludes" : " samples occlude") + "; the darkest is sample " +
+    return value + std::to_string(occluding) + " of " +
+           counted(static_cast<long long>(samples.size()), "sample") +
+           (occluding == 1 ? " occludes" : " occlude") + "; the darkest is sample " +
            std::to_string(darkest - samples.begin()) + whereabouts(*darkest) + afterwards(probe);
 }
 

@@ -6,6 +6,7 @@
 
 #include "chapters/sweep/sweep_directory.h"
 #include "chapters/sweep/sweep_words.h"
+#include "chapters/terminal/number_text.h"
 #include "rasterizer/base/error.h"
 #include "rasterizer/base/file_bytes.h"
 #include "rasterizer/base/float_text.h"
@@ -38,8 +39,8 @@ std::string words_of(const FinishedJob& job) {
 }
 
 std::string words_of(const SweepMachine& machine) {
-    return machine.cpu + ", " + std::to_string(machine.cores) + " threads, " + machine.isa + ", " +
-           std::to_string(machine.lanes) + " lanes, " + machine.compiler;
+    return machine.cpu + ", " + counted(machine.cores, "thread") + ", " + machine.isa + ", " +
+           counted(machine.lanes, "lane") + ", " + machine.compiler;
 }
 
 class Merger {
@@ -191,8 +192,8 @@ class Merger {
         merged_.pictures.push_back(there ? picture : fs::path());
         if (results.errors.back().nan_or_inf > 0)
             merged_.faults.push_back(wanted_.at(found.job.id)->words + ": " +
-                                     std::to_string(results.errors.back().nan_or_inf) +
-                                     " pixels are NaN or infinite");
+                                     counted(results.errors.back().nan_or_inf, "pixel is", "pixels are") +
+                                     " NaN or infinite");
     }
 
     // The image that was timed is the image that was judged.

@@ -142,8 +142,8 @@ std::string results_markdown(const SweepResults& results) {
     std::string text = "# Sweep " + results.plan + "\n\nProgram: crevice " + results.version + "\n";
     if (results.machine) {
         const SweepMachine& machine = *results.machine;
-        text += "Times: " + machine.cpu + ", " + std::to_string(machine.cores) + " threads, " + machine.isa +
-                ", " + std::to_string(machine.lanes) + " lanes, " + machine.compiler + "\n";
+        text += "Times: " + machine.cpu + ", " + counted(machine.cores, "thread") + ", " + machine.isa +
+                ", " + counted(machine.lanes, "lane") + ", " + machine.compiler + "\n";
     } else {
         text += "Times: none\n";
     }

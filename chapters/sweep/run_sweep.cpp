@@ -91,8 +91,8 @@ class SweepRun {
     // Empty: there is none. An image that is not finite is kept as it is, and does not become right by being made again.
     static std::string fault_of(const FinishedJob& done) {
         if (!done.error || done.error->nan_or_inf == 0) return "";
-        return std::to_string(done.error->nan_or_inf) +
-               " pixels are NaN or infinite; they are left out of its errors";
+        return counted(done.error->nan_or_inf, "pixel is", "pixels are") +
+               " NaN or infinite and left out of its errors";
     }
 
     FinishedJob judge(const SweepJob& job, Progress& progress) {

@@ -22,7 +22,8 @@ constexpr double kMostJobs = 100'000;
 // A new one when an equal job means another result.
 constexpr int kJobVersion = 2;
 
-std::string flag_words(const CameraFlags& flags) {
+std::string flag_words(const PlannedScene& planned) {
+    const CameraFlags& flags = planned.camera;
     std::string words;
     const auto add = [&](const char* flag, const std::optional<std::string>& word) {
         if (word) words += (words.empty() ? "" : " ") + std::string(flag) + " " + *word;
@@ -33,15 +34,19 @@ std::string flag_words(const CameraFlags& flags) {
     add("--near", flags.near_plane);
     add("--far", flags.far_plane);
     add("--ortho", flags.ortho);
+    add("--crease", planned.crease);
     return words;
 }
 
 SweepScene loaded_scene(const PlannedScene& planned, const JsonFile& file, const Run& run) {
-    SweepScene scene{load_scene(planned.name, {.surfaces = false, .run = run}),
-                     {},
-                     planned.name,
-                     flag_words(planned.camera),
-                     {}};
+    const std::optional<double> crease_rad =
+        file.at(planned.place, [&] { return crease_angle_of(planned.crease); });
+    SweepScene scene{
+        load_scene(planned.name, {.surfaces = false, .crease_angle_rad = crease_rad, .run = run}),
+        {},
+        planned.name,
+        flag_words(planned),
+        {}};
     if (triangle_count(scene.argument.scene) == 0)
         file.refuse("scenes: nothing to be seen (" + planned.name + " has 0 triangles); leave it away",
                     planned.place);
@@ -182,11 +187,11 @@ void require_fewer_jobs(const SweepPlan& plan) {
     const double views = static_cast<double>(plan.scenes.size() * plan.sizes.size()),
                  jobs = views * (settings * static_cast<double>(plan.seeds.size()));
     if (jobs > kMostJobs)
-        plan.file.refuse("methods: too many images, " + decimal_text(views, 0) + " views of " +
-                             decimal_text(settings, 0) + " settings with " +
-                             std::to_string(plan.seeds.size()) + " seeds (" + decimal_text(jobs, 0) +
-                             ", at most " + decimal_text(kMostJobs, 0) + "); make several plans",
-                         {"methods"});
+        plan.file.refuse(
+            "methods: too many images, " + decimal_text(views, 0) + " views of " + decimal_text(settings, 0) +
+                " settings with " + counted(static_cast<long long>(plan.seeds.size()), "seed") + " (" +
+                decimal_text(jobs, 0) + ", at most " + decimal_text(kMostJobs, 0) + "); make several plans",
+            {"methods"});
 }
 
 }  // namespace

@@ -100,13 +100,15 @@ class PlanReader {
         scene.place = place;
         const Json* name = &item;
         if (item.is_object()) {
-            file_.require_known(item, place, {"scene", "eye", "target", "fov_y", "near", "far", "ortho"});
+            file_.require_known(item, place,
+                                {"scene", "eye", "target", "fov_y", "near", "far", "ortho", "crease"});
             if (!item.contains("scene"))
                 file_.refuse("scenes: a camera without a scene (" + item.dump() + "); add \"scene\"", place);
             name = &item["scene"];
             scene.camera = {point(item, "eye", place),    point(item, "target", place),
                             number(item, "fov_y", place), number(item, "near", place),
                             number(item, "far", place),   number(item, "ortho", place)};
+            scene.crease = number(item, "crease", place);
         }
         if (!name->is_string())
             file_.refuse("scenes: not a name (" + name->dump() + "); give a scene or {\"scene\": ...}",

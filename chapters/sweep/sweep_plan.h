@@ -14,6 +14,7 @@ namespace crevice {
 struct PlannedScene {
     std::string name;    // SCENE on the command line
     CameraFlags camera;  // as they would be typed
+    std::optional<std::string> crease;
     JsonPlace place;
 };
 

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "chapters/terminal/number_text.h"
 #include "rasterizer/base/float_text.h"
 #include "rasterizer/base/no_such.h"
 
@@ -134,8 +135,8 @@ JsonFile::JsonFile(std::string text, std::string name, ExitCode code)
         root_ = Json::parse(text_);
     } catch (const Json::parse_error& error) {
         const bool ends = error.byte > text_.size();
-        refuse_at(ends ? "the file ends too soon (" + std::to_string(text_.size()) + " bytes); " +
-                             (code_ == ExitCode::usage ? "finish it" : "make it anew")
+        refuse_at(ends ? "the file ends too soon (" + counted(static_cast<long long>(text_.size()), "byte") +
+                             "); " + (code_ == ExitCode::usage ? "finish it" : "make it anew")
                        : "not JSON (at byte " + std::to_string(error.byte) + "); correct what stands there",
                   line_at(text_, error.byte));
     } catch (const Json::out_of_range& error) {

@@ -47,8 +47,10 @@ std::optional<double> number_in(const std::string& text) {
     return value;
 }
 
-std::string counted(long long count, const std::string& word) {
-    return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
+std::string counted(long long count, const std::string& word) { return counted(count, word, word + "s"); }
+
+std::string counted(long long count, const std::string& one, const std::string& many) {
+    return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
 std::string size_text(Size size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }

@@ -20,6 +20,8 @@ std::string exact_text(float value);
 std::optional<double> number_in(const std::string& text);
 // "1 thread", "2 threads"; the plural is the word with an s.
 std::string counted(long long count, const std::string& word);
+// "1 pixel is ...", "2 pixels are ...".
+std::string counted(long long count, const std::string& one, const std::string& many);
 // Pixels or texels: "1280x720".
 std::string size_text(Size size);
 

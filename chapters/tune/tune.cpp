@@ -144,18 +144,17 @@ TuneReport tune_report(const TuneOptions& options, const TuneViews& views, const
         return ", seeds " + std::to_string(first) + " .. " +
                std::to_string(first + static_cast<std::uint32_t>(options.seeds) - 1);
     };
-    report.facts.insert(
-        report.facts.end(),
-        {{"method", options.views.method->name},
-         {"wanted", goal_text(goal)},
-         {"size", size_text(options.views.size)},
-         {"truth", std::string(options.views.truth == TuneTruth::hard ? "hard" : "soft") + ", radius " +
-                       significant_text(kAskedRadius, 3) + " for a length unit of 1, " +
-                       std::to_string(options.views.rays) + " rays"},
-         {"searched on", names_of(views.searched) + range(kFirstSearchedSeed)},
-         {"held out", names_of(views.held_out) + range(kFirstHeldOutSeed)},
-         {"searched over", axes_text(axes)},
-         {"tried", std::to_string(outcome.tried.size()) + " judgements"}});
+    report.facts.insert(report.facts.end(),
+                        {{"method", options.views.method->name},
+                         {"wanted", goal_text(goal)},
+                         {"size", size_text(options.views.size)},
+                         {"truth", std::string(options.views.truth == TuneTruth::hard ? "hard" : "soft") +
+                                       ", radius " + significant_text(kAskedRadius, 3) +
+                                       " for a length unit of 1, " + counted(options.views.rays, "ray")},
+                         {"searched on", names_of(views.searched) + range(kFirstSearchedSeed)},
+                         {"held out", names_of(views.held_out) + range(kFirstHeldOutSeed)},
+                         {"searched over", axes_text(axes)},
+                         {"tried", counted(static_cast<long long>(outcome.tried.size()), "judgement")}});
     std::vector<std::string>& s = report.sentences;
     if (outcome.interrupted) s.push_back("interrupted: this is the best so far");
     if (!report.met)

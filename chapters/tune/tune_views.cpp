@@ -54,7 +54,8 @@ TuneViews tune_views(const TuneViewsRequest& request) {
     Progress progress("truth", static_cast<long long>(count == 1 ? 2 : count));
     for (std::size_t i = 0; i < count; ++i) {
         const std::string& name = request.scenes[i];
-        SceneArgument argument = load_scene(name, {.surfaces = false, .run = request.run});
+        SceneArgument argument = load_scene(
+            name, {.surfaces = false, .crease_angle_rad = request.crease_angle_rad, .run = request.run});
         if (triangle_count(argument.scene) == 0)
             throw InputError(name + ": nothing to tune for (0 triangles); give a scene with some");
         settings_for(argument, name, *request.method,

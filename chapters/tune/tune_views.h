@@ -36,6 +36,7 @@ struct TuneViewsRequest {
     TuneTruth truth = TuneTruth::hard;
     int rays = 256;  // of the truth
     std::optional<std::filesystem::path> cache;
+    std::optional<double> crease_angle_rad;  // WantedOfScene::crease_angle_rad
     Run run;
 };
 

@@ -146,7 +146,7 @@ void FrameThread::draw(const ViewWish& wish) {
     LabWords words = wish.words;
     words.only = wanted_for(wish.shown);
     if (wish.camera) {
-        const LoadedScene& scene = session_.scene(words.scene, wants_surfaces(words));
+        const LoadedScene& scene = session_.scene(words, wants_surfaces(words));
         words.camera = flags_of(scene.argument, *wish.camera, words.camera);
     }
     std::string asked = render_command(words);
@@ -158,7 +158,7 @@ void FrameThread::draw(const ViewWish& wish) {
     drawn_.clear();
     const DrawnFrame& drawn = session_.draw(words);
     drawn_ = asked;
-    tell(session_.scene(words.scene, false), drawn, frame_);
+    tell(session_.scene(words, false), drawn, frame_);
     ++frame_.drawn;
 }
 

@@ -29,7 +29,7 @@ namespace {
 
 // What a tally counts, what is wrong with it, and what was done about it.
 struct Finding {
-    const Tally& tally;
+    Tally tally;
     std::string kind, what, done;
 };
 
@@ -38,6 +38,11 @@ std::string warning_of(const std::string& path, const Finding& finding) {
     return path + ":" + std::to_string(finding.tally.first_line) + ": " + finding.what + " (" +
            std::to_string(count) + " " + finding.kind + (count == 1 ? "" : "s, the first here") + "); " +
            finding.done;
+}
+
+// Sharp edges at every hundredth face or more: scans and curved models have fewer.
+bool is_worth_telling(const Tally& smoothed_faces, std::size_t faces_in_file) {
+    return 100 * smoothed_faces.count >= faces_in_file;
 }
 
 std::vector<std::string> warnings_of(const ObjReport& report, const std::string& path,
@@ -58,6 +63,9 @@ std::vector<std::string> warnings_of(const ObjReport& report, const std::string&
          "a texture coordinate beyond " + shortest_text(kMostTextureCopies) +
              ", where floats lose their place in the texture",
          "subtract whole numbers from those of a part, drawn as they are"},
+        {is_worth_telling(report.smoothed_faces, faces_in_file) ? report.smoothed_faces : Tally(), "face",
+         "without `vn` and `s` normals are smoothed, here across sharp edges",
+         "--crease 30 keeps those sharp, 0 makes every face flat"},
         {report.absent_texcoords, "face", "a textured material without texture coordinates", "(0, 0) used"},
     };
     for (const IgnoredStatement& ignored : report.ignored_statements) {
@@ -69,7 +77,9 @@ std::vector<std::string> warnings_of(const ObjReport& report, const std::string&
     }
     if (report.dropped_faces == faces_in_file) {
         warnings.push_back(path + ": there is nothing to draw (" + std::to_string(faces_in_file) +
-                           " faces in the file, none of them usable); the scene is empty");
+                           (faces_in_file == 1 ? " face in the file, which is not usable)"
+                                               : " faces in the file, none of them usable)") +
+                           "; the scene is empty");
     }
     return warnings;
 }
@@ -142,6 +152,11 @@ void check_memory(const std::filesystem::path& path) {
                      " are there); split or simplify it");
 }
 
+// As `s off` before the first face does.
+void shade_flat(ObjFaces& faces) {
+    for (ObjFace& face : faces.faces) face.smoothing = kFlatShaded;
+}
+
 ObjText read_text(std::string_view bytes, const std::string& name, const ObjOptions& options,
                   const Run& run) {
     const std::vector<TextPiece> pieces = text_pieces(bytes, options.piece_bytes, run);
@@ -161,6 +176,7 @@ LoadedObj loaded_from(const std::filesystem::path& path, const ObjOptions& optio
     timer.finish("read the file");
     ObjText text = read_text(bytes, name, options, run);
     bytes = {};
+    if (options.crease_angle_rad == 0) shade_flat(text.faces);
     timer.finish("numbers and faces");
     ObjTriangles triangles = triangulate_obj(text, run);
     timer.finish("triangles");
@@ -186,6 +202,7 @@ LoadedObj loaded_from(const std::filesystem::path& path, const ObjOptions& optio
         report.far_texcoords = {};
     }
     report.generated_normals = built.generated_normals;
+    report.smoothed_faces = built.smoothed_faces;
     const std::size_t skipped = report.too_few_corners.count + report.too_many_corners.count;
     report.dropped_faces =
         skipped + report.missing_vertices.count + report.not_finite.count + report.zero_area.count;

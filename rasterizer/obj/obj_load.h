@@ -22,8 +22,9 @@ namespace crevice {
 inline constexpr std::uintmax_t kMaxObjBytes = std::uintmax_t{1} << 32;
 
 struct ObjOptions {
-    // [0, pi] rad; edges sharper than this stay sharp in GENERATED normals. pi: all smooth. The file's own
-    // are kept.
+    // [0, pi] rad; edges sharper than this stay sharp in GENERATED normals. 0: every face is flat. pi: all smooth
+    // within the file's smoothing groups; the report says where a file without any is smoothed across sharp
+    // edges, which the specification of OBJ would leave flat. The file's own normals are kept.
     double crease_angle_rad = kSmoothEverywhere_rad;
     bool want_textures = true;   // false: of texture files only those that cut out are read
     bool outside_files = false;  // MTL and texture files outside the OBJ's directory are read, too

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <functional>
 
+#include <glm/geometric.hpp>
+
+#include "rasterizer/obj/ear_clip.h"
 #include "rasterizer/scene/tangents.h"
 #include "rasterizer/scene/vertex_normals.h"
 
@@ -74,12 +77,45 @@ struct FinalNormals {
     std::vector<glm::vec3> normals;                         // file space, unit
     std::vector<std::array<std::uint32_t, 3>> of_triangle;  // one a corner of ObjTriangles::triangles
     std::size_t generated = 0;
+    Tally smoothed;
 };
+
+// Of the faces that no `s` stands before, those with a generated normal, of which the first has the number given, far
+// from their own: further than at the corners of an icosahedron, 37.4 degrees, which may well mean a sphere. Where two
+// faces of a box alone meet it is 45 degrees, at its corners 54.7.
+Tally smoothed_faces(const ObjText& text, const ObjTriangles& from, const FinalNormals& final,
+                     std::uint32_t first_generated) {
+    constexpr double kFarCosine = 0.766;  // 40 degrees
+    Tally found;
+    std::uint32_t last_found = ~0u;  // no face is the last of so many
+    for (std::size_t t = 0; t < from.triangles.size(); ++t) {
+        const ObjTriangle& triangle = from.triangles[t];
+        const ObjFace& face = text.faces.faces[triangle.face];
+        if (face.smoothing != kNoSmoothing || triangle.face == last_found) continue;
+        std::array<glm::vec3, 3> corners;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto position = static_cast<std::size_t>(text.faces.corners[triangle.corners[k]].position);
+            corners[k] = text.vertices.positions[position];
+        }
+        const glm::dvec3 area = newell_normal(corners);
+        const double least = kFarCosine * std::sqrt(glm::dot(area, area));
+        const bool is_far =
+            std::any_of(final.of_triangle[t].begin(), final.of_triangle[t].end(), [&](std::uint32_t normal) {
+                return normal >= first_generated && glm::dot(area, glm::dvec3(final.normals[normal])) < least;
+            });
+        if (!is_far) continue;
+        found.add(face.line);
+        last_found = triangle.face;
+    }
+    return found;
+}
 
 // The file's normals, followed by the generated ones.
 FinalNormals final_normals(const ObjText& text, const ObjTriangles& from, double crease_angle_rad,
                            const Run& run) {
-    FinalNormals result{from.normals, std::vector<std::array<std::uint32_t, 3>>(from.triangles.size())};
+    FinalNormals result{.normals = from.normals,
+                        .of_triangle = std::vector<std::array<std::uint32_t, 3>>(from.triangles.size()),
+                        .smoothed = {}};
     for (std::size_t t = 0; t < from.triangles.size(); ++t) {
         for (std::size_t k = 0; k < 3; ++k) {
             const std::int32_t normal = from.corner_normal[from.triangles[t].corners[k]];
@@ -109,6 +145,8 @@ FinalNormals final_normals(const ObjText& text, const ObjTriangles& from, double
             }
         }
     }
+    if (crease_angle_rad >= kSmoothEverywhere_rad)
+        result.smoothed = smoothed_faces(text, from, result, first_generated);
     return result;
 }
 
@@ -164,7 +202,7 @@ ObjMesh build_obj_mesh(const ObjText& text, const ObjTriangles& triangles, const
                        bool want_texcoords, double crease_angle_rad, const Run& run) {
     const FinalNormals normals = final_normals(text, triangles, crease_angle_rad, run);
     const std::vector<int> texcoord_map_of = first_of_equal_maps(materials.texcoord_maps);
-    ObjMesh result{{}, normals.generated};
+    ObjMesh result{{}, normals.generated, normals.smoothed};
     Mesh& mesh = result.mesh;
     mesh.triangles.reserve(triangles.triangles.size());
     VertexNumbers vertices(text.vertices.positions.size());

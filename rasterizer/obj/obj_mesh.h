@@ -13,6 +13,7 @@ namespace crevice {
 struct ObjMesh {
     Mesh mesh;                          // in the lab's world: z negated, winding reversed, v down
     std::size_t generated_normals = 0;  // triangle corners that the file has no normal for
+    Tally smoothed_faces;               // ObjReport::smoothed_faces
 };
 
 // What the mesh needs to know of the materials; the last one is for faces without.

@@ -47,8 +47,11 @@ struct ObjReport {
     Tally missing_normals;    // corners whose normal index the file has no normal for; given a generated one
     Tally missing_texcoords;  // corners whose texture index has no finite coordinate; given (0, 0)
     // Only where a texture is drawn:
-    Tally far_texcoords;                // corners whose texture coordinate is beyond kMostTextureCopies
-    Tally absent_texcoords;             // faces with a textured material and a corner without; given (0, 0)
+    Tally far_texcoords;     // corners whose texture coordinate is beyond kMostTextureCopies
+    Tally absent_texcoords;  // faces with a textured material and a corner without; given (0, 0)
+    // Faces with a generated normal far from their own, for which nobody asked: the file has neither `vn` nor `s`
+    // for them, and the crease angle smooths everything. A warning where they are a hundredth of all.
+    Tally smoothed_faces;
     std::size_t generated_normals = 0;  // corners without a usable normal index; quite usual, no warning
 
     std::vector<IgnoredStatement> ignored_statements;

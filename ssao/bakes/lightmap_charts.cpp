@@ -99,7 +99,8 @@ LightmapCharts charts_of_surface(const RayScene& rays, const ChartSettings& sett
     const std::vector<FlatChart> charts = grow_charts(triangles);
     const std::optional<PackedCharts> places = packed(charts, area, settings);
     if (!places)
-        throw UsageError("lightmap: " + std::to_string(charts.size()) + " charts do not fit (" +
+        throw UsageError("lightmap: " + std::to_string(charts.size()) +
+                         (charts.size() == 1 ? " chart does" : " charts do") + " not fit (" +
                          std::to_string(settings.texels) + " texels a side); give it more texels");
     result.density = places->density;
     result.texcoords.resize(triangles.size());
@@ -152,7 +153,9 @@ std::string texels_covered_twice(const LightmapCharts& charts, const Run& run) {
     for (int y = 0; y < charts.texels; ++y) {
         for (int x = 0; x < charts.texels; ++x) twice += coverage.times.at(x, y) > 1 ? 1 : 0;
     }
-    return twice == 0 ? "" : "they overlap (" + std::to_string(twice) + " texels are covered twice)";
+    return twice == 0 ? ""
+                      : "they overlap (" + std::to_string(twice) +
+                            (twice == 1 ? " texel is" : " texels are") + " covered twice)";
 }
 
 LightmapCharts charts_of_meshes(const Scene& scene, const RayScene& rays, const ChartSettings& settings,

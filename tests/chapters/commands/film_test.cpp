@@ -183,3 +183,15 @@ TEST_CASE(
     }
     CHECK(wrong == 0);
 }
+
+TEST_CASE("films: one frame is told as one") {
+    const ScratchDirectory scratch;
+    const auto told = [&](const std::string& frames) {
+        return crevice_says("render cornell --size 16x9 --frames " + frames + " --out " +
+                            quoted(scratch.path()))
+            .text;
+    };
+    const std::string first = (scratch / "frame_0000.png").string();
+    CHECK(told("0").starts_with(first + "\n"));
+    CHECK(told("0-1").starts_with(first + " ... frame_0001.png\n"));
+}

@@ -72,7 +72,7 @@ TEST_CASE("limits: no limit lets a NaN pass") {
         const ComparedOutcome outcome =
             compare({.a = scratch / "a.npy", .b = scratch / "a.npy", .limits = limits});
         CHECK(outcome.code == 1);
-        CHECK(contains(outcome.report, "1 pixels are NaN or infinite"));
+        CHECK(contains(outcome.report, "1 pixel is NaN or infinite"));
     }
 }
 

@@ -1,13 +1,16 @@
 #include "chapters/frame/scene_argument.h"
 
 #include <fstream>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <doctest/doctest.h>
 #include <glm/geometric.hpp>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/lanes/approx_math.h"
 #include "ssao/ao_methods.h"
 #include "tests/tools/scratch_directory.h"
 
@@ -125,4 +128,35 @@ TEST_CASE(
                   "tiny.obj: the model is too small for the range of float (its largest extent "
                   "is ") != std::string::npos);
     }
+}
+
+TEST_CASE("scenes: --crease in degrees, for what has no normals") {
+    CHECK(!crease_angle_of(std::nullopt));
+    CHECK(crease_angle_of("180") == kSmoothEverywhere_rad);
+    CHECK(crease_angle_of("0") == 0.0);
+    CHECK(crease_angle_of("30") == doctest::Approx(kPi / 6));
+    for (const char* wrong : {"-1", "181", "nan", "x", ""})
+        CHECK_THROWS_AS(crease_angle_of(wrong), UsageError);
+
+    const ScratchDirectory scratch;
+    const std::string path = (scratch / "roof.obj").string();
+    const std::string corners = "v 0 0 0\nv 0 0 1\nv 1 1 0\nv 1 1 1\nv 2 0 0\nv 2 0 1\n";
+    const auto loaded = [&](const std::string& faces, std::optional<double> crease_rad) {
+        std::ofstream(path) << corners << faces;
+        std::vector<std::string> told;
+        const SceneArgument argument = load_scene(path, {.crease_angle_rad = crease_rad},
+                                                  [&](const std::string& line) { told.push_back(line); });
+        return std::pair(argument.scene.meshes[0].positions.size(), told);
+    };
+    const std::string bare = "f 1 2 4 3\nf 3 4 6 5\n",
+                      whole = "vn 0 1 0\nf 1//1 2//1 4//1 3//1\nf 3//1 4//1 6//1 5//1\n";
+    using Told = std::vector<std::string>;
+    CHECK(loaded(bare, {}).first == 6);
+    CHECK(loaded(bare, radians(30)) == std::pair(std::size_t{8}, Told{}));
+    CHECK(loaded(bare, 0) == std::pair(std::size_t{8}, Told{}));
+    CHECK(loaded(whole, {}) == std::pair(std::size_t{6}, Told{}));
+    CHECK(loaded(whole, radians(30)) ==
+          std::pair(std::size_t{6},
+                    Told{path + ": --crease changes nothing (every corner has its normal from the "
+                                "file); leave it away"}));
 }

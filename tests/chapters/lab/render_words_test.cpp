@@ -18,4 +18,8 @@ TEST_CASE("render_words: the line holds camera and parameters, and a parameter s
     CHECK(render_command(words) ==
           "crevice render columns --size 640x360 --ao luna --eye=-1,2,3 --fov-y=50 --param samples=8 --param "
           "radius=2");
+    words.params.clear();
+    words.crease = "30";
+    CHECK(render_command(words) ==
+          "crevice render columns --size 640x360 --ao luna --eye=-1,2,3 --fov-y=50 --crease 30");
 }

@@ -38,4 +38,6 @@ TEST_CASE("counted: one alone is singular") {
     CHECK(counted(0, "thread") == "0 threads");
     CHECK(counted(1, "thread") == "1 thread");
     CHECK(counted(2, "thread") == "2 threads");
+    CHECK(counted(1, "pixel is", "pixels are") == "1 pixel is");
+    CHECK(counted(2, "pixel is", "pixels are") == "2 pixels are");
 }

@@ -12,6 +12,7 @@
 #include "chapters/study/methods_study.h"
 #include "tests/tools/crevice_says.h"
 #include "tests/tools/error_message.h"
+#include "tests/tools/report_checks.h"
 #include "tests/tools/scratch_directory.h"
 
 using namespace crevice;
@@ -22,7 +23,14 @@ std::string quoted(const std::filesystem::path& path) { return "'" + path.string
 
 TuneOptions tiny(const std::vector<std::string>& scenes, const char* method) {
     TuneOptions options;
-    options.views = {scenes, &find_method(method), {48, 27}, TuneTruth::hard, 32, {}, {}};
+    options.views = {.scenes = scenes,
+                     .method = &find_method(method),
+                     .size = {48, 27},
+                     .truth = TuneTruth::hard,
+                     .rays = 32,
+                     .cache = {},
+                     .crease_angle_rad = {},
+                     .run = {}};
     options.seeds = 2;
     return options;
 }
@@ -94,7 +102,8 @@ TEST_CASE("tune: the program writes its table, and says by its exit code whether
     const nlohmann::json told = nlohmann::json::parse(stream);
     CHECK(told["facts"]["held out"] == "wall_corner, turned by 20 degrees, seeds 5000 .. 5000");
     CHECK(told["tables"]["tried"].size() > 20);
-    CHECK(std::filesystem::exists(scratch / "tune.csv"));
+    CHECK(wrong_in_report(scratch / "tune.json", "tune.schema.json",
+                          [&](const std::string&) { return (scratch / "tune.csv").string(); }) == "");
     const Outcome too_fast = crevice_says(words + " --ms 1e-6");
     CHECK(too_fast.code == 1);
     CHECK(contains(too_fast.text,

@@ -36,6 +36,9 @@ std::string triangle_at(glm::dvec3 corner) {
            vertex_line(corner + glm::dvec3(0, 1, 0)) + "f -3 -2 -1\n";
 }
 
+// Flat, so that nothing is said of smoothed edges.
+LoadedObj load_flat(const std::string& text) { return load_text(text, {.crease_angle_rad = 0}); }
+
 // How far the vertex of a mesh that is nearest to where `p` of the file should be is away from it.
 double error_at(const LoadedObj& loaded, glm::dvec3 p) {
     double least = HUGE_VAL;
@@ -77,7 +80,7 @@ TEST_CASE("obj origin: a house in UTM metres keeps its shape, whatever lies far 
     };
     for (const Row& row : rows) {
         CAPTURE(row.what);
-        const LoadedObj loaded = load_text(house_at(kUtm) + row.more);
+        const LoadedObj loaded = load_flat(house_at(kUtm) + row.more);
         check_whole(loaded);
         CHECK(has_warning(loaded.report, "the scene is moved by (-388"));
         check_house(loaded, kUtm);
@@ -85,7 +88,7 @@ TEST_CASE("obj origin: a house in UTM metres keeps its shape, whatever lies far 
 }
 
 TEST_CASE("obj origin: a vertex that is lost all the same is named with its line") {
-    const LoadedObj loaded = load_text(house_at(kUtm) + triangle_at({0.37, 0.62, 0.2}));
+    const LoadedObj loaded = load_flat(house_at(kUtm) + triangle_at({0.37, 0.62, 0.2}));
     check_house(loaded, kUtm);
     CHECK(has_warning(loaded.report,
                       "a.obj:15: a vertex lies so far from the rest that its faces lose their "
@@ -94,10 +97,10 @@ TEST_CASE("obj origin: a vertex that is lost all the same is named with its line
     // Whole numbers of this size are floats, and 30 km are not too far for 1 m.
     for (const glm::dvec3 kept : {glm::dvec3(0), kUtm + glm::dvec3(30000, 0, 0)}) {
         CAPTURE(kept.x);
-        CHECK(load_text(house_at(kUtm) + triangle_at(kept)).report.warnings.size() == 1);
+        CHECK(load_flat(house_at(kUtm) + triangle_at(kept)).report.warnings.size() == 1);
     }
     // Where the others lie at the origin nothing is moved.
-    const LoadedObj still = load_text(house_at(glm::dvec3(0)) + triangle_at(kUtm - glm::dvec3(0, 0.08, 0)));
+    const LoadedObj still = load_flat(house_at(glm::dvec3(0)) + triangle_at(kUtm - glm::dvec3(0, 0.08, 0)));
     CHECK(still.scene.origin == glm::dvec3(0));
     REQUIRE(still.report.warnings.size() == 1);
     CHECK(has_warning(still.report, "a.obj:15: a vertex lies so far"));
@@ -111,7 +114,7 @@ TEST_CASE("obj origin: the part that needs it decides, though others have as man
         ground += vertex_line(corner) + vertex_line(corner + glm::dvec3(300, 0, 0)) +
                   vertex_line(corner + glm::dvec3(0, 300, 0)) + "f -3 -2 -1\n";
     }
-    const LoadedObj loaded = load_text(house_at(kUtm) + ground);
+    const LoadedObj loaded = load_flat(house_at(kUtm) + ground);
     check_house(loaded, kUtm);
     CHECK(loaded.report.warnings.size() == 1);
 }
@@ -122,7 +125,7 @@ TEST_CASE("obj origin: ordinary scenes stay where they are, without a word") {
           house_at(glm::dvec3(0)) + "v -1e6 0 -1e6\nv 1e6 0 -1e6\nv 1e6 0 1e6\nv -1e6 0 1e6\nf 9 12 11 10\n",
           house_at(glm::dvec3(0)) + triangle_at({5000, 0, 0})}) {
         CAPTURE(text);
-        const LoadedObj loaded = load_text(text);
+        const LoadedObj loaded = load_flat(text);
         CHECK(loaded.scene.origin == glm::dvec3(0));
         CHECK(loaded.report.warnings == std::vector<std::string>{});
     }

@@ -61,6 +61,64 @@ TEST_CASE("smoothing groups: faces of one group share normals, those of two and 
     CHECK(has_warning(load_text(kRoof + "s 1.5\n" + kLevel).report, "a.obj:9: `s` is not drawn here"));
 }
 
+TEST_CASE(
+    "smoothing: a box without `vn` and `s` is said to be smoothed, and is not where a crease angle is "
+    "given") {
+    const std::string corners =
+        "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n";
+    const std::string faces = "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+    const auto flat_faces = [](const LoadedObj& loaded) {
+        const Mesh& mesh = mesh_of(loaded);
+        return std::all_of(mesh.normals.begin(), mesh.normals.end(),
+                           [](glm::vec3 n) { return std::abs(n.x) + std::abs(n.y) + std::abs(n.z) == 1; });
+    };
+    const LoadedObj smooth = load_text(corners + faces);
+    CHECK_FALSE(flat_faces(smooth));
+    CHECK(smooth.report.warnings.size() == 1);
+    CHECK(has_warning(
+        smooth.report,
+        "a.obj:9: without `vn` and `s` normals are smoothed, here across sharp edges (6 faces, the first "
+        "here); --crease 30 keeps those sharp, 0 makes every face flat"));
+    // A few sharp edges among many are those of a scan, not of a box.
+    std::string ground = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    for (int i = 0; i < 594; ++i) ground += "f -3 -2 -1\n";
+    CHECK(load_text(corners + faces + ground).report.warnings.size() == 1);
+    CHECK(load_text(corners + faces + ground + "f -3 -2 -1\n").report.warnings.empty());
+    CHECK(load_text(corners + faces + ground + "f -3 -2 -1\n").report.smoothed_faces.count == 6);
+    // Nothing is said where the file or the caller wants it so.
+    const LoadedObj wanted = load_text(corners + "s 1\n" + faces),
+                    off = load_text(corners + "s off\n" + faces);
+    CHECK((!flat_faces(wanted) && wanted.report.warnings.empty()));
+    CHECK((flat_faces(off) && off.report.warnings.empty()));
+    for (const double crease_rad : {0.0, radians(30), radians(89)}) {
+        const LoadedObj sharp = load_text(corners + faces, {.crease_angle_rad = crease_rad});
+        CHECK((flat_faces(sharp) && sharp.report.warnings.empty()));
+        // Within one smoothing group, too, and between `s off` and the rest.
+        CHECK(flat_faces(load_text(corners + "s 1\n" + faces, {.crease_angle_rad = crease_rad})));
+    }
+    CHECK_FALSE(flat_faces(load_text(corners + faces, {.crease_angle_rad = radians(91)})));
+}
+
+TEST_CASE("smoothing: what may well be a ball is smoothed without a word") {
+    // An octahedron's faces turn by 70.5 degrees at each edge, those of an icosahedron by 41.8.
+    const std::string icosahedron =
+        "v 0 1 1.618034\nv 0 -1 1.618034\nv 0 1 -1.618034\nv 0 -1 -1.618034\nv 1 1.618034 0\nv -1 1.618034 "
+        "0\n"
+        "v 1 -1.618034 0\nv -1 -1.618034 0\nv 1.618034 0 1\nv -1.618034 0 1\nv 1.618034 0 -1\nv -1.618034 0 "
+        "-1\n"
+        "f 1 2 9\nf 2 1 10\nf 1 9 5\nf 1 5 6\nf 1 6 10\nf 2 10 8\nf 2 8 7\nf 2 7 9\nf 3 4 12\nf 4 3 11\nf 3 "
+        "5 11\n"
+        "f 3 6 5\nf 3 12 6\nf 4 11 7\nf 4 7 8\nf 4 8 12\nf 5 9 11\nf 7 11 9\nf 6 12 10\nf 8 10 12\n";
+    CHECK(load_text(icosahedron).report.warnings.empty());
+}
+
+TEST_CASE("smoothing: a crease angle of 0 makes every face flat, a bent polygon as a whole") {
+    const LoadedObj loaded =
+        load_text("v 0 0 0\nv 1 0 0\nv 1 1 .5\nv 0 1 0\nf 1 2 3 4\n", {.crease_angle_rad = 0});
+    REQUIRE(mesh_of(loaded).normals.size() == 4);
+    for (const glm::vec3& n : mesh_of(loaded).normals) CHECK(n == mesh_of(loaded).normals[0]);
+}
+
 TEST_CASE("smoothing off: a bent polygon has one normal, whatever the cut") {
     const LoadedObj loaded = load_text("s off\nv 0 0 0\nv 1 0 0\nv 1 1 .5\nv 0 1 0\nf 1 2 3 4\n");
     check_whole(loaded);
