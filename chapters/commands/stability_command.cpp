@@ -23,7 +23,9 @@ Command add_stability_command(CommandLine& program) {
     stability.option("--case", words->only_case, "one case by its name; default: all");
     stability.option("--ao", words->only_method, "one method; default: all");
     add_run_flags(stability, words->run);
-    stability.option("--out", words->out, "the directory for stability.html and the tables");
+    stability.option("--out", words->out,
+                     "the directory for stability.html and the tables, as CSV and as JSON "
+                     "(schemas/stability.schema.json)");
     return {stability, [words] {
                 const Run run = run_of(words->run);
                 return crevice::stability(

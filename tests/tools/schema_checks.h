@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <regex>
 #include <set>
 #include <string>
 
@@ -38,9 +39,9 @@ class SchemaChecks {
 
     std::string wrong(const Json& value, const Json& schema, const std::string& place) const {
         static const std::set<std::string> known = {
-            "$schema",    "$ref",  "title",    "description", "type",     "enum",
-            "properties", "items", "required", "minItems",    "maxItems", "additionalProperties",
-            "minimum", "maximum", "$defs"};
+            "$schema",    "$ref",    "title",    "description",      "type",     "enum",
+            "properties", "items",   "required", "minItems",         "maxItems", "additionalProperties",
+            "minimum",    "maximum", "$defs",    "patternProperties"};
         for (const auto& [word, ignored] : schema.items()) {
             if (!known.contains(word)) return "the schema says more than this test knows: " + word;
         }
@@ -62,6 +63,15 @@ class SchemaChecks {
         return "";
     }
 
+    // What names of this form are to be; null where the schema has no such form.
+    static const Json* matching(const Json& schema, const std::string& name) {
+        if (!schema.contains("patternProperties")) return nullptr;
+        for (const auto& [form, member] : schema["patternProperties"].items()) {
+            if (std::regex_search(name, std::regex(form))) return &member;
+        }
+        return nullptr;
+    }
+
     std::string wrong_member(const Json& value, const Json& schema, const std::string& place) const {
         for (const Json& name : schema.value("required", Json::array())) {
             if (!value.contains(name.get<std::string>())) return place + ": has no " + name.dump();
@@ -72,6 +82,9 @@ class SchemaChecks {
             const std::string there = place + "/" + name;
             if (properties.contains(name)) {
                 const std::string found = wrong(member, properties[name], there);
+                if (!found.empty()) return found;
+            } else if (const Json* pattern = matching(schema, name)) {
+                const std::string found = wrong(member, *pattern, there);
                 if (!found.empty()) return found;
             } else if (others.is_object()) {
                 const std::string found = wrong(member, others, there);

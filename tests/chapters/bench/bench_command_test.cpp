@@ -15,6 +15,7 @@
 #include "chapters/frame/frame.h"
 #include "chapters/terminal/child.h"
 #include "rasterizer/base/error.h"
+#include "tests/tools/report_checks.h"
 #include "tests/tools/scratch_directory.h"
 
 using namespace crevice;
@@ -106,7 +107,14 @@ TEST_CASE("plain bench: a table on the terminal, as CSV and as JSON") {
         CAPTURE(column);
         CHECK(row.at(column).get<double>() > 0);
     }
-    CHECK(std::filesystem::exists(scratch / "out" / "bench_frames.csv"));
+    CHECK(wrong_in_bench(scratch / "out", "frames") == "");
+}
+
+TEST_CASE("bench --left-out: its tables are as the schema has them") {
+    const ScratchDirectory scratch;
+    const std::string out = (scratch / "out").string();
+    bench({"--left-out", "cornell", "--size", "64x36", "--threads", "1", "--out", out});
+    CHECK(wrong_in_bench(out, "left_out") == "");
 }
 
 TEST_CASE("a point is measured in a program of its own and comes back whole") {

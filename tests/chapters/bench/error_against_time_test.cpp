@@ -6,6 +6,7 @@
 
 #include "tests/tools/bytes_in.h"
 #include "tests/tools/crevice_says.h"
+#include "tests/tools/report_checks.h"
 #include "tests/tools/scratch_directory.h"
 
 using namespace crevice;
@@ -35,6 +36,7 @@ TEST_CASE("bench --error writes a page that opens offline, and every point as CS
     unsetenv("XDG_CACHE_HOME");
     CAPTURE(outcome.text);
     REQUIRE(outcome.code == 0);
+    CHECK(wrong_in_bench(scratch / "out", "error") == "");
     const nlohmann::json report = nlohmann::json::parse(bytes_in(scratch / "out" / "bench_error.json"));
     for (const char* method : {"xjun", "luna"}) {
         CAPTURE(method);

@@ -7,6 +7,7 @@
 #include "ssao/ao_methods.h"
 #include "tests/tools/bytes_in.h"
 #include "tests/tools/crevice_says.h"
+#include "tests/tools/report_checks.h"
 #include "tests/tools/scratch_directory.h"
 
 using namespace crevice;
@@ -20,6 +21,7 @@ TEST_CASE(
     unsetenv("XDG_CACHE_HOME");
     CAPTURE(outcome.text);
     REQUIRE(outcome.code == 0);
+    CHECK(wrong_in_bench(scratch / "out", "methods") == "");
     const nlohmann::json report = nlohmann::json::parse(bytes_in(scratch / "out" / "bench_methods.json"));
     const nlohmann::json& rows = report["tables"]["methods"];
     std::size_t next = 0;

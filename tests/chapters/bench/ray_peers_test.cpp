@@ -12,6 +12,7 @@
 #include "chapters/terminal/child.h"
 #include "rasterizer/base/error.h"
 #include "tests/tools/error_message.h"
+#include "tests/tools/report_checks.h"
 #include "tests/tools/scratch_directory.h"
 
 using namespace crevice;
@@ -61,6 +62,10 @@ TEST_CASE("answers become rates, paired ratios and verdicts") {
         REQUIRE(!table.rows.empty());
         for (const auto& row : table.rows) CHECK(row.size() == table.columns.size());
     }
+    const ScratchDirectory scratch;
+    std::ostringstream told;
+    write_report({"ray_peers", {{"compiler", ""}}, tables}, scratch.path(), told);
+    CHECK(wrong_in_bench(scratch.path(), "ray_peers") == "");
     const Table &rays = tables[0], &threads = tables[1], &builds = tables[2], &agreement = tables[3];
     REQUIRE(rays.rows.size() == 2);
     CHECK(number(rays, 0, "ours_Mray/s") == 2);

@@ -11,6 +11,7 @@
 #include "chapters/stability/rounding.h"
 #include "chapters/stability/stiff_scenes.h"
 #include "tests/tools/crevice_says.h"
+#include "tests/tools/report_checks.h"
 #include "tests/tools/scratch_directory.h"
 
 using namespace crevice;
@@ -81,6 +82,7 @@ TEST_CASE("stability --quick: no method is wrong in silence, and each cell has i
     const Outcome outcome = crevice_says("stability --quick --out '" + (scratch / "out").string() + "'");
     CAPTURE(outcome.text);
     CHECK(outcome.code == 0);
+    CHECK(wrong_in_bench(scratch / "out", "stability", "stability.schema.json") == "");
     std::ifstream json(scratch / "out" / "bench_stability.json"), html(scratch / "out" / "stability.html");
     const nlohmann::json report = nlohmann::json::parse(json);
     std::size_t methods = 0;
