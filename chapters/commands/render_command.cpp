@@ -1,10 +1,12 @@
 // `crevice render`
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
 #include "chapters/commands/commands.h"
 #include "chapters/commands/film.h"
 #include "chapters/commands/frame_flags.h"
+#include "chapters/commands/given_buffers.h"
 #include "chapters/commands/render.h"
 #include "chapters/commands/step_pixel.h"
 #include "chapters/terminal/parse.h"
@@ -17,7 +19,7 @@ namespace {
 // As they were typed.
 struct RenderWords : FrameWords {
     std::string only, repeat = "1", format = "npy", out = "out";
-    std::optional<std::string> frames, path, pixel, pass;
+    std::optional<std::string> frames, path, pixel, pass, normals, depth;
     bool inset = false, frame_buffers = false, stops = false;
 };
 
@@ -75,7 +77,38 @@ PixelStop pixel_stop(const RenderWords& words) {
     return stop;
 }
 
-int run(const RenderWords& words) {
+// Words that say something of a scene, of several frames or of a debugger are mistakes beside buffers.
+void require_of_buffers(const std::vector<std::string>& given) {
+    constexpr const char* kOfScenes[] = {"SCENE",    "--preset", "--size",   "--time", "--outside-files",
+                                         "--crease", "--inset",  "--frames", "--path", "--frame-buffers",
+                                         "--break",  "--pixel",  "--pass",   "--eye",  "--target"};
+    for (const char* word : kOfScenes) {
+        if (std::find(given.begin(), given.end(), word) != given.end())
+            throw UsageError(
+                std::string(word) +
+                ": says nothing of buffers (--normals, --depth), which are one picture and no scene; leave "
+                "it away");
+    }
+}
+
+void run_on_buffers(RenderWords words, const std::vector<std::string>& given) {
+    require_of_buffers(given);
+    if (!words.depth) throw UsageError("--normals: the depths are missing; give --depth FILE, too");
+    if (words.only.empty()) words.only = "ao_raw,ao_blurred";
+    words.scene = *words.depth;
+    const RenderOptions options = options_of(words);
+    if (options.request.wanted.contains("lit"))
+        throw UsageError("--only: buffers are not lit (lit); leave it away");
+    GivenBuffers buffers{{}, *words.depth};
+    if (words.normals) buffers.normals = *words.normals;
+    render_given_buffers(options, buffers);
+}
+
+int run(const RenderWords& words, const std::vector<std::string>& given) {
+    if (words.normals || words.depth) {
+        run_on_buffers(words, given);
+        return static_cast<int>(ExitCode::done);
+    }
     const RenderOptions options = options_of(words);
     if (words.stops) {
         step_pixel(options, pixel_stop(words));
@@ -125,8 +158,15 @@ Command add_render_command(CommandLine& program) {
     render.option("--pixel", words->pixel, "X,Y: where --break stops, pixels of the picture");
     render.option("--pass", words->pass,
                   "in which pass --break stops: normal_depth, ao (the default), blur or lit");
+    render.option(
+        "--normals", words->normals,
+        "in place of SCENE: AO of another program's view-space normals, (H, W, 3) in a .npy, .pfm or .exr; "
+        "left-handed, z away from the eye");
+    render.option(
+        "--depth", words->depth,
+        "with --normals: its view-space depths, (H, W), +inf where no surface is; give --fov-y, too");
     render.option("--out", words->out, "the directory for the files");
-    return {render, [words] { return run(*words); }};
+    return {render, [render, words] { return run(*words, render.given()); }};
 }
 
 }  // namespace crevice

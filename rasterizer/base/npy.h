@@ -27,6 +27,7 @@ void write_npy(const std::filesystem::path& path, const Image3& image);
 
 struct NpyImage {
     Planes planes;
+    bool codes = false;     // whole numbers that count as parts of the largest
     long long rounded = 0;  // values of 64 bits that no float holds; the nearest float stands for them
 };
 

@@ -136,7 +136,8 @@ class NpyReader {
             fail("holds " + std::to_string(header.values.size()) + " bytes of values where its shape needs " +
                  std::to_string(expected));
         }
-        NpyImage result{Planes(components, Image<float>(size, 0.0f))};
+        NpyImage result{Planes(components, Image<float>(size, 0.0f)),
+                        type.descr.find('u') != std::string_view::npos};
         const char* at = header.values.data();
         for (int y = 0; y < size.height; ++y) {
             for (int x = 0; x < size.width; ++x) {
