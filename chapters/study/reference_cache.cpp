@@ -16,14 +16,15 @@ namespace {
 // The four images of a reference, in the order in which they are stored. Their checksum is stored last: a set is whole
 // when that is there.
 constexpr const char* kParts[] = {"half_1", "half_2", "error", "mean"};
-constexpr int kPartCount = 4;
+constexpr std::size_t kPartCount = 4;
 constexpr std::uintmax_t kMostChecksumBytes = 64;
 
 std::array<const Image<float>*, kPartCount> parts_of(const ReferenceImage& image) {
     return {&image.half[0], &image.half[1], &image.error, &image.mean};
 }
 
-std::filesystem::path part_path(const std::filesystem::path& cache, const std::string& name, int part) {
+std::filesystem::path part_path(const std::filesystem::path& cache, const std::string& name,
+                                std::size_t part) {
     return cache / (name + "-" + kParts[part] + ".npy");
 }
 
@@ -73,7 +74,7 @@ FoundReference find_reference(const std::filesystem::path& cache, const std::str
             {}, path.string() + ": this reference in the cache is damaged (" + what + "); made anew"};
     };
     Image<float> found[kPartCount];
-    for (int part = 0; part < kPartCount; ++part) {
+    for (std::size_t part = 0; part < kPartCount; ++part) {
         const std::filesystem::path path = part_path(cache, name, part);
         try {
             Planes planes = read_npy(path);
@@ -103,7 +104,8 @@ void store_reference(const std::filesystem::path& cache, const std::string& name
         throw OutputError(cache.string() + ": cannot make this directory (" + error.message() +
                           "); choose another --cache, or --no-cache");
     const auto parts = parts_of(image);
-    for (int part = 0; part < kPartCount; ++part) write_npy(part_path(cache, name, part), *parts[part]);
+    for (std::size_t part = 0; part < kPartCount; ++part)
+        write_npy(part_path(cache, name, part), *parts[part]);
     write_file_atomically(checksum_path(cache, name), checksum_of(image));
 }
 

@@ -158,12 +158,12 @@ TEST_CASE("given buffers: words that do not go together, and files of another ki
         {"--fov-y 60 --param history=4", "--param history: there is no frame before"},
         {"--fov-y 60 --near 9 --far 2", "--far"},
     };
-    for (const auto& [words, said] : wrong) {
-        CAPTURE(words);
-        const Outcome outcome = wall.run(words);
+    for (const auto& row : wrong) {
+        CAPTURE(row.first);
+        const Outcome outcome = wall.run(row.first);
         CAPTURE(outcome.text);
         CHECK(outcome.code == 2);
-        CHECK(contains(outcome.text, said));
+        CHECK(contains(outcome.text, row.second));
     }
     const std::string depth =
         " --fov-y 60 --out " + quoted(wall.scratch / "out") + " --depth " + quoted(wall.scratch / "d.npy");

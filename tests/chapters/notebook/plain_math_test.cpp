@@ -44,9 +44,9 @@ TEST_CASE("plain math: formulas in one line of Unicode") {
         {R"(mask \mathrel{|}= 1)", "mask |= 1"},
         {R"(\unknown{x})", "unknownx"},
     };
-    for (const auto& [tex, plain] : rows) {
-        CAPTURE(std::string(tex));
-        CHECK(plain_math(tex) == plain);
+    for (const auto& row : rows) {
+        CAPTURE(std::string(row.first));
+        CHECK(plain_math(row.first) == row.second);
     }
     // Whatever is typed comes to an end.
     for (const char* torn : {"", "{", "}", "\\", "\\frac", "\\frac{", "^", "_", "a_", "\\begin{cases} a",

@@ -1,9 +1,11 @@
 #include "rasterizer/textures/image_file.h"
 
 #include <fstream>
+#include <tuple>
 #include <vector>
 
 #include <doctest/doctest.h>
+#include <glm/geometric.hpp>
 
 #include "rasterizer/base/error.h"
 #include "rasterizer/lanes/approx_math.h"
@@ -264,10 +266,10 @@ TEST_CASE(
         {adobe(1), numbers, light},
         {jfif + adobe(0), rgb, light},
     };
-    for (const auto& [segments, names, wanted] : rows) {
-        CAPTURE(segments);
-        CAPTURE(names);
-        CHECK(glm::length(colour_of(segments, names) - wanted) < 0.01f);
+    for (const auto& row : rows) {
+        CAPTURE(std::get<0>(row));
+        CAPTURE(std::get<1>(row));
+        CHECK(glm::length(colour_of(std::get<0>(row), std::get<1>(row)) - std::get<2>(row)) < 0.01f);
     }
 }
 
