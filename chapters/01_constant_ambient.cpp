@@ -294,7 +294,7 @@ book.numbers({{"ground_ambient", exact_text(scene.materials[0].ambient.x)},
 // %% end tags=["setup"]
 }
 
-const Chapter kChapter("01", "constant_ambient", "Constant ambient light", constant_ambient);
+const Chapter kChapter01("01", "constant_ambient", "Constant ambient light", constant_ambient);
 
 }  // namespace
 }  // namespace crevice

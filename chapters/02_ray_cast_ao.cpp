@@ -354,7 +354,7 @@ book.show("corners_minus_tutorial", difference_picture(signed_difference({better
 // %% end tags=["setup"]
 }
 
-const Chapter kChapter("02", "ray_cast_ao", "Ray-cast ambient occlusion", ray_cast_occlusion);
+const Chapter kChapter02("02", "ray_cast_ao", "Ray-cast ambient occlusion", ray_cast_occlusion);
 
 }  // namespace
 }  // namespace crevice

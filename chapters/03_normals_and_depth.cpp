@@ -380,7 +380,7 @@ book.check("`float4(n, 0)` does as the 3 x 3 part does: both are right only wher
 // %% end tags=["setup"]
 }
 
-const Chapter kChapter("03", "normals_and_depth", "Normals and depth", normals_and_depth);
+const Chapter kChapter03("03", "normals_and_depth", "Normals and depth", normals_and_depth);
 
 }  // namespace
 }  // namespace crevice

@@ -386,7 +386,7 @@ book.check("Toward zero {nan_cut} % of the texels are NaN, and only where a samp
 // %% end tags=["setup"]
 }
 
-const Chapter kChapter("04", "position_from_depth", "Position from depth", position_from_depth);
+const Chapter kChapter04("04", "position_from_depth", "Position from depth", position_from_depth);
 
 }  // namespace
 }  // namespace crevice

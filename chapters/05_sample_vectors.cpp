@@ -313,7 +313,7 @@ book.show(
 // %% end tags=["setup"]
 }
 
-const Chapter kChapter("05", "sample_vectors", "Sample vectors", sample_vectors);
+const Chapter kChapter05("05", "sample_vectors", "Sample vectors", sample_vectors);
 
 }  // namespace
 }  // namespace crevice

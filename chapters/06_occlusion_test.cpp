@@ -383,7 +383,7 @@ book.check("Facing a wall, only {samples_zero} of the 14 unturned samples leave 
 // %% end tags=["setup"]
 }
 
-const Chapter kChapter("06", "occlusion_test", "The occlusion test", occlusion_test);
+const Chapter kChapter06("06", "occlusion_test", "The occlusion test", occlusion_test);
 
 }  // namespace
 }  // namespace crevice

@@ -393,7 +393,7 @@ book.check("Single texels change by up to {last_change} and {wrap_change}; no po
 // %% end tags=["setup"]
 }
 
-const Chapter kChapter("07", "raw_ao", "Raw ambient occlusion", raw_ao);
+const Chapter kChapter07("07", "raw_ao", "Raw ambient occlusion", raw_ao);
 
 }  // namespace
 }  // namespace crevice

@@ -290,7 +290,7 @@ book.check("Mapped normals darken single texels by up to {mapped_most} and chang
 // %% end tags=["setup"]
 }
 
-const Chapter kChapter("09", "final_image", "The final image", final_image);
+const Chapter kChapter09("09", "final_image", "The final image", final_image);
 
 }  // namespace
 }  // namespace crevice

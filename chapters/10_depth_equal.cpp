@@ -287,7 +287,7 @@ book.check("Cut in the second alone, {gaps} of the surface is missing.", only_se
 // %% end tags=["setup"]
 }
 
-const Chapter kChapter("10", "depth_equal", "Equal depths", depth_equal);
+const Chapter kChapter10("10", "depth_equal", "Equal depths", depth_equal);
 
 }  // namespace
 }  // namespace crevice

@@ -353,7 +353,7 @@ book.check("WRAP is no cure, either: it mixes the lowest row into the top one, b
 // %% end tags=["setup"]
 }
 
-const Chapter kChapter("11", "screen_space_limits", "The limits of screen space", screen_space_limits);
+const Chapter kChapter11("11", "screen_space_limits", "The limits of screen space", screen_space_limits);
 
 }  // namespace
 }  // namespace crevice

@@ -282,7 +282,7 @@ book.check("In groups the blur makes {saved} times fewer reads.", saved > 8);
 // %% end tags=["setup"]
 }
 
-const Chapter kChapter("12", "compute_ssao", "SSAO as a compute shader", compute_ssao);
+const Chapter kChapter12("12", "compute_ssao", "SSAO as a compute shader", compute_ssao);
 
 }  // namespace
 }  // namespace crevice

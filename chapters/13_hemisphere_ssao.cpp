@@ -393,7 +393,7 @@ book.compare(
 // %% end tags=["setup"]
 }
 
-const Chapter kChapter("13", "hemisphere_ssao", "Points in a hemisphere: LearnOpenGL's SSAO", hemisphere_ssao);
+const Chapter kChapter13("13", "hemisphere_ssao", "Points in a hemisphere: LearnOpenGL's SSAO", hemisphere_ssao);
 
 }  // namespace
 }  // namespace crevice

@@ -391,7 +391,7 @@ book.compare({"hall_points", ao_picture(hall_points.denoised),
 // %% end tags=["setup"]
 }
 
-const Chapter kChapter("14", "unity_ssao", "Which depth? The Unity notes' SSAO", unity_ssao);
+const Chapter kChapter14("14", "unity_ssao", "Which depth? The Unity notes' SSAO", unity_ssao);
 
 }  // namespace
 }  // namespace crevice

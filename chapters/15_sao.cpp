@@ -371,7 +371,7 @@ book.compare({"box_points", ao_picture(box.map("unity", {"radius=3"}).denoised),
 // %% end tags=["setup"]
 }
 
-const Chapter kChapter("15", "sao", "How large does it look? Alchemy and scalable obscurance", sao_chapter);
+const Chapter kChapter15("15", "sao", "How large does it look? Alchemy and scalable obscurance", sao_chapter);
 
 }  // namespace
 }  // namespace crevice

@@ -343,7 +343,7 @@ book.compare({"box_sao", ao_picture(box.map("sao", {"radius=2"}).picture), "SAO,
 // %% end tags=["setup"]
 }
 
-const Chapter kChapter("16", "msvo", "Balls in the depth map: multi-scale volumetric obscurance", msvo_chapter);
+const Chapter kChapter16("16", "msvo", "Balls in the depth map: multi-scale volumetric obscurance", msvo_chapter);
 
 }  // namespace
 }  // namespace crevice

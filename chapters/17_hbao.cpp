@@ -374,7 +374,7 @@ book.check("Each of the four alone changes the map.", all_show);
 // %% end tags=["setup"]
 }
 
-const Chapter kChapter("17", "hbao", "Horizons: HBAO and HBAO+", hbao_chapter);
+const Chapter kChapter17("17", "hbao", "Horizons: HBAO and HBAO+", hbao_chapter);
 
 }  // namespace
 }  // namespace crevice

@@ -394,7 +394,7 @@ book.check("A bent normal lies up to {most_bent} off its normal, and never below
 // %% end tags=["setup"]
 }
 
-const Chapter kChapter("18", "gtao", "Slices and the cosine: GTAO", gtao_chapter);
+const Chapter kChapter18("18", "gtao", "Slices and the cosine: GTAO", gtao_chapter);
 
 }  // namespace
 }  // namespace crevice

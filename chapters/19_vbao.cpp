@@ -341,7 +341,7 @@ book.check("As an answer to the question of ambient light, rays apart, {nearest}
 // %% end tags=["setup"]
 }
 
-const Chapter kChapter("19", "vbao", "Things have backs: the visibility bitmask", vbao_chapter);
+const Chapter kChapter19("19", "vbao", "Things have backs: the visibility bitmask", vbao_chapter);
 
 }  // namespace
 }  // namespace crevice

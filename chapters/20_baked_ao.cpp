@@ -336,7 +336,7 @@ book.check("Where half is open, a white surface of albedo 0.9 gets {white} of th
 // %% end tags=["setup"]
 }
 
-const Chapter kChapter("20", "baked_ao", "Baked ambient occlusion", baked_ao);
+const Chapter kChapter20("20", "baked_ao", "Baked ambient occlusion", baked_ao);
 
 }  // namespace
 }  // namespace crevice

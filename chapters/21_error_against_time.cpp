@@ -357,7 +357,7 @@ book.check(
 // %% end tags=["setup"]
 }
 
-const Chapter kChapter("21", "error_against_time", "Error against run time", error_against_time);
+const Chapter kChapter21("21", "error_against_time", "Error against run time", error_against_time);
 
 }  // namespace
 }  // namespace crevice

@@ -393,7 +393,7 @@ book.number("luna_step", short_text(depth_step(with_planes(columns.camera, 1, 10
 // %% end tags=["setup"]
 }
 
-const Chapter kChapter("22", "stability", "Numbers that hold", stability_chapter);
+const Chapter kChapter22("22", "stability", "Numbers that hold", stability_chapter);
 
 }  // namespace
 }  // namespace crevice

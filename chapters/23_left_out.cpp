@@ -22,7 +22,7 @@ FrameRequest request_of(const Notebook& book) {
     return request;
 }
 
-std::string hashes_of(const Frame& frame) {
+std::string buffer_hashes(const Frame& frame) {
     return content_hash(frame.gbuffer.normal) + content_hash(frame.gbuffer.view_depth) +
            content_hash(ndc_depth(frame.gbuffer.depth)) + content_hash(frame.ao_raw) +
            content_hash(frame.ao_blurred) + content_hash(frame.lit);
@@ -46,14 +46,14 @@ struct KeptAndLeftOut {
 KeptAndLeftOut kept_and_left_out(const Scene& scene, FrameRequest request) {
     KeptAndLeftOut result;
     result.frame = render_frame(scene, scene.camera, request);
-    const std::string expected = hashes_of(result.frame);
+    const std::string expected = buffer_hashes(result.frame);
     for (int kind = 0; kind < kSkipCount; ++kind) {
         request.run.kept = KeptWork::only(static_cast<Skip>(kind));
-        result.same = result.same && hashes_of(render_frame(scene, scene.camera, request)) == expected;
+        result.same = result.same && buffer_hashes(render_frame(scene, scene.camera, request)) == expected;
     }
     request.run.kept = KeptWork::all();
     const Frame kept = render_frame(scene, scene.camera, request);
-    result.same = result.same && hashes_of(kept) == expected;
+    result.same = result.same && buffer_hashes(kept) == expected;
     std::size_t still_left_out = 0;
     for (const SkippedWork& work : kept.skipped) still_left_out += work.count;
     const bool nothing_to_compute = triangle_count(scene) == 0;
@@ -362,7 +362,7 @@ book.compare(
 // %% end tags=["setup"]
 }
 
-const Chapter kChapter("23", "left_out", "What a scene does not need", left_out);
+const Chapter kChapter23("23", "left_out", "What a scene does not need", left_out);
 
 }  // namespace
 }  // namespace crevice

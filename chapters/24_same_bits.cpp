@@ -358,7 +358,7 @@ book.listing_part("ssao/methods/luna_occlusion.h", "cell_at", "x = min_of", "flo
 // %% end tags=["setup"]
 }
 
-const Chapter kChapter("24", "same_bits", "The same bits", same_bits);
+const Chapter kChapter24("24", "same_bits", "The same bits", same_bits);
 
 }  // namespace
 }  // namespace crevice

@@ -337,7 +337,7 @@ book.check("Of {borders} false borders above 0.1 in the banded map, a single sam
 // %% end tags=["setup"]
 }
 
-const Chapter kChapter("25", "guilty_sample", "From the picture to the guilty sample", guilty_sample);
+const Chapter kChapter25("25", "guilty_sample", "From the picture to the guilty sample", guilty_sample);
 
 }  // namespace
 }  // namespace crevice

@@ -19,7 +19,7 @@ namespace {
 constexpr glm::dvec3 kCrimsonDye{0.42, 0.035, 0.04}, kBlueDye{0.035, 0.09, 0.26};
 constexpr glm::vec3 kLeafTints[] = {{1.0f, 1.0f, 1.0f}, {0.8f, 0.95f, 0.7f}, {1.2f, 1.1f, 0.8f}};
 
-struct Dress {
+struct AtriumDress {
     Surface tiles, paving, ashlar, limestone, brick, crimson, blue;
     std::shared_ptr<const CubeMap> sky;
 };
@@ -31,8 +31,8 @@ SkyLook sky_look() {
     return look;
 }
 
-Dress dress(SceneDetail detail, const Run& run) {
-    Dress made;
+AtriumDress atrium_dress(SceneDetail detail, const Run& run) {
+    AtriumDress made;
     if (detail == SceneDetail::shapes) return made;
     constexpr int kSide = kTextureSide / 2;
     at_once(run, {[&] { made.sky = shared_sky(sky_look(), run); },
@@ -57,7 +57,7 @@ Material chain(const Run& run) {
     return material;
 }
 
-std::vector<Material> materials(const Dress& worn, const Run& run) {
+std::vector<Material> atrium_materials(const AtriumDress& worn, const Run& run) {
     const glm::vec3 matt(0.04f);
     const auto of = [](const char* name, glm::vec3 specular, double roughness, const Surface& surface,
                        glm::vec3 mean) {
@@ -95,10 +95,10 @@ void add_tangents(Scene& scene) {
 }  // namespace
 
 Scene atrium_scene(SceneDetail detail, const Run& run) {
-    const Dress worn = dress(detail, run);
+    const AtriumDress worn = atrium_dress(detail, run);
     Scene scene;
     scene.name = "atrium";
-    scene.materials = materials(worn, run);
+    scene.materials = atrium_materials(worn, run);
     scene.two_sided = true;  // leaves, chains and cloth have no back
     scene.lighting = LightingModel::blinn_schlick;
     scene.ambient_light = {0.36f, 0.38f, 0.42f};

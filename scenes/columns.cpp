@@ -33,13 +33,13 @@ struct Era {
 };
 
 // What the shapes are dressed in: nothing, all null, unless the surfaces are asked for.
-struct Dress {
+struct ColumnsDress {
     Surface floor, bricks, stone;
     std::shared_ptr<const CubeMap> sky;
 };
 
-Dress dress(SceneDetail detail, const Run& run) {
-    Dress made;
+ColumnsDress columns_dress(SceneDetail detail, const Run& run) {
+    ColumnsDress made;
     if (detail == SceneDetail::shapes) return made;
     // The stone takes longest to make and is seen smallest.
     at_once(run, {[&] { made.sky = shared_sky(desert_look(), run); },
@@ -60,7 +60,7 @@ Material reflecting(const char* name, const Reflectance& r) {
     return material;
 }
 
-std::vector<Material> materials(const Era& era, const Dress& worn) {
+std::vector<Material> columns_materials(const Era& era, const ColumnsDress& worn) {
     const auto of = [](const char* name, glm::vec3 mean_colour, const Reflectance& r,
                        const Surface& surface) {
         return covered(reflecting(name, r), surface, mean_colour, kXjunSampler);
@@ -104,10 +104,10 @@ Era era_2022() {
 Scene scene_of(const char* name, const Era& era, const SceneShadow& shadow, SceneDetail detail,
                const Run& run) {
     const bool dressed = detail == SceneDetail::surfaces;
-    const Dress worn = dress(detail, run);
+    const ColumnsDress worn = columns_dress(detail, run);
     Scene scene;
     scene.name = name;
-    scene.materials = materials(era, worn);
+    scene.materials = columns_materials(era, worn);
     scene.lights = era.lights;
     scene.light_spin_rad_per_s = 2 * kPi / 40;
     scene.lighting = LightingModel::phong;

@@ -22,13 +22,13 @@ namespace {
 enum LunaMaterial { kBricks, kTile, kMirror, kSkull };
 
 // What the shapes are dressed in: nothing, all null, unless the surfaces are asked for.
-struct Dress {
+struct ColumnsLunaDress {
     Surface bricks, tiles;
     std::shared_ptr<const CubeMap> sky;
 };
 
-Dress dress(SceneDetail detail, const Run& run) {
-    Dress made;
+ColumnsLunaDress columns_luna_dress(SceneDetail detail, const Run& run) {
+    ColumnsLunaDress made;
     if (detail == SceneDetail::shapes) return made;
     at_once(run, {[&] { made.sky = shared_sky(sunset_look(), run); },
                   [&] { made.bricks = shared_surface(brick_textures(kTextureSide, run)); },
@@ -36,7 +36,7 @@ Dress dress(SceneDetail detail, const Run& run) {
     return made;
 }
 
-std::vector<Material> materials(const Dress& worn) {
+std::vector<Material> columns_luna_materials(const ColumnsLunaDress& worn) {
     const glm::vec3 white(1);
     return {
         covered(book_material("bricks", white, glm::vec3(0.1f), 0.3), worn.bricks, white, kLunaSampler),
@@ -61,12 +61,12 @@ std::array<DirectionalLight, 3> lights() {
 
 Scene columns_luna_scene(SceneDetail detail, const Run& run) {
     const bool dressed = detail == SceneDetail::surfaces;
-    Dress worn;
+    ColumnsLunaDress worn;
     Mesh head_mesh;
-    at_once(run, {[&] { head_mesh = carved_head_mesh(run); }, [&] { worn = dress(detail, run); }});
+    at_once(run, {[&] { head_mesh = carved_head_mesh(run); }, [&] { worn = columns_luna_dress(detail, run); }});
     Scene scene;
     scene.name = "columns_luna";
-    scene.materials = materials(worn);
+    scene.materials = columns_luna_materials(worn);
     scene.lights = lights();
     scene.light_spin_rad_per_s = 0.1;
     scene.ambient_light = {0.4f, 0.4f, 0.6f};

@@ -22,13 +22,13 @@ constexpr float kRepeatsAUnit = 1 / 1.5f;       // diamonds of 0.375 units
 // Not a power of two, or all wires would fall alike on the texels of a mip level and pass or fail together.
 constexpr int kWireSide = 250;
 
-struct Dress {
+struct FenceDress {
     Surface floor, bricks;
     std::shared_ptr<const CubeMap> sky;
 };
 
-Dress dress(SceneDetail detail, const Run& run) {
-    Dress made;
+FenceDress fence_dress(SceneDetail detail, const Run& run) {
+    FenceDress made;
     if (detail == SceneDetail::shapes) return made;
     at_once(run, {[&] { made.sky = shared_sky(desert_look(), run); },
                   [&] { made.floor = shared_surface(floor_tile_textures(kTextureSide / 2, run)); },
@@ -45,7 +45,7 @@ Material wire(const Run& run) {
     return material;
 }
 
-std::vector<Material> materials(const Dress& worn, const Run& run) {
+std::vector<Material> fence_materials(const FenceDress& worn, const Run& run) {
     const glm::vec3 matt(0.04f);
     return {
         covered(book_material("ground", glm::vec3(0.9f), matt, 0.6), worn.floor, {0.44f, 0.37f, 0.29f},
@@ -114,10 +114,10 @@ void add_yard(Scene& scene, bool dressed) {
 
 Scene fence_scene(SceneDetail detail, const Run& run) {
     const bool dressed = detail == SceneDetail::surfaces;
-    const Dress worn = dress(detail, run);
+    const FenceDress worn = fence_dress(detail, run);
     Scene scene;
     scene.name = "fence";
-    scene.materials = materials(worn, run);
+    scene.materials = fence_materials(worn, run);
     scene.two_sided = true;  // a fence has no back
     scene.lighting = LightingModel::blinn_schlick;
     scene.ambient_light = {0.50f, 0.52f, 0.56f};

@@ -100,20 +100,20 @@ std::vector<Instance> fallen_leaves(int first_mesh) {
     return leaves;
 }
 
-struct Dress {
+struct LeavesDress {
     Surface stone;
     std::shared_ptr<const CubeMap> sky;
 };
 
-Dress dress(SceneDetail detail, const Run& run) {
-    Dress made;
+LeavesDress leaves_dress(SceneDetail detail, const Run& run) {
+    LeavesDress made;
     if (detail == SceneDetail::shapes) return made;
     at_once(run, {[&] { made.sky = shared_sky(desert_look(), run); },
                   [&] { made.stone = shared_surface(rough_stone_textures(kTextureSide / 2, run)); }});
     return made;
 }
 
-std::vector<Material> materials(const Dress& worn, const Run& run) {
+std::vector<Material> leaves_materials(const LeavesDress& worn, const Run& run) {
     const glm::vec3 matt(0.04f);
     std::vector<Material> all = {
         covered(book_material("ground", glm::vec3(1), matt, 0.8), worn.stone, {0.46f, 0.42f, 0.36f},
@@ -140,10 +140,10 @@ void add_tree(Scene& scene) {
 
 Scene leaves_scene(SceneDetail detail, const Run& run) {
     const bool dressed = detail == SceneDetail::surfaces;
-    const Dress worn = dress(detail, run);
+    const LeavesDress worn = leaves_dress(detail, run);
     Scene scene;
     scene.name = "leaves";
-    scene.materials = materials(worn, run);
+    scene.materials = leaves_materials(worn, run);
     scene.two_sided = true;  // leaves are seen from below, too
     scene.lighting = LightingModel::blinn_schlick;
     scene.ambient_light = {0.55f, 0.58f, 0.62f};

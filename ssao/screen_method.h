@@ -42,11 +42,17 @@ std::vector<Parameter<S>> common_parameters() {
     };
 }
 
+// How a screen-space method makes its inputs. Apart from ScreenMethod, because every function of a row has a copy.
 template <class S>
-AoInputs inputs_of(const ScreenMethod<S>& m, const AoView& view, const S& settings, const Run& run) {
-    if (m.inputs != nullptr) return m.inputs(view, settings, run);
-    return ao_inputs(view.gbuffer, view.camera, m.fetch(settings), run);
-}
+struct InputsOf {
+    AoFetch (*fetch)(const S&);
+    AoInputs (*inputs)(const AoView&, const S&, const Run&);  // or null
+
+    AoInputs operator()(const AoView& view, const S& settings, const Run& run) const {
+        if (inputs != nullptr) return inputs(view, settings, run);
+        return ao_inputs(view.gbuffer, view.camera, fetch(settings), run);
+    }
+};
 
 // A row with its settings, their parameters and their check.
 template <class S>
@@ -86,35 +92,36 @@ Method row_of(const ScreenMethod<S>& m, Denoiser denoiser) {
     row.source = m.source;
     row.reads_normals = m.reads_normals;
     row.samples_to_try = m.samples_to_try;
-    row.reach_px = [m](const AoInputs& inputs, const AnySettings& s, double view_depth) {
-        return m.reach_px(inputs, s.as<S>(), view_depth);
+    row.reach_px = [reach_px = m.reach_px](const AoInputs& inputs, const AnySettings& s, double view_depth) {
+        return reach_px(inputs, s.as<S>(), view_depth);
     };
-    row.ao = [m](const AoView& view, const AnySettings& s, const Run& run) {
-        AoInputs inputs = inputs_of(m, view, s.as<S>(), run);
-        AoMap map = m.ao(inputs, s.as<S>(), run);
+    const InputsOf<S> inputs_of{m.fetch, m.inputs};
+    row.ao = [inputs_of, ao = m.ao](const AoView& view, const AnySettings& s, const Run& run) {
+        AoInputs inputs = inputs_of(view, s.as<S>(), run);
+        AoMap map = ao(inputs, s.as<S>(), run);
         return RawAo{std::move(map.ao), std::move(map.tiles), std::move(inputs)};
     };
-    row.ao_in_double = [m](const AoView& view, const AnySettings& s, const Run& run) {
-        AoInputs inputs = inputs_of(m, view, s.as<S>(), run);
-        return m.ao(in_double(std::move(inputs), view.in_double), s.as<S>(), run).ao;
+    row.ao_in_double = [inputs_of, ao = m.ao](const AoView& view, const AnySettings& s, const Run& run) {
+        AoInputs inputs = inputs_of(view, s.as<S>(), run);
+        return ao(in_double(std::move(inputs), view.in_double), s.as<S>(), run).ao;
     };
     if (m.tangent_offsets != nullptr)
-        row.offsets = [m](const AnySettings& s) {
-            return SampleOffsets{"tangent", m.tangent_offsets(s.as<S>())};
+        row.offsets = [offsets = m.tangent_offsets](const AnySettings& s) {
+            return SampleOffsets{"tangent", offsets(s.as<S>())};
         };
     row.denoiser = std::move(denoiser);
     if (m.bent_normals != nullptr) {
-        row.bent_normals = [m](const AoInputs& inputs, const AnySettings& s, const Run& run) {
-            return m.bent_normals(inputs, s.as<S>(), run);
+        row.bent_normals = [bent_normals = m.bent_normals](const AoInputs& inputs, const AnySettings& s,
+                                                           const Run& run) {
+            return bent_normals(inputs, s.as<S>(), run);
         };
     }
-    row.limit = limit_over_seeds<S>([m](const AoView& view, const S& settings,
-                                        const Run& run) { return inputs_of(m, view, settings, run); },
-                                    [m](const AoView&, const AoInputs& inputs, const S& settings,
-                                        const Run& run) { return m.ao(inputs, settings, run); });
-    row.question = [m](const AnySettings& s) { return m.question(s.as<S>()); };
-    row.explain = [m](const AoView&, const RawAo& raw, const AnySettings& s, int x, int y) {
-        return m.explain(raw.inputs, s.as<S>(), x, y);
+    row.limit =
+        limit_over_seeds<S>(inputs_of, [ao = m.ao](const AoView&, const AoInputs& inputs, const S& settings,
+                                                   const Run& run) { return ao(inputs, settings, run); });
+    row.question = [question = m.question](const AnySettings& s) { return question(s.as<S>()); };
+    row.explain = [explain = m.explain](const AoView&, const RawAo& raw, const AnySettings& s, int x, int y) {
+        return explain(raw.inputs, s.as<S>(), x, y);
     };
     return row;
 }

@@ -38,7 +38,7 @@ InstructionFigures figures_from_text(std::string_view text, const std::string& f
     };
     InstructionFigures figures;
     try {
-        const Json whole = Json::parse(text);
+        const Json whole = json_from_text(std::string(text));
         figures.compiler = whole.at("compiler").get<std::string>();
         for (const auto& [scene, passes] : whole.at("instructions").items()) {
             if (!passes.is_object()) fail("no passes (" + scene + ")");

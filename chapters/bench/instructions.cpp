@@ -4,13 +4,12 @@
 #include <ostream>
 #include <sstream>
 
-#include <nlohmann/json.hpp>
-
 #include "chapters/bench/instruction_figures.h"
 #include "chapters/bench/machine.h"
 #include "chapters/bench/scratch.h"
 #include "chapters/notebook/table.h"
 #include "chapters/terminal/child.h"
+#include "chapters/terminal/json_text.h"
 #include "chapters/terminal/progress.h"
 #include "chapters/terminal/stopwatch.h"
 #include "rasterizer/base/error.h"
@@ -40,7 +39,7 @@ long long counted(const fs::path& dump) {
 
 // The passes in the order in which they ran, as passes.json has them; the last is the frame.
 std::vector<std::string> pass_names(const fs::path& out) {
-    const auto json = nlohmann::json::parse(read_file(out / "passes.json", kLargestFile));
+    const auto json = json_from_text(read_file(out / "passes.json", kLargestFile));
     std::vector<std::string> names;
     for (const auto& pass : json.at("passes")) names.push_back(pass.at("name").get<std::string>());
     return names;

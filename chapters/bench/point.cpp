@@ -7,6 +7,7 @@
 #include "chapters/bench/machine.h"
 #include "chapters/frame/frame.h"
 #include "chapters/terminal/child.h"
+#include "chapters/terminal/json_text.h"
 #include "chapters/terminal/number_text.h"
 #include "chapters/terminal/parse.h"
 #include "rasterizer/base/error.h"
@@ -16,6 +17,8 @@
 namespace crevice {
 
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 constexpr double kPointPatience_s = 600;  // for one point
 
@@ -69,7 +72,7 @@ PointFigures measure(const BenchPoint& point) {
 }
 
 std::string figures_json(const PointFigures& figures) {
-    nlohmann::json passes = nlohmann::json::array();
+    Json passes = Json::array();
     for (const PassTime& pass : figures.passes) {
         passes.push_back({{"name", pass.name},
                           {"wall_ms", pass.wall_ms},
@@ -77,14 +80,13 @@ std::string figures_json(const PointFigures& figures) {
                           {"wall_ms_mad", pass.wall_ms_mad},
                           {"runs", pass.runs}});
     }
-    return nlohmann::json{
-        {"triangles", figures.triangles}, {"peak_bytes", figures.peak_bytes}, {"passes", passes}}
-        .dump();
+    return json_line(Json{
+        {"triangles", figures.triangles}, {"peak_bytes", figures.peak_bytes}, {"passes", passes}});
 }
 
 PointFigures figures_from_json(const std::string& text) {
     try {
-        const auto json = nlohmann::json::parse(text);
+        const Json json = json_from_text(text);
         PointFigures figures{json.at("triangles").get<double>(), json.at("peak_bytes").get<double>(), {}};
         for (const auto& pass : json.at("passes")) {
             figures.passes.push_back({pass.at("name").get<std::string>(), pass.at("wall_ms").get<double>(),
@@ -92,7 +94,7 @@ PointFigures figures_from_json(const std::string& text) {
                                       pass.at("runs").get<int>()});
         }
         return figures;
-    } catch (const nlohmann::json::exception&) {
+    } catch (const Json::exception&) {
         throw InputError("bench --point: not an answer (" + text.substr(0, 80) +
                          "); run it by hand to see more");
     }

@@ -12,6 +12,7 @@
 #include "chapters/bench/threads.h"
 #include "chapters/study/statistics.h"
 #include "chapters/terminal/child.h"
+#include "chapters/terminal/json_text.h"
 #include "chapters/terminal/number_text.h"
 #include "chapters/terminal/progress.h"
 #include "rasterizer/base/error.h"
@@ -20,7 +21,7 @@ namespace crevice {
 
 namespace {
 
-using PeerLine = nlohmann::json;
+using PeerLine = nlohmann::ordered_json;
 
 // How many times as fast as each of Embree's ways ours is meant to be.
 constexpr double kRayAim = 1;
@@ -179,7 +180,7 @@ Answers answers_of(const std::string& scene, const std::vector<std::string>& lin
     Answers answers;
     for (const std::string& text : lines) {
         try {
-            const PeerLine line = PeerLine::parse(text);
+            const PeerLine line = json_from_text(text);
             const auto kind = line.at("kind").get<std::string>();
             if (kind == "trace") answers.traces.push_back(traced(line));
             if (kind == "build") answers.builds.rows.push_back(build_row(scene, line));

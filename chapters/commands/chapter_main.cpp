@@ -1,5 +1,6 @@
 // The main function of a chapter that is an executable of its own.
 #include "chapters/commands/notebook_flags.h"
+#include "chapters/commands/own_chapter.h"
 #include "chapters/commands/run_chapters.h"
 #include "chapters/terminal/exit_code.h"
 #include "rasterizer/base/error.h"
@@ -9,9 +10,8 @@ namespace {
 using namespace crevice;
 
 int run(int argc, char** argv) {
-    const std::vector<const Chapter*> chapters = all_chapters();
-    CommandLine program(chapters.empty() ? "No chapter is linked into this program."
-                                         : chapters.front()->title);
+    const std::vector<const Chapter*> chapters = chosen_chapters(own_chapter());
+    CommandLine program(chapters.front()->title);
     NotebookWords words;
     add_notebook_flags(program, words);
     if (!program.parse(argc, argv)) return static_cast<int>(ExitCode::done);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "chapters/terminal/json_file.h"
+#include "chapters/terminal/json_text.h"
 #include "chapters/terminal/number_text.h"
 
 namespace crevice {
@@ -25,7 +26,7 @@ class LimitsReader {
             if (key == "default") {
                 limits.otherwise = of_buffer(value, key, {key});
             } else if (key == "limits") {
-                if (!value.is_object()) fail("\"limits\" is not an object (" + value.dump() + ")", {key});
+                if (!value.is_object()) fail("\"limits\" is not an object (" + json_line(value) + ")", {key});
                 for (const auto& [buffer, of] : value.items())
                     limits.named[buffer] = of_buffer(of, buffer, {"limits", buffer});
             } else {
@@ -37,7 +38,7 @@ class LimitsReader {
 
  private:
     CompareLimits of_buffer(const Json& of, const std::string& buffer, const JsonPlace& place) const {
-        if (!of.is_object()) fail("no limits (" + buffer + ": " + of.dump() + ")", place);
+        if (!of.is_object()) fail("no limits (" + buffer + ": " + json_line(of) + ")", place);
         CompareLimits limits;
         for (const auto& item : of.items()) {
             const std::string& name = item.key();
@@ -45,7 +46,7 @@ class LimitsReader {
             const auto number = [&](double lowest, double highest) {
                 const double read = value.is_number() ? value.get<double>() : kInfinity;
                 if (!(read >= lowest && read <= highest) || std::isinf(read))
-                    fail(buffer + ": " + name + " is out of range (" + value.dump() + ")",
+                    fail(buffer + ": " + name + " is out of range (" + json_line(value) + ")",
                          below(place, name));
                 return read;
             };
@@ -59,7 +60,7 @@ class LimitsReader {
                 limits.ssim = number(-1, 1);
             } else if (name == "max_pixels") {
                 if (!value.is_number_integer())
-                    fail(buffer + ": max_pixels is no whole number (" + value.dump() + ")",
+                    fail(buffer + ": max_pixels is no whole number (" + json_line(value) + ")",
                          below(place, name));
                 limits.max_pixels = static_cast<long long>(number(0, 0x1p62));
             } else {

@@ -43,7 +43,7 @@ Json buffers_json(const DrawnFrame& drawn) {
 
 }  // namespace
 
-LabWords lab_words(const nlohmann::json& request) {
+LabWords lab_words(const Json& request) {
     LabWords words;
     words.scene = request.at("scene");
     words.ao = request.at("ao");
@@ -52,7 +52,7 @@ LabWords lab_words(const nlohmann::json& request) {
     words.params = request.value("params", std::vector<std::string>{});
     for (const std::string& name : request.at("only").get<std::vector<std::string>>())
         words.only.insert(name);
-    const nlohmann::json camera = request.value("camera", nlohmann::json::object());
+    const Json camera = request.value("camera", Json::object());
     const std::pair<const char*, std::optional<std::string> CameraFlags::*> flags[] = {
         {"eye", &CameraFlags::eye},         {"target", &CameraFlags::target}, {"fov_y", &CameraFlags::fov_y},
         {"near", &CameraFlags::near_plane}, {"far", &CameraFlags::far_plane}, {"ortho", &CameraFlags::ortho}};

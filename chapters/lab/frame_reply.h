@@ -21,7 +21,7 @@ struct LabWords {
     WantedBuffers only;
     bool hashes = false;  // of the buffers: reading every byte takes a third of the time of a small frame
 };
-LabWords lab_words(const nlohmann::json& request);
+LabWords lab_words(const nlohmann::ordered_json& request);
 
 // Read or made once for all its frames.
 struct LoadedScene {

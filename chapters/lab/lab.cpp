@@ -4,6 +4,7 @@
 
 #include "chapters/lab/catalogue.h"
 #include "chapters/probe/probe_json.h"
+#include "chapters/terminal/json_text.h"
 #include "rasterizer/base/error.h"
 
 namespace crevice {
@@ -21,7 +22,7 @@ Json error_json(const std::string& message, ExitCode code) {
 std::string Lab::reply(const std::string& request) {
     Json reply;
     try {
-        reply = answer(nlohmann::json::parse(request));
+        reply = answer(json_from_text(request));
     } catch (const Error& error) {
         reply = error_json(error.what(), error.code);
     } catch (const std::bad_alloc&) {
@@ -31,14 +32,14 @@ std::string Lab::reply(const std::string& request) {
             std::string("crevice: this should not have happened (") + error.what() + "); please report it",
             ExitCode::check_failed);
     }
-    return reply.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return json_line(reply);
 }
 
-Json Lab::answer(const nlohmann::json& request) {
+Json Lab::answer(const Json& request) {
     const std::string ask = request.at("ask");
     if (ask == "catalogue") return lab_catalogue();
     if (ask == "frame") return frame(lab_words(request));
-    if (ask == "probe") return Json::parse(probe_json(session_.probe(request.at("x"), request.at("y"))));
+    if (ask == "probe") return json_from_text(probe_json(session_.probe(request.at("x"), request.at("y"))));
     if (ask == "truth") return truth();
     if (ask == "forget") {
         *this = Lab();

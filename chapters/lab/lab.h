@@ -26,7 +26,7 @@ class Lab {
     std::string reply(const std::string& request);
 
  private:
-    nlohmann::ordered_json answer(const nlohmann::json& request);
+    nlohmann::ordered_json answer(const nlohmann::ordered_json& request);
     nlohmann::ordered_json frame(const LabWords& words);
     nlohmann::ordered_json truth();
 

@@ -1,7 +1,7 @@
 // A chapter: one file NN_topic.cpp that holds one function and one static Chapter naming it, which is all it
-// takes to be part of `crevice chapter NN` and, linked with chapter_main.cpp, to be an executable of its own:
+// takes to be part of `crevice chapter NN` and, with chapter_main.cpp, to be an executable of its own:
 //
-//     const Chapter kChapter("07", "raw_ao", "Raw ambient occlusion", raw_ao);
+//     const Chapter kChapter07("07", "raw_ao", "Raw ambient occlusion", raw_ao);
 //
 // The object files must be linked directly: from a static library the linker would leave them out.
 #pragma once

@@ -8,6 +8,7 @@
 #include "chapters/notebook/markdown_text.h"
 #include "chapters/notebook/svg.h"
 #include "chapters/notebook/terminal_text.h"
+#include "chapters/terminal/json_text.h"
 #include "chapters/terminal/number_text.h"
 
 namespace crevice {
@@ -113,7 +114,7 @@ std::string jupyter_from_cells(const std::vector<NotebookCell>& cells, const std
           {"language_info", {{"name", "python"}}}}},
         {"nbformat", 4},
         {"nbformat_minor", 5}};
-    return notebook.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+    return json_text(notebook);
 }
 
 }  // namespace crevice

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "chapters/terminal/json_text.h"
 #include "chapters/terminal/number_text.h"
 #include "chapters/terminal/output_directory.h"
 #include "rasterizer/base/float_text.h"
@@ -102,8 +103,7 @@ std::string json_text(const BenchReport& report) {
         tables[table.name] = std::move(rows);
     }
     // Words of others, such as a renderer's, may hold anything.
-    return Json{{"facts", facts}, {"tables", tables}}.dump(1, ' ', false, Json::error_handler_t::replace) +
-           "\n";
+    return json_text(Json{{"facts", facts}, {"tables", tables}});
 }
 
 void write_report(const BenchReport& report, const std::filesystem::path& directory, std::ostream& out) {

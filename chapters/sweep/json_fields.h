@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "chapters/terminal/json_file.h"
+#include "chapters/terminal/json_text.h"
 #include "rasterizer/base/image.h"
 
 namespace crevice {
@@ -82,7 +83,7 @@ class JsonReader {
     [[noreturn]] void refuse(const std::string& what, const Json& value, const JsonPlace& place) const {
         constexpr std::size_t kShown = 40;
         const std::string name = place.empty() ? "" : place.back() + ": ";
-        file_.refuse(name + what + " (" + value.dump().substr(0, kShown) + "); make the file anew", place);
+        file_.refuse(name + what + " (" + json_line(value).substr(0, kShown) + "); make the file anew", place);
     }
 
     void read(const Json& json, double& value, const JsonPlace& place) const {

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "chapters/frame/parameter_words.h"
+#include "chapters/terminal/json_text.h"
 #include "rasterizer/base/no_such.h"
 
 namespace crevice {
@@ -17,7 +18,7 @@ constexpr const char* kAll = "all";
 
 void require_object(const JsonFile& plan, const Json& value, const JsonPlace& place) {
     if (!value.is_object())
-        plan.refuse("parameters: not an object (" + value.dump() + "); write {\"samples\": [4, 8]}", place);
+        plan.refuse("parameters: not an object (" + json_line(value) + "); write {\"samples\": [4, 8]}", place);
 }
 
 [[noreturn]] void refuse_parameter(const JsonFile& plan, const std::string& name, const std::string& of,
@@ -64,7 +65,7 @@ PlannedMethod planned_method(const JsonFile& plan, const Json& item, const JsonP
     if (item.is_object()) {
         plan.require_known(item, place, {"method", "parameters"});
         if (!item.contains("method"))
-            plan.refuse("methods: parameters of no method (" + item.dump() + "); add \"method\"", place);
+            plan.refuse("methods: parameters of no method (" + json_line(item) + "); add \"method\"", place);
         name = &item["method"];
     }
     if (!name->is_string())

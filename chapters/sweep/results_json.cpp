@@ -145,11 +145,11 @@ FinishedJob job_from_json(const std::string& text, const std::string& name) {
 }
 
 std::string json_line(const SweepView& view) {
-    return JsonWriter::written(view).dump(-1, ' ', false, JsonFile::Json::error_handler_t::replace);
+    return json_line(JsonWriter::written(view));
 }
 
 std::string json_line(const SweepSetting& setting) {
-    return JsonWriter::written(setting).dump(-1, ' ', false, JsonFile::Json::error_handler_t::replace);
+    return json_line(JsonWriter::written(setting));
 }
 
 }  // namespace crevice

@@ -8,6 +8,7 @@
 #include "chapters/sweep/results_json.h"
 #include "chapters/sweep/scene_key.h"
 #include "chapters/sweep/sweep_words.h"
+#include "chapters/terminal/json_text.h"
 #include "chapters/terminal/number_text.h"
 #include "rasterizer/base/float_text.h"
 
@@ -94,7 +95,7 @@ std::string id_of(const SweepJob& job) {
                             {"instructions", job.instructions},
                             {"reference_rays", job.reference_rays}};
     ContentKey key;
-    key.add_all(canonical.dump(-1, ' ', false, Json::error_handler_t::replace));
+    key.add_all(json_line(canonical));
     return key.hex();
 }
 

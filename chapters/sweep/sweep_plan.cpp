@@ -7,6 +7,7 @@
 
 #include "chapters/notebook/embedded_files.h"
 #include "chapters/study/candidates.h"
+#include "chapters/terminal/json_text.h"
 #include "chapters/terminal/parse.h"
 #include "rasterizer/base/file_bytes.h"
 #include "rasterizer/base/no_such.h"
@@ -46,7 +47,7 @@ class PlanReader {
         plan.reference_rays = whole("reference_rays", plan.reference_rays, kReplicates, kMostRays);
         if (!root_.contains("parts")) return;
         if (!root_["parts"].is_boolean())
-            file_.refuse("parts: neither true nor false (" + root_["parts"].dump() + "); write one of them",
+            file_.refuse("parts: neither true nor false (" + json_line(root_["parts"]) + "); write one of them",
                          {"parts"});
         plan.parts = root_["parts"].get<bool>();
     }
@@ -64,7 +65,7 @@ class PlanReader {
         std::vector<Whole> values;
         for_each(name, [&](const Json& item, const JsonPlace& place) {
             values.push_back(static_cast<Whole>(
-                file_.at(place, [&] { return parse_whole(name, item.dump(), lowest, highest); })));
+                file_.at(place, [&] { return parse_whole(name, json_line(item), lowest, highest); })));
         });
         return values;
     }
@@ -72,7 +73,7 @@ class PlanReader {
     int whole(const char* name, int otherwise, int lowest, int highest) const {
         if (!root_.contains(name)) return otherwise;
         return static_cast<int>(
-            file_.at({name}, [&] { return parse_whole(name, root_[name].dump(), lowest, highest); }));
+            file_.at({name}, [&] { return parse_whole(name, json_line(root_[name]), lowest, highest); }));
     }
 
     std::string name() const {
@@ -91,8 +92,8 @@ class PlanReader {
 
     Size size(const Json& item, const JsonPlace& place) const {
         if (!item.is_array() || item.size() != 2)
-            file_.refuse("sizes: not two numbers (" + item.dump() + "); write [640, 360]", place);
-        return file_.at(place, [&] { return parse_size("sizes", item[0].dump() + "x" + item[1].dump()); });
+            file_.refuse("sizes: not two numbers (" + json_line(item) + "); write [640, 360]", place);
+        return file_.at(place, [&] { return parse_size("sizes", json_line(item[0]) + "x" + json_line(item[1])); });
     }
 
     PlannedScene scene(const Json& item, const JsonPlace& place) const {
@@ -103,7 +104,7 @@ class PlanReader {
             file_.require_known(item, place,
                                 {"scene", "eye", "target", "fov_y", "near", "far", "ortho", "crease"});
             if (!item.contains("scene"))
-                file_.refuse("scenes: a camera without a scene (" + item.dump() + "); add \"scene\"", place);
+                file_.refuse("scenes: a camera without a scene (" + json_line(item) + "); add \"scene\"", place);
             name = &item["scene"];
             scene.camera = {point(item, "eye", place),    point(item, "target", place),
                             number(item, "fov_y", place), number(item, "near", place),
@@ -122,7 +123,7 @@ class PlanReader {
     std::optional<std::string> number(const Json& scene, const char* flag, const JsonPlace& place) const {
         if (!scene.contains(flag)) return std::nullopt;
         if (!scene[flag].is_number())
-            file_.refuse(std::string(flag) + ": not a number (" + scene[flag].dump() + "); write one",
+            file_.refuse(std::string(flag) + ": not a number (" + json_line(scene[flag]) + "); write one",
                          below(place, flag));
         return word_of(scene[flag]);
     }
@@ -131,7 +132,7 @@ class PlanReader {
         const Json& value = scene[flag];
         if (!value.is_array() || value.size() != 3 ||
             !std::ranges::all_of(value, [](const Json& n) { return n.is_number(); }))
-            file_.refuse(std::string(flag) + ": not three numbers (" + value.dump() + "); write [x, y, z]",
+            file_.refuse(std::string(flag) + ": not three numbers (" + json_line(value) + "); write [x, y, z]",
                          below(place, flag));
         return word_of(value[0]) + "," + word_of(value[1]) + "," + word_of(value[2]);
     }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "chapters/terminal/number_text.h"
+#include "chapters/terminal/json_text.h"
 #include "rasterizer/base/float_text.h"
 #include "rasterizer/base/no_such.h"
 
@@ -39,7 +40,7 @@ class JsonWalk {
             if (text_[at_] == '}') return text_.size();
             const std::size_t begin = at_;
             skip_string();
-            const bool found = Json::parse(text_.substr(begin, at_ - begin)) == key;
+            const bool found = json_from_text(text_.substr(begin, at_ - begin)) == key;
             skip_space();
             ++at_;  // the colon
             skip_space();
@@ -122,7 +123,7 @@ JsonPlace below(JsonPlace place, const std::string& step) {
 std::string word_of(const Json& value) {
     if (value.is_string()) return value.get<std::string>();
     if (value.is_number_float()) return shortest_text(value.get<double>());
-    return value.dump();
+    return json_line(value);
 }
 
 JsonFile::JsonFile(std::string text, std::string name, ExitCode code)
@@ -132,7 +133,7 @@ JsonFile::JsonFile(std::string text, std::string name, ExitCode code)
             "nested too deeply (more than " + std::to_string(kDeepestJson) + " levels); write it flatter",
             line_at(text_, *at));
     try {
-        root_ = Json::parse(text_);
+        root_ = json_from_text(text_);
     } catch (const Json::parse_error& error) {
         const bool ends = error.byte > text_.size();
         refuse_at(ends ? "the file ends too soon (" + counted(static_cast<long long>(text_.size()), "byte") +
@@ -147,7 +148,7 @@ JsonFile::JsonFile(std::string text, std::string name, ExitCode code)
         refuse_at("a number is too large to be read (" + number + "); write a smaller one",
                   line_at(text_, text_.find(number)));
     }
-    if (!root_.is_object()) refuse("not an object (" + root_.dump().substr(0, 40) + "); begin with {", {});
+    if (!root_.is_object()) refuse("not an object (" + json_line(root_).substr(0, 40) + "); begin with {", {});
 }
 
 int JsonFile::line_of(const JsonPlace& place) const {
@@ -170,12 +171,12 @@ void JsonFile::require_known(const Json& object, const JsonPlace& place,
 
 void JsonFile::require_list(const Json& list, const JsonPlace& place) const {
     const std::string& name = place.back();
-    if (!list.is_array()) refuse(name + ": not a list (" + list.dump() + "); write [...]", place);
+    if (!list.is_array()) refuse(name + ": not a list (" + json_line(list) + "); write [...]", place);
     if (list.empty()) refuse(name + ": an empty list ([]); give at least one value", place);
     std::set<Json> before;
     for (std::size_t i = 0; i < list.size(); ++i) {
         if (!before.insert(list[i]).second)
-            refuse(name + ": given twice (" + list[i].dump() + "); leave one away",
+            refuse(name + ": given twice (" + json_line(list[i]) + "); leave one away",
                    below(place, std::to_string(i)));
     }
 }

@@ -1,4 +1,4 @@
-// JSON documents as texts.
+// JSON documents as texts, and texts as JSON. In one .cpp, because both take long to compile.
 #pragma once
 
 #include <string>
@@ -8,9 +8,11 @@
 namespace crevice {
 
 // On lines of its own. Names of files may hold any bytes: what is no UTF-8 becomes U+FFFD.
-template <class Json>
-std::string json_text(const Json& document) {
-    return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-}
+std::string json_text(const nlohmann::ordered_json& document);
+// The same on one line, that does not end.
+std::string json_line(const nlohmann::ordered_json& document);
+
+// Throws nlohmann::json::exception for what is no JSON.
+nlohmann::ordered_json json_from_text(const std::string& text);
 
 }  // namespace crevice

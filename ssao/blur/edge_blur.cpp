@@ -88,7 +88,7 @@ Image<float> blurred(const Image<float>& map, const PackedEdges& edges, float ow
     return result;
 }
 
-std::vector<Parameter<EdgeBlurSettings>> blur_parameters() {
+std::vector<Parameter<EdgeBlurSettings>> edge_blur_parameters() {
     using S = EdgeBlurSettings;
     return {
         choice<S, EdgeBlurKind>("blur_kind", "XeGTAO's by edges, or the tutorials' with X_Jun's weights",
@@ -221,7 +221,8 @@ Denoiser edge_denoiser() {
     Denoiser denoiser;
     denoiser.defaults = AnySettings::of(EdgeBlurSettings{});
     denoiser.parameters = within<AnySettings>(
-        blur_parameters(), [](auto& settings) -> auto& { return settings.template as<EdgeBlurSettings>(); });
+        edge_blur_parameters(),
+        [](auto& settings) -> auto& { return settings.template as<EdgeBlurSettings>(); });
     denoiser.validate = [](const AnySettings& settings) { validate(settings.as<EdgeBlurSettings>()); };
     denoiser.denoised = [](const RawAo& raw, const AnySettings& settings, const Run& run) {
         return edge_blur(raw.ao, raw.inputs, settings.as<EdgeBlurSettings>(), run);

@@ -73,7 +73,7 @@ void blur_down(const SaoBlurPass& pass, const Image<float>& ao, const Image<floa
     });
 }
 
-std::vector<Parameter<SaoBlurSettings>> blur_parameters() {
+std::vector<Parameter<SaoBlurSettings>> sao_blur_parameters() {
     using S = SaoBlurSettings;
     return {
         choice<S, SaoBlurKind>("blur_kind", "the paper's, or the tutorials' with X_Jun's weights", &S::kind,
@@ -116,7 +116,8 @@ Denoiser sao_denoiser() {
     Denoiser denoiser;
     denoiser.defaults = AnySettings::of(SaoBlurSettings{});
     denoiser.parameters = within<AnySettings>(
-        blur_parameters(), [](auto& settings) -> auto& { return settings.template as<SaoBlurSettings>(); });
+        sao_blur_parameters(),
+        [](auto& settings) -> auto& { return settings.template as<SaoBlurSettings>(); });
     denoiser.validate = [](const AnySettings& settings) { validate(settings.as<SaoBlurSettings>()); };
     denoiser.denoised = [](const RawAo& raw, const AnySettings& settings, const Run& run) {
         return sao_blur(raw.ao, raw.inputs, settings.as<SaoBlurSettings>(), run);

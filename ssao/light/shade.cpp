@@ -1,5 +1,7 @@
 #include "ssao/light/shade.h"
 
+#include <functional>
+
 #include "rasterizer/base/parallel.h"
 #include "rasterizer/draw/cutouts.h"
 #include "ssao/light/second_drawing.h"
@@ -9,10 +11,12 @@ namespace crevice {
 
 namespace {
 
-// Lights what each pixel shows. `known(tile)` gives the G-buffer that holds a tile's surfaces, or null.
-template <class Known>
+// The G-buffer that holds a tile's surfaces, or null.
+using KnownSurfaces = std::function<const GBuffer*(int tile)>;
+
+// Lights what each pixel shows. No template, because its kernels take long to compile.
 Image3 light_triangles(const ViewLighting& view, const ScreenGeometry& geometry,
-                       const Image<std::int32_t>& triangle, const Run& run, const Known& known) {
+                       const Image<std::int32_t>& triangle, const Run& run, const KnownSurfaces& known) {
     Image3 lit(geometry.size);
     const TileLighting lighting = view.of_tiles(geometry, lit);
     const SurfaceTextures textures(view.scene, geometry);

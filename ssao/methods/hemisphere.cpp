@@ -11,7 +11,7 @@ namespace crevice {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr HemisphereLengths kLengths = {.shortest = 0.1f, .shortened = true};
+constexpr HemisphereLengths kHemisphereLengths = {.shortest = 0.1f, .shortened = true};
 
 // View depth from which on a pixel shows the background: between the far plane and kBackgroundOverFar of it,
 // away from both, for the far plane that follows from the matrix is not exact.
@@ -111,7 +111,7 @@ AoFetch hemisphere_fetch(const HemisphereSettings& settings) {
 }
 
 std::vector<glm::vec3> hemisphere_offsets(const HemisphereSettings& settings) {
-    return hemisphere_points(settings.samples, kLengths, settings.seed);
+    return hemisphere_points(settings.samples, kHemisphereLengths, settings.seed);
 }
 
 AoMap hemisphere_ao(const AoInputs& inputs, const HemisphereSettings& settings, const Run& run) {

@@ -12,7 +12,7 @@ namespace crevice {
 
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kInfiniteDepth = std::numeric_limits<float>::infinity();
 // Side of the blocks of the depth map whose ranges are kept, pixels.
 constexpr int kBlock = 16;
 
@@ -24,7 +24,7 @@ struct Window {
 // What a part of an image holds, infinities and NaN left out. In the AO map they are background; in the depth
 // map every filter that touches one gives infinity or NaN, which is in front of nothing.
 struct Range {
-    float nearest = kInfinity, farthest = -kInfinity;
+    float nearest = kInfiniteDepth, farthest = -kInfiniteDepth;
 
     bool empty() const { return !(nearest <= farthest); }
     void include(const Range& other) {
@@ -38,7 +38,7 @@ CREVICE_INLINE void include_row(const float* row, int first, int end, F& nearest
     for (int x = first; x + kLanes<F> <= end; x += kLanes<F>) {
         const F z = load<F>(row + x);
         nearest = min_of(z, nearest);  // a NaN in the first place is passed over
-        farthest = max_of(select(z < F(kInfinity), z, farthest), farthest);
+        farthest = max_of(select(z < F(kInfiniteDepth), z, farthest), farthest);
     }
 }
 
@@ -46,10 +46,10 @@ template <class F>
 CREVICE_INLINE Range range_in(const Image<float>& image, const Window& window) {
     constexpr int kLanesOfF = kLanes<F>;
     const int end = window.right + 1, whole = end - (end - window.left) % kLanesOfF;
-    F near_lanes = F(kInfinity), far_lanes = F(-kInfinity);
+    F near_lanes = F(kInfiniteDepth), far_lanes = F(-kInfiniteDepth);
     float nearest[kLanesOfF + 1], farthest[kLanesOfF + 1];
-    nearest[kLanesOfF] = kInfinity;
-    farthest[kLanesOfF] = -kInfinity;
+    nearest[kLanesOfF] = kInfiniteDepth;
+    farthest[kLanesOfF] = -kInfiniteDepth;
     for (int y = window.top; y <= window.bottom; ++y) {
         include_row<F>(image.row(y), window.left, whole, near_lanes, far_lanes);
         include_row<float>(image.row(y), whole, end, nearest[kLanesOfF], farthest[kLanesOfF]);
@@ -154,10 +154,11 @@ double nearest_filtered(const AoInputs& inputs, const Range& stored) {
     const double low = stored.nearest - kU * (4.5 * largest + 2.5 * smallest),
                  high = stored.farthest + kU * 6.5 * largest;
     if (inputs.fetch.depth == DepthSource::view_depth) return low;
-    const float low_ndc = std::nextafter(static_cast<float>(low), -kInfinity),
-                high_ndc = std::nextafter(static_cast<float>(high), kInfinity), pole = inputs.depth_a;
+    const float low_ndc = std::nextafter(static_cast<float>(low), -kInfiniteDepth),
+                high_ndc = std::nextafter(static_cast<float>(high), kInfiniteDepth), pole = inputs.depth_a;
     const bool monotonic = !inputs.rays.perspective || low_ndc > pole || high_ndc < pole;
-    return monotonic ? std::min(inputs.view_from_ndc(low_ndc), inputs.view_from_ndc(high_ndc)) : -kInfinity;
+    return monotonic ? std::min(inputs.view_from_ndc(low_ndc), inputs.view_from_ndc(high_ndc))
+                     : -kInfiniteDepth;
 }
 
 bool nothing_occludes(const LunaSettings& settings) {

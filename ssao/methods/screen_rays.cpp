@@ -26,7 +26,7 @@ std::array<float, kTexels> spread_numbers(std::uint32_t seed, std::uint32_t stre
 
 std::size_t cell(int x, int y) { return static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x); }
 
-NoiseTile turn(std::uint32_t seed, int directions, double SineCosine::*part) {
+NoiseTile screen_ray_turn(std::uint32_t seed, int directions, double SineCosine::*part) {
     const std::array<float, kTexels> numbers = spread_numbers(seed, 0);
     return {kSide, kSide, [=](int x, int y) {
                 const double angle = 2 * kPi * static_cast<double>(numbers[cell(x, y)]) / directions;
@@ -59,8 +59,8 @@ std::vector<glm::vec2> even_directions(int count) {
 }
 
 RayNoise::RayNoise(std::uint32_t seed, int directions)
-    : cosine(turn(seed, directions, &SineCosine::cosine)),
-      sine(turn(seed, directions, &SineCosine::sine)),
+    : cosine(screen_ray_turn(seed, directions, &SineCosine::cosine)),
+      sine(screen_ray_turn(seed, directions, &SineCosine::sine)),
       shift(shifts(seed)) {}
 
 }  // namespace crevice

@@ -24,7 +24,7 @@ std::uint32_t index_at(std::uint32_t seed, int x, int y) {
     return static_cast<std::uint32_t>(hilbert_index(x, y)) + (hash_of(seed, 0, 0) & 0xffffu);
 }
 
-NoiseTile turn(std::uint32_t seed, int slices, double SineCosine::*part) {
+NoiseTile slice_turn(std::uint32_t seed, int slices, double SineCosine::*part) {
     return {kCurveSide, kCurveSide, [=](int x, int y) {
                 const double angle = r2(index_at(seed, x, y), kR2First) * kPi / slices;
                 return static_cast<float>(sine_cosine(angle).*part);
@@ -67,8 +67,8 @@ int hilbert_index(int x, int y) {
 }
 
 SliceNoise::SliceNoise(std::uint32_t seed, int slices)
-    : cosine(turn(seed, slices, &SineCosine::cosine)),
-      sine(turn(seed, slices, &SineCosine::sine)),
+    : cosine(slice_turn(seed, slices, &SineCosine::cosine)),
+      sine(slice_turn(seed, slices, &SineCosine::sine)),
       step(kCurveSide, kCurveSide,
            [=](int x, int y) { return static_cast<float>(r2(index_at(seed, x, y), kR2Second)); }) {}
 

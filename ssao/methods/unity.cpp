@@ -10,7 +10,7 @@ namespace crevice {
 
 namespace {
 
-constexpr HemisphereLengths kLengths = {.shortest = 0.01f, .shortened = false};
+constexpr HemisphereLengths kUnityLengths = {.shortest = 0.01f, .shortened = false};
 constexpr float kFullWeight = 0.2f;         // radii across the view from which on a point counts fully
 constexpr float kFixedTurn = 0.577350269f;  // of (1, 1, 1), normalised
 
@@ -117,7 +117,7 @@ UnitySettings spelt_out(UnitySettings s) {
 }
 
 std::vector<glm::vec3> unity_offsets(const UnitySettings& settings) {
-    return hemisphere_points(settings.samples, kLengths, settings.seed);
+    return hemisphere_points(settings.samples, kUnityLengths, settings.seed);
 }
 
 AoMap unity_ao(const AoInputs& inputs, const UnitySettings& settings, const Run& run) {

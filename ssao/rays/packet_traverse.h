@@ -156,19 +156,18 @@ CREVICE_INLINE std::size_t for_meeting_rays(const Bvh& bvh, std::span<const Ray>
     std::size_t first = 0, refused = 0;
     while (first < rays.size()) {
         const std::span<const Ray> left = rays.subspan(first), together = left.first(packet_size(left));
-        if (together.size() == 1) {
-            if (!usable(left[0])) {
-                ++refused;
-            } else if (meets_any<F>(bvh, left[0], max_distance)) {
-                body(first);
-            }
-            ++first;
-            continue;
+        std::uint64_t met = 0;  // as bits
+        if (together.size() > 1) {
+            const RayPacket packet = ray_packet<F>(together, max_distance, bvh.reach);
+            met = which_meet_any<F>(bvh, packet);
+            refused += together.size() - static_cast<std::size_t>(__builtin_popcountll(packet.rays));
+        } else if (usable(left[0])) {
+            met = meets_any<F>(bvh, left[0], max_distance) ? 1 : 0;
+        } else {
+            ++refused;
         }
-        const RayPacket packet = ray_packet<F>(together, max_distance, bvh.reach);
-        std::uint64_t met = which_meet_any<F>(bvh, packet);
+        // In one place, because it is inlined and may cast rays itself.
         for (; met != 0; met &= met - 1) body(first + static_cast<std::size_t>(__builtin_ctzll(met)));
-        refused += together.size() - static_cast<std::size_t>(__builtin_popcountll(packet.rays));
         first += together.size();
     }
     return refused;

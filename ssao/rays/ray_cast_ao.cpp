@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kMostRays = 1 << 20;
 // Points are handed out in pieces of this many.
-constexpr int kPiece = 16;
+constexpr std::size_t kPiece = 16;
 constexpr std::size_t kOctants = 8;
 
 // The rays of one point and one replicate, those that point into the same octant together: they go through
@@ -74,41 +74,68 @@ struct OpenShare {
     double hard = 1, soft = 1;
 };
 
+// Of a point, in each of its replicates.
+using OpenShares = std::array<OpenShare, kReplicates>;
+
+// The rays that are cast from every point: so many replicates of so many rays.
+struct PointCasts {
+    const RayScene& scene;
+    std::span<const SurfacePoint> points;
+    const RayAoSettings& settings;
+    const Fade* fade;  // null: hard alone
+    int rays;
+    std::size_t replicates;  // at most kReplicates
+};
+
 template <class F>
-CREVICE_INLINE OpenShare open_share(const RayScene& scene, const PointRays& on, const RayAoSettings& settings,
-                                    const Fade* fade, int count) {
+CREVICE_INLINE OpenShare open_share(const PointCasts& casts, const PointRays& on) {
     std::size_t open = on.rays.size();
-    if (fade == nullptr) {
-        for_occluded_rays<F>(scene, on.rays, settings.radius, [&](std::size_t) { --open; });
-        return {static_cast<double>(open) / count, 1};
-    }
     // Added up ray by ray, in their order.
     double soft = 0;
     std::size_t added = 0;
     const auto add_open_up_to = [&](std::size_t ray) {
         for (; added < ray; ++added) soft += 1;
     };
+    const bool any_hit_does = casts.fade == nullptr && !casts.scene.holes.any();
     for_meeting_rays<F>(
-        scene.bvh, on.rays, settings.radius, [&](std::size_t ray) __attribute__((always_inline)) {
-            const RayHit hit = nearest_solid_hit<F>(scene, on.rays[ray], settings.radius);
+        casts.scene.bvh, on.rays, casts.settings.radius, [&](std::size_t ray) __attribute__((always_inline)) {
+            if (any_hit_does) {
+                --open;
+                return;
+            }
+            const RayHit hit = nearest_solid_hit<F>(casts.scene, on.rays[ray], casts.settings.radius);
             if (hit.triangle < 0) return;
             --open;
+            if (casts.fade == nullptr) return;
             add_open_up_to(ray);
-            soft += 1.0 - fade->occlusion(hit.distance);
+            soft += 1.0 - casts.fade->occlusion(hit.distance);
             ++added;
         });
+    if (casts.fade == nullptr) return {static_cast<double>(open) / casts.rays, 1};
     add_open_up_to(on.rays.size());
-    return {static_cast<double>(open) / count, soft / count};
+    return {static_cast<double>(open) / casts.rays, soft / casts.rays};
 }
 
-// Calls body(Lanes<F>{}, first point, end) for pieces of the points, on all threads.
-template <class Body>
-void for_pieces(std::size_t points, const Run& run, const Body& body) {
-    const int count = static_cast<int>(points);
-    parallel_for((count + kPiece - 1) / kPiece, run, [&](int piece) {
-        run_kernel(run, [&]<class F>(Lanes<F> lanes) {
-            body(lanes, piece * kPiece, std::min(count, (piece + 1) * kPiece));
+// Calls take(index, shares) for every point on all threads, and done(count) when so many more have been taken. The one place
+// where rays are cast for points, because it takes as long to compile as ten other files.
+void cast_from_points(const PointCasts& casts, const Run& run,
+                      const std::function<void(std::size_t index, const OpenShares& shares)>& take,
+                      const std::function<void(long long)>& done = {}) {
+    const SquarePoints square(casts.rays, casts.settings.sequence);
+    parallel_blocks(casts.points.size(), kPiece, run, [&](std::size_t first, std::size_t end) {
+        run_kernel(run, [&]<class F>(Lanes<F>) {
+            PointRays on(casts.rays);
+            for (std::size_t point = first; point < end; ++point) {
+                OpenShares shares;
+                for (std::size_t replicate = 0; replicate < casts.replicates; ++replicate) {
+                    const auto stream = static_cast<std::uint32_t>(point * casts.replicates + replicate);
+                    aim_rays<F>(casts.points[point], square, casts.settings, stream, on);
+                    shares[replicate] = open_share<F>(casts, on);
+                }
+                take(point, shares);
+            }
         });
+        if (done) done(static_cast<long long>(end - first));
     });
 }
 
@@ -130,18 +157,12 @@ std::vector<float> ray_cast_ao(const RayScene& scene, std::span<const SurfacePoi
                                const RayAoSettings& settings, const Run& run) {
     validate(settings);
     validate(run);
-    const SquarePoints square(settings.rays, settings.sequence);
     const Fade* const fade = settings.fade ? &*settings.fade : nullptr;
     std::vector<float> open(points.size());
-    for_pieces(points.size(), run, [&]<class F>(Lanes<F>, int first, int end) {
-        PointRays on(settings.rays);
-        for (int i = first; i < end; ++i) {
-            const auto index = static_cast<std::size_t>(i);
-            aim_rays<F>(points[index], square, settings, static_cast<std::uint32_t>(i), on);
-            const OpenShare share = open_share<F>(scene, on, settings, fade, settings.rays);
-            open[index] = static_cast<float>(fade == nullptr ? share.hard : share.soft);
-        }
-    });
+    cast_from_points({scene, points, settings, fade, settings.rays, 1}, run,
+                     [&](std::size_t point, const OpenShares& shares) {
+                         open[point] = static_cast<float>(fade == nullptr ? shares[0].hard : shares[0].soft);
+                     });
     return open;
 }
 
@@ -172,29 +193,23 @@ RayAoReference ray_cast_reference(const RayScene& scene, std::span<const Surface
     validate(settings);
     validate(run);
     const int rays = (settings.rays + kReplicates - 1) / kReplicates;
-    const SquarePoints square(rays, settings.sequence);
     RayAoReference reference;
     reference.hard.resize(points.size());
     if (fade != nullptr) reference.soft.resize(points.size());
     reference.rays = static_cast<long long>(points.size()) * rays * kReplicates;
     reference.lifted_far = lifted_far(points, settings.radius);
-    for_pieces(points.size(), run, [&]<class F>(Lanes<F>, int first, int end) {
-        PointRays on(rays);
-        for (int i = first; i < end; ++i) {
-            const auto index = static_cast<std::size_t>(i);
+    cast_from_points(
+        {scene, points, settings, fade, rays, kReplicates}, run,
+        [&](std::size_t point, const OpenShares& shares) {
             std::array<double, kReplicates> hard, soft;
             for (std::size_t replicate = 0; replicate < kReplicates; ++replicate) {
-                const auto stream = static_cast<std::uint32_t>(index * kReplicates + replicate);
-                aim_rays<F>(points[index], square, settings, stream, on);
-                const OpenShare open = open_share<F>(scene, on, settings, fade, rays);
-                hard[replicate] = open.hard;
-                soft[replicate] = open.soft;
+                hard[replicate] = shares[replicate].hard;
+                soft[replicate] = shares[replicate].soft;
             }
-            reference.hard[index] = estimate_of(hard);
-            if (fade != nullptr) reference.soft[index] = estimate_of(soft);
-        }
-        if (on_progress) on_progress(end - first);
-    });
+            reference.hard[point] = estimate_of(hard);
+            if (fade != nullptr) reference.soft[point] = estimate_of(soft);
+        },
+        on_progress);
     return reference;
 }
 
