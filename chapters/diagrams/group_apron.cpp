@@ -8,8 +8,8 @@ namespace crevice {
 
 namespace {
 
-constexpr double kSide = 420, kTop = 36, kLeft = 10;  // SVG units
-const std::string_view kStrayed = series_colour(1);   // orange
+constexpr double kSide = 420, kGroupApronTop = 36, kGroupApronLeft = 10;  // SVG units
+const std::string_view kStrayed = series_colour(1);                       // orange
 
 std::string outline(SvgPoint a, SvgPoint b, std::string_view colour, std::string_view more) {
     return svg_polyline({a, {b.x, a.y}, b, {a.x, b.y}, a}, colour, more);
@@ -31,8 +31,8 @@ std::string group_diagram(const PixelRect& group, int apron_px, const std::vecto
     }
     const double shown = group.x1 - group.x0 + 2 * (reach + 2), scale = kSide / shown;
     const auto at = [&](double x, double y) {
-        return SvgPoint{kLeft + (x - group.x0 + reach + 2) * scale,
-                        kTop + (y - group.y0 + reach + 2) * scale};
+        return SvgPoint{kGroupApronLeft + (x - group.x0 + reach + 2) * scale,
+                        kGroupApronTop + (y - group.y0 + reach + 2) * scale};
     };
     std::string svg =
         outline(at(kept.x0, kept.y0), at(kept.x1, kept.y1), kSvgOpen, " stroke-dasharray=\"6 4\"") +
@@ -51,7 +51,7 @@ std::string group_diagram(const PixelRect& group, int apron_px, const std::vecto
     }
     svg += svg_text({at(group.x0, 0).x, at(0, group.y0).y - 5}, "group") +
            svg_text({at(kept.x0, 0).x, at(0, kept.y0).y - 5}, "apron");
-    return svg_picture(title, kSide + 2 * kLeft, kSide + kTop + kLeft, svg);
+    return svg_picture(title, kSide + 2 * kGroupApronLeft, kSide + kGroupApronTop + kGroupApronLeft, svg);
 }
 
 }  // namespace crevice

@@ -8,7 +8,7 @@ namespace crevice {
 
 namespace {
 
-constexpr double kLeft = 20, kTop = 36, kTexel = 170;  // SVG units
+constexpr double kLeft = 20, kLookupWeightsTop = 36, kTexel = 170;  // SVG units
 
 std::string text(float value, int decimals) { return decimal_text(static_cast<double>(value), decimals); }
 
@@ -28,14 +28,15 @@ std::string lookup_diagram(const Image<float>& ao, Size picture, int x, int y, c
     const std::array<TexelWeight, 4> texels = lookup_weights(ao.size, picture, x, y);
     const double right = static_cast<double>(texels[1].weight + texels[3].weight),
                  lower = static_cast<double>(texels[2].weight + texels[3].weight);
-    const SvgPoint first = {kLeft + kTexel / 2, kTop + kTexel / 2};
+    const SvgPoint first = {kLeft + kTexel / 2, kLookupWeightsTop + kTexel / 2};
     const SvgPoint pixel = {first.x + right * kTexel, first.y + lower * kTexel};
     std::string svg;
     for (int line = 0; line <= 4; ++line) {
         const double at = line * kTexel / 2;
         const std::string_view colour = line % 2 == 0 ? kSvgInk : kSvgGrid;
-        svg += svg_line({kLeft + at, kTop}, {kLeft + at, kTop + 2 * kTexel}, colour) +
-               svg_line({kLeft, kTop + at}, {kLeft + 2 * kTexel, kTop + at}, colour);
+        svg +=
+            svg_line({kLeft + at, kLookupWeightsTop}, {kLeft + at, kLookupWeightsTop + 2 * kTexel}, colour) +
+            svg_line({kLeft, kLookupWeightsTop + at}, {kLeft + 2 * kTexel, kLookupWeightsTop + at}, colour);
     }
     for (std::size_t i = 0; i < texels.size(); ++i) {
         const SvgPoint centre = {first.x + (i % 2 == 1 ? kTexel : 0), first.y + (i >= 2 ? kTexel : 0)};
@@ -46,7 +47,7 @@ std::string lookup_diagram(const Image<float>& ao, Size picture, int x, int y, c
                         TextAnchor::middle, kSvgOpen);
     }
     svg += svg_dot(pixel, 6, kSvgPoint);
-    return svg_picture(title, 2 * kLeft + 2 * kTexel, kTop + 2 * kTexel + kLeft, svg);
+    return svg_picture(title, 2 * kLeft + 2 * kTexel, kLookupWeightsTop + 2 * kTexel + kLeft, svg);
 }
 
 }  // namespace crevice

@@ -13,7 +13,7 @@ namespace crevice {
 namespace {
 
 // SVG units.
-constexpr double kTop = 64, kRow = 66, kLine = 15;
+constexpr double kPassGraphTop = 64, kPassGraphRow = 66, kLine = 15;
 constexpr double kInputLeft = 8, kInputWidth = 140, kPassLeft = 186, kPassWidth = 134, kImageLeft = 410,
                  kImageWidth = 222;
 
@@ -52,10 +52,10 @@ std::string GraphImage::size_words() const {
 
 std::string pass_graph(const std::string& title, const std::vector<GraphPass>& passes) {
     std::map<std::string, double> middles;
-    double y = kTop;
+    double y = kPassGraphTop;
     for (const GraphPass& pass : passes) {
         middles[pass.name] = y;
-        y += kRow * static_cast<double>(std::max<std::size_t>(pass.writes.size(), 1));
+        y += kPassGraphRow * static_cast<double>(std::max<std::size_t>(pass.writes.size(), 1));
     }
     // Several images may reach one pass: each line ends a little below the one before.
     std::map<std::string, int> arrived;
@@ -79,10 +79,10 @@ std::string pass_graph(const std::string& title, const std::vector<GraphPass>& p
                 const double end = middles[reader] + 2 + 9 * arrived[reader]++;
                 svg += arrow({kImageLeft, image + 10}, {kPassLeft + kPassWidth, end}, kSvgSoft);
             }
-            image += kRow;
+            image += kPassGraphRow;
         }
     }
-    return svg_picture(title, kImageLeft + kImageWidth + kInputLeft, y - kRow / 2 + 6, svg);
+    return svg_picture(title, kImageLeft + kImageWidth + kInputLeft, y - kPassGraphRow / 2 + 6, svg);
 }
 
 }  // namespace crevice

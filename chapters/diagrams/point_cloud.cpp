@@ -3,12 +3,11 @@
 #include <cmath>
 
 #include "chapters/diagrams/depth_section.h"
+#include "rasterizer/lanes/approx_math.h"
 
 namespace crevice {
 
 namespace {
-
-constexpr double kPi = 3.14159265358979;
 
 // Over p, on the side of a direction of the plane.
 std::vector<SectionPoint> half_circle(SectionPoint p, SectionPoint direction, double radius) {

@@ -6,7 +6,7 @@ namespace crevice {
 
 namespace {
 
-constexpr double kCell = 146, kRow = 154, kRadius = 56, kTop = 36;  // SVG units
+constexpr double kCell = 146, kRow = 154, kRadius = 56, kSampleFansTop = 36;  // SVG units
 
 std::string fan_at(SvgPoint centre, const SampleFan& fan, double radius) {
     std::string svg = "<circle cx=\"" + svg_number(centre.x) + "\" cy=\"" + svg_number(centre.y) + "\" r=\"" +
@@ -31,10 +31,10 @@ std::string sample_fans(const std::string& title, const std::vector<SampleFan>& 
     for (std::size_t i = 0; i < fans.size(); ++i) {
         const auto column = static_cast<double>(static_cast<int>(i) % columns);
         const auto row = static_cast<double>(static_cast<int>(i) / columns);
-        svg += fan_at({kCell * (column + 0.5), kTop + kRadius + 4 + kRow * row}, fans[i], radius);
+        svg += fan_at({kCell * (column + 0.5), kSampleFansTop + kRadius + 4 + kRow * row}, fans[i], radius);
     }
     const int rows = (static_cast<int>(fans.size()) + columns - 1) / columns;
-    return svg_picture(title, kCell * columns, kTop + kRow * rows, svg);
+    return svg_picture(title, kCell * columns, kSampleFansTop + kRow * rows, svg);
 }
 
 }  // namespace crevice

@@ -6,14 +6,15 @@ namespace crevice {
 
 namespace {
 
-constexpr double kHalfSide = 210, kTop = 34, kMargin = 14;  // of the drawing and around it, SVG units
+constexpr double kHalfSide = 210, kScreenTapsTop = 34,
+                 kScreenTapsMargin = 14;  // of the drawing and around it, SVG units
 
 }  // namespace
 
 std::string taps_on_screen(glm::vec2 centre, double radius_px, const Explanation& explanation,
                            const std::vector<SvgPoint>& path, const std::string& title) {
     const double scale = kHalfSide / radius_px;
-    const SvgPoint middle = {kMargin + kHalfSide, kTop + kMargin + kHalfSide};
+    const SvgPoint middle = {kScreenTapsMargin + kHalfSide, kScreenTapsTop + kScreenTapsMargin + kHalfSide};
     const auto at = [&](double x, double y) { return SvgPoint{middle.x + scale * x, middle.y + scale * y}; };
     std::string body = "<circle cx=\"" + svg_number(middle.x) + "\" cy=\"" + svg_number(middle.y) +
                        "\" r=\"" + svg_number(kHalfSide) + "\" fill=\"none\" stroke=\"" +
@@ -29,8 +30,8 @@ std::string taps_on_screen(glm::vec2 centre, double radius_px, const Explanation
         body += svg_text({tap.x + 8, tap.y - 7}, std::to_string(i + 1), TextAnchor::start, kSvgSoft);
     }
     body += svg_dot(middle, 5, kSvgPoint);
-    const double side = 2 * (kHalfSide + kMargin);
-    return svg_picture(title, side, side + kTop, body);
+    const double side = 2 * (kHalfSide + kScreenTapsMargin);
+    return svg_picture(title, side, side + kScreenTapsTop, body);
 }
 
 std::vector<SvgPoint> spiral_through(glm::vec2 centre, double radius_px, const Explanation& explanation,

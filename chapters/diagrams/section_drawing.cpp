@@ -10,8 +10,9 @@ namespace crevice {
 
 namespace {
 
-constexpr double kLargest = 560, kTop = 34, kMargin = 8;  // of the drawn part and around it, SVG units
-constexpr double kBehind = 10000;                         // further than any drawing reaches, SVG units
+constexpr double kLargest = 560, kSectionDrawingTop = 34,
+                 kMargin = 8;      // of the drawn part and around it, SVG units
+constexpr double kBehind = 10000;  // further than any drawing reaches, SVG units
 
 // A symbol with its index: q_1 as q and a lowered 1.
 std::string symbol(const std::string& label) {
@@ -41,7 +42,7 @@ SectionDrawing::SectionDrawing(SectionPoint low, SectionPoint high)
     : low_(low), high_(high), scale_(kLargest / std::max(high.z - low.z, high.across - low.across)) {}
 
 SvgPoint SectionDrawing::at(SectionPoint p) const {
-    return {kMargin + (p.z - low_.z) * scale_, kTop + (high_.across - p.across) * scale_};
+    return {kMargin + (p.z - low_.z) * scale_, kSectionDrawingTop + (high_.across - p.across) * scale_};
 }
 
 void SectionDrawing::surface(const std::vector<SectionPoint>& points) {
@@ -119,8 +120,8 @@ void SectionDrawing::words(SectionPoint p, double dx, double dy, const std::stri
 
 std::string SectionDrawing::svg(const std::string& title, const std::string& across) const {
     const double width = (high_.z - low_.z) * scale_, height = (high_.across - low_.across) * scale_;
-    const std::string box = "x=\"" + svg_number(kMargin) + "\" y=\"" + svg_number(kTop) + "\" width=\"" +
-                            svg_number(width) + "\" height=\"" + svg_number(height) + "\"";
+    const std::string box = "x=\"" + svg_number(kMargin) + "\" y=\"" + svg_number(kSectionDrawingTop) +
+                            "\" width=\"" + svg_number(width) + "\" height=\"" + svg_number(height) + "\"";
     // Several drawings share a page: what is named in one must not be found in another.
     const std::string id = text_hash(title + drawn_);
     std::string body = "<defs><clipPath id=\"frame-" + id + "\"><rect " + box +
@@ -131,12 +132,12 @@ std::string SectionDrawing::svg(const std::string& title, const std::string& acr
     body += "<g clip-path=\"url(#frame-" + id + ")\">\n<g fill=\"url(#behind-" + id + ")\">" + hatching_ +
             "</g>\n" + drawn_ + "</g>\n<rect " + box + " fill=\"none\" stroke=\"" + std::string(kSvgGrid) +
             "\"/>\n";
-    const SvgPoint corner = {kMargin + 14, kTop + height - 14};
+    const SvgPoint corner = {kMargin + 14, kSectionDrawingTop + height - 14};
     body += svg_line(corner, {corner.x + 34, corner.y}, kSvgSoft) +
             svg_line(corner, {corner.x, corner.y - 34}, kSvgSoft) +
             symbol_text({corner.x + 38, corner.y + 4}, "z", kSvgSoft) +
             symbol_text({corner.x - 4, corner.y - 40}, across, kSvgSoft);
-    return svg_picture(title, width + 2 * kMargin, height + kTop + kMargin, body);
+    return svg_picture(title, width + 2 * kMargin, height + kSectionDrawingTop + kMargin, body);
 }
 
 }  // namespace crevice

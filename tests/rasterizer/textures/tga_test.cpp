@@ -12,14 +12,15 @@ using namespace std::string_literals;
 
 namespace {
 
-using Rgba = std::array<int, 4>;
+using FileTexel = std::array<int, 4>;
 
-Rgba pixel(const RgbaPixels& pixels, int x, int y) {
+FileTexel pixel(const RgbaPixels& pixels, int x, int y) {
     const auto at = static_cast<std::size_t>((y * pixels.size.width + x) * 4);
     return {pixels.bytes.at(at), pixels.bytes.at(at + 1), pixels.bytes.at(at + 2), pixels.bytes.at(at + 3)};
 }
 
-const Rgba kRed{255, 0, 0, 255}, kGreen{0, 255, 0, 255}, kBlue{0, 0, 255, 255}, kWhite{255, 255, 255, 255};
+const FileTexel kRed{255, 0, 0, 255}, kGreen{0, 255, 0, 255}, kBlue{0, 0, 255, 255},
+    kWhite{255, 255, 255, 255};
 
 }  // namespace
 
@@ -70,7 +71,7 @@ TEST_CASE("tga: every depth, plain and run-length coded") {
         const char* what;
         int type, bits, descriptor;
         std::string pixels;  // two
-        Rgba first, second;
+        FileTexel first, second;
     };
     const std::vector<Row> rows = {
         {"15 bits", 2, 15, 0x20, "\x00\x7c\xff\x7f"s, kRed, kWhite},
