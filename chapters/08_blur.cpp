@@ -20,7 +20,7 @@
 namespace crevice {
 namespace {
 
-constexpr int kSeeds = 64;
+constexpr int kLimitSeeds = 64;
 
 // The tutorials' pixel shader: one texel of a pass along (dx, dy).
 float mean_along(const Image<float>& ao, const AoInputs& in, const BlurSettings& blur, int x, int y, int dx,
@@ -228,7 +228,7 @@ book.check("In one iteration of the bilateral blur nothing crosses a step in dep
 // depth, *creases* those where surfaces meet, *flats* all others.
 
 // %% errors
-const ReferenceImage limit = luna_limit(shown.inputs, shown.settings, kSeeds);
+const ReferenceImage limit = luna_limit(shown.inputs, shown.settings, kLimitSeeds);
 const Image<float> limit_blurred = bilateral_blur(limit.mean, shown.inputs, shown.blur).ao;
 const Image<SurfaceKind> kinds = surface_kinds(normal_depth(view.scene(), view.camera(), shown.inputs.size()), view.camera());
 const auto error = [&](const Image<float>& ao, Region region) {
