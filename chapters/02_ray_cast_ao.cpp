@@ -181,7 +181,7 @@ book.draw("fan", fan.svg,
 // is interpolated like a colour, which costs nothing.
 
 // %% kernels tags=["setup"]
-book.listing_part("ssao/rays/ray_cast_ao.cpp", "open_share", "std::size_t open", "return {static_cast<double>(open) / count, 1}",
+book.listing_part("ssao/rays/ray_cast_ao.cpp", "open_share", "std::size_t open", "casts.fade == nullptr ? 1 : soft",
                   "The count at the heart of it. `soft` is the same where near occluders count "
                   "more than far ones.");
 book.listing("ssao/bakes/vertex_ao.cpp", "means_of_triangles",

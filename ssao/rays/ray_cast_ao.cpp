@@ -87,16 +87,27 @@ struct PointCasts {
     std::size_t replicates;  // at most kReplicates
 };
 
+// What the rays of a point leave open, added up ray by ray, in their order: 1 for each that meets nothing.
+struct OpenSum {
+    double sum = 0;
+    std::size_t added = 0;
+
+    double up_to(std::size_t ray) {
+        for (; added < ray; ++added) sum += 1;
+        return sum;
+    }
+    void add(std::size_t ray, double open) {
+        up_to(ray);
+        sum += open;
+        ++added;
+    }
+};
+
 template <class F>
 CREVICE_INLINE OpenShare open_share(const PointCasts& casts, const PointRays& on) {
-    std::size_t open = on.rays.size();
-    // Added up ray by ray, in their order.
-    double soft = 0;
-    std::size_t added = 0;
-    const auto add_open_up_to = [&](std::size_t ray) {
-        for (; added < ray; ++added) soft += 1;
-    };
     const bool any_hit_does = casts.fade == nullptr && !casts.scene.holes.any();
+    std::size_t open = on.rays.size();
+    OpenSum soft;
     for_meeting_rays<F>(
         casts.scene.bvh, on.rays, casts.settings.radius, [&](std::size_t ray) __attribute__((always_inline)) {
             if (any_hit_does) {
@@ -104,16 +115,12 @@ CREVICE_INLINE OpenShare open_share(const PointCasts& casts, const PointRays& on
                 return;
             }
             const RayHit hit = nearest_solid_hit<F>(casts.scene, on.rays[ray], casts.settings.radius);
-            if (hit.triangle < 0) return;
+            if (hit.triangle < 0) return;  // it passes through holes alone
             --open;
-            if (casts.fade == nullptr) return;
-            add_open_up_to(ray);
-            soft += 1.0 - casts.fade->occlusion(hit.distance);
-            ++added;
+            if (casts.fade != nullptr) soft.add(ray, 1.0 - casts.fade->occlusion(hit.distance));
         });
-    if (casts.fade == nullptr) return {static_cast<double>(open) / casts.rays, 1};
-    add_open_up_to(on.rays.size());
-    return {static_cast<double>(open) / casts.rays, soft / casts.rays};
+    return {static_cast<double>(open) / casts.rays,
+            casts.fade == nullptr ? 1 : soft.up_to(on.rays.size()) / casts.rays};
 }
 
 // Calls take(index, shares) for every point on all threads, and done(count) when so many more have been taken. The one place
