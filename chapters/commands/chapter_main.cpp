@@ -4,6 +4,7 @@
 #include "chapters/commands/run_chapters.h"
 #include "chapters/terminal/exit_code.h"
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/worker_placement.h"
 
 namespace {
 
@@ -21,5 +22,6 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    keep_workers_off_caller();
     return exit_code_of([&] { return run(argc, argv); });
 }

@@ -29,7 +29,7 @@ std::multiset<int> allowed_to_workers(int threads) {
     std::mutex mutex;
     std::set<pid_t> seen;
     std::multiset<int> allowed;
-    parallel_for(200, {.threads = threads}, [&](int) {
+    parallel_for(400, {.threads = threads}, [&](int) {
         std::this_thread::sleep_for(std::chrono::microseconds(200));
         const std::lock_guard lock(mutex);
         if (gettid() != caller && seen.insert(gettid()).second) allowed.insert(allowed_processors());
