@@ -14,7 +14,6 @@
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
-#include <oneapi/tbb/task_scheduler_observer.h>
 
 #include "rasterizer/base/worker_placement.h"
 #endif
@@ -61,35 +60,11 @@ class AtItem {
 };
 thread_local bool AtItem::here = false;
 
-// The threads of a loop, of which one calls and the others join. Kept for the next loop, which then finds them awake.
-class Arena {
- public:
-    explicit Arena(int threads) : arena_(threads), threads_(threads), joining_(arena_) {}
-
-    template <class Body>
-    void execute(const Body& body) {
-        caller_begins(threads_);
-        arena_.execute(body);
-    }
-
- private:
-    struct Joining : tbb::task_scheduler_observer {
-        explicit Joining(tbb::task_arena& arena) : tbb::task_scheduler_observer(arena) { observe(true); }
-        ~Joining() override { observe(false); }
-        void on_scheduler_entry(bool is_worker) override {
-            if (is_worker) worker_joined();
-        }
-    };
-
-    tbb::task_arena arena_;
-    const int threads_;
-    Joining joining_;
-};
-
 void in_this_arena(int count, const std::function<void(int)>& body) {
     tbb::parallel_for(
         tbb::blocked_range<int>(0, count, 1),
         [&](const tbb::blocked_range<int>& items) {
+            worker_joins();
             const AtItem at_item;
             for (int i = items.begin(); i < items.end(); ++i) body(i);
         },
@@ -104,7 +79,9 @@ void on_threads(int threads, int count, const std::function<void(int)>& body) {
     // The arena is limited to the machine's cores unless the limit is raised while it works.
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(threads));
-    static thread_local std::map<int, Arena> arenas;
+    // Kept for the next loop, which then finds their threads awake.
+    static thread_local std::map<int, tbb::task_arena> arenas;
+    caller_begins(threads);
     arenas.try_emplace(threads, threads).first->second.execute([&] { in_this_arena(count, body); });
 }
 }  // namespace

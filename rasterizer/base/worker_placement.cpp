@@ -18,6 +18,8 @@ class WorkerPlacement {
     WorkerPlacement() { sched_getaffinity(0, sizeof all_, &all_); }
 
     void caller_begins(int threads) {
+        if (role == Role::worker) return;  // of a loop within a loop
+        role = Role::caller;
         const int processor = threads <= CPU_COUNT(&all_) ? sched_getcpu() : kNone;
         if (processor == taken_) return;
         const std::lock_guard lock(mutex_);
@@ -25,16 +27,17 @@ class WorkerPlacement {
         for (const pid_t worker : workers_) place(worker);
     }
 
-    void worker_joined() {
-        thread_local bool is_known = false;
-        if (is_known) return;
-        is_known = true;
+    void worker_joins() {
+        if (role != Role::unknown) return;
+        role = Role::worker;
         const std::lock_guard lock(mutex_);
         workers_.push_back(gettid());
         place(workers_.back());
     }
 
  private:
+    enum class Role { unknown, caller, worker };
+    static thread_local Role role;
     static constexpr int kNone = -1;
 
     // A worker that has ended, or that the system keeps where it is, is no error.
@@ -50,6 +53,8 @@ class WorkerPlacement {
     std::vector<pid_t> workers_;
 };
 
+thread_local WorkerPlacement::Role WorkerPlacement::role = Role::unknown;
+
 std::atomic<WorkerPlacement*> placement = nullptr;
 
 }  // namespace
@@ -64,8 +69,8 @@ void caller_begins(int threads) {
     if (WorkerPlacement* const known = placement) known->caller_begins(threads);
 }
 
-void worker_joined() {
-    if (WorkerPlacement* const known = placement) known->worker_joined();
+void worker_joins() {
+    if (WorkerPlacement* const known = placement) known->worker_joins();
 }
 
 }  // namespace crevice
@@ -75,7 +80,7 @@ void worker_joined() {
 namespace crevice {
 void keep_workers_off_caller() {}
 void caller_begins(int) {}
-void worker_joined() {}
+void worker_joins() {}
 }  // namespace crevice
 
 #endif

@@ -11,8 +11,9 @@ namespace crevice {
 // and where there are more threads than processors nothing changes.
 void keep_workers_off_caller();
 
-// What parallel_for tells: its caller begins a loop on so many threads; a worker has joined a loop.
+// What parallel_for tells: its caller begins a loop on so many threads; this thread is about to do items of a loop. A thread
+// that has ever begun a loop stays where it is, also when it helps with a loop of another.
 void caller_begins(int threads);
-void worker_joined();
+void worker_joins();
 
 }  // namespace crevice
