@@ -1,6 +1,7 @@
 #include "rasterizer/base/worker_placement.h"
 
-#if defined(__linux__)
+// Where loops have threads of oneTBB.
+#if defined(__linux__) && CREVICE_TBB && !defined(__SANITIZE_THREAD__)
 #include <sched.h>
 #include <unistd.h>
 
