@@ -1,7 +1,7 @@
-// On which processors the worker threads of loops run. Linux wakes a thread on the processor of the one that wakes it when it
-// takes no other for idle, as on virtual machines, whose idle processors count as taken away. There a worker waits for its
-// caller to pause: up to 4 ms, longer than most loops of a frame.
-// Source: Linux, kernel/sched/fair.c, wake_affine() and available_idle_cpu(), which asks vcpu_is_preempted()
+// On which processors the worker threads of loops run. Linux may wake a worker on the processor of the thread that calls it,
+// though another stands idle: seen on virtual machines. There it waits until the caller pauses or a clock tick moves it, up to
+// 4 ms, which is longer than most loops of a frame.
+// Source: Linux, kernel/sched/fair.c, wake_affine(), which chooses between the two processors
 #pragma once
 
 namespace crevice {

@@ -105,15 +105,6 @@ inline bool knows_surfaces(const Scene& scene, const GBuffer& gbuffer) {
            (scene.materials.size() == 1 || !gbuffer.material.empty());
 }
 
-// As expect_next_row of image.h, of a row that is going to be read.
-template <class T>
-void expect_next_row_read(const Image<T>& image, int x0, int x1, int y) {
-    if (y + 1 >= image.size.height) return;
-    constexpr int per_line = 64 / sizeof(T);
-    const T* const next = image.row(y + 1);
-    for (int x = x0; x < x1; x += per_line) __builtin_prefetch(next + x);
-}
-
 // The rows of a tile, for its lighting: read from a G-buffer that knows them, else from their triangles.
 class TileRows {
  public:
@@ -131,7 +122,7 @@ class TileRows {
 
     ShownRow row(int y) {
         const std::int32_t* const triangle = triangle_.row(y) + tile_.x0;
-        expect_next_row_read(triangle_, tile_.x0, tile_.x1, y);
+        expect_next_row(triangle_, tile_.x0, tile_.x1, y);
         ShownRow shown{material_, {normal_[0], normal_[1], normal_[2]}, {}, nullptr, view_depth_};
         if (gbuffer_ != nullptr) {
             read_known(*gbuffer_, triangle, y, shown);
@@ -162,16 +153,16 @@ class TileRows {
         const int count = round_up(tile_.x1 - tile_.x0, kRowAlignment);
         const Image<float>* const planes[3] = {&g.normal.x, &g.normal.y, &g.normal.z};
         for (std::size_t i = 0; i < 3; ++i) {
-            expect_next_row_read(*planes[i], tile_.x0, tile_.x1, y);
+            expect_next_row(*planes[i], tile_.x0, tile_.x1, y);
             std::copy_n(planes[i]->row(y) + tile_.x0, count, normal_[i]);
         }
-        expect_next_row_read(g.view_depth, tile_.x0, tile_.x1, y);
+        expect_next_row(g.view_depth, tile_.x0, tile_.x1, y);
         shown.view_depth = g.view_depth.row(y) + tile_.x0;
         if (one_material_) {
             std::transform(triangle, triangle + count, material_,
                            [](std::int32_t number) { return number < 0 ? kNoTriangle : 0; });
         } else {
-            expect_next_row_read(g.material, tile_.x0, tile_.x1, y);
+            expect_next_row(g.material, tile_.x0, tile_.x1, y);
             shown.material = g.material.row(y) + tile_.x0;
         }
     }
