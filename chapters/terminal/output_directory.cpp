@@ -1,13 +1,10 @@
 #include "chapters/terminal/output_directory.h"
 
-#include <cerrno>
-#include <cstdio>
 #include <string>
 #include <system_error>
 
-#include <unistd.h>
-
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/write_file.h"
 
 namespace crevice {
 
@@ -18,14 +15,9 @@ void try_output_directory(const std::filesystem::path& out) {
     if (error)
         throw OutputError(out.string() + ": cannot make this directory (" + error.message() +
                           "); choose another --out");
-    // Programs that share the directory try it at the same time.
-    const std::filesystem::path trial = out / (".crevice." + std::to_string(getpid()));
-    std::FILE* const file = std::fopen(trial.c_str(), "wb");
-    if (file == nullptr)
+    if (const int refused = error_creating_in(out))
         throw OutputError(out.string() + ": nothing can be written there (" +
-                          std::generic_category().message(errno) + "); choose another --out");
-    std::fclose(file);
-    std::filesystem::remove(trial, error);
+                          std::generic_category().message(refused) + "); choose another --out");
 }
 
 std::filesystem::path named_directory(const std::string& flag, const std::string& word) {

@@ -25,8 +25,13 @@ void write_file_atomically(const std::filesystem::path& path,
 // took another's away, or wrote into it, would leave no file or a torn one.
 std::filesystem::path partial_path(const std::filesystem::path& target, long pid);
 
+// 0 where a file can be created in `directory`, else errno's reason. Creates one and removes it at once: permissions alone
+// do not tell.
+int error_creating_in(const std::filesystem::path& directory);
+
 // Removes what write_file_atomically() has begun, in any thread, and not finished: for the handler of a signal that
-// ends the program, which may call this at any time.
+// ends the program, which may call this at any time. A thread that would begin or finish a file afterwards waits for
+// the end, so none is left behind however long the handler still takes.
 void remove_partial_files() noexcept;
 
 }  // namespace crevice

@@ -1,10 +1,12 @@
 #include "rasterizer/base/write_file.h"
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -128,6 +130,36 @@ TEST_CASE("processes that write the same file at the same time all succeed, and 
     const std::string bytes = bytes_in(scratch / "a");
     CHECK(bytes == std::string(kBytes, bytes.empty() ? '?' : bytes[0]));
     CHECK(std::distance(fs::directory_iterator(scratch.path()), fs::directory_iterator()) == 1);
+}
+
+TEST_CASE("after the partial files are removed for the program's end, no thread begins another one") {
+    constexpr int kRounds = 40, kThreads = 4;
+    for (int round = 0; round < kRounds; ++round) {
+        const ScratchDirectory scratch;
+        const pid_t child = fork();
+        if (child == 0) {
+            for (int i = 0; i < kThreads; ++i) {
+                std::thread([&scratch, i] {
+                    for (;;) write_file_atomically(scratch / std::to_string(i), "some bytes");
+                }).detach();
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            remove_partial_files();
+            // The handler has more to do before the program ends, and the other threads go on meanwhile.
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            _exit(0);
+        }
+        int status = 0;
+        REQUIRE(waitpid(child, &status, 0) == child);
+        CAPTURE(round);
+        CHECK(WIFEXITED(status));
+        CHECK(WEXITSTATUS(status) == 0);
+        for (const fs::directory_entry& entry : fs::directory_iterator(scratch.path())) {
+            CAPTURE(entry.path().string());
+            CHECK(entry.path().extension() != ".partial");
+            CHECK(bytes_in(entry.path()) == "some bytes");
+        }
+    }
 }
 
 TEST_CASE("a file is replaced whole, its partial form is gone, and a symbolic link is followed") {
