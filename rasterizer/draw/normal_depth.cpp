@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "rasterizer/base/parallel.h"
 #include "rasterizer/draw/cutouts.h"
 #include "rasterizer/draw/surface_textures.h"
 
@@ -66,7 +67,11 @@ GBuffer drawn(const ScreenGeometry& geometry, bool reversed_z, const NormalDepth
     Visibility seen =
         visibility(geometry, settings.depth_format, reversed_z, holes, run,
                    [&](const Visibility& so_far, int first_row, int end_row) {
-                       fill_rows(g, so_far.triangle, geometry, first_row, end_row, textures, run);
+                       // In parts, of which a thread that has no tile left to draw takes some.
+                       parallel_rows(end_row - first_row, run, [&](int first, int end) {
+                           fill_rows(g, so_far.triangle, geometry, first_row + first, first_row + end,
+                                     textures, run);
+                       });
                    });
     g.depth = std::move(seen.depth);
     g.triangle = std::move(seen.triangle);
