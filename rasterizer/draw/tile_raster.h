@@ -56,9 +56,11 @@ struct TileRaster {
                 if (!asks_holes && t.covered != 0 && reached == t.bounds) {
                     draw_tiny(t, number);
                 } else if (asks_holes) {
-                    draw<true>(block, t, number, reached);
+                    draw<Form::with_holes>(block, t, number, reached);
+                } else if (is_plain(t)) {
+                    draw<Form::plain>(block, t, number, reached);
                 } else {
-                    draw<false>(block, t, number, reached);
+                    draw<Form::whole>(block, t, number, reached);
                 }
             }
         }
@@ -83,6 +85,18 @@ struct TileRaster {
         return true;
     }
 
+    // What is known of a triangle when its kernel is compiled.
+    enum class Form {
+        with_holes,
+        whole,
+        plain,  // whole, and what nearly all are: drawn where nearest, and its depth's code is its own bits
+    };
+    CREVICE_INLINE bool is_plain(const ScreenTriangle& t) const {
+        return drawing.test == DepthFunction::less && drawing.format == DepthFormat::d32f &&
+               drawing.depth != nullptr && drawing.triangle != nullptr && t.depth_bias == 0 && t.z_low > 0 &&
+               t.z_high <= 1;
+    }
+
     CREVICE_INLINE void draw_tiny(const ScreenTriangle& t, std::int32_t number) {
         tiny_fragments(
             t, [&](int x, int y, float z_ndc) __attribute__((always_inline)) {
@@ -97,19 +111,18 @@ struct TileRaster {
             });
     }
 
-    // Without kAsksHoles the triangle has none.
-    template <bool kAsksHoles>
+    template <Form kForm>
     CREVICE_INLINE void draw(const TriangleBlock& block, const ScreenTriangle& t, std::int32_t number,
                              PixelRect rect) {
         if (t.small) {
-            draw<kAsksHoles, Int<F>>(block, t, number, rect);
+            draw<kForm, Int<F>>(block, t, number, rect);
         } else {
-            draw<kAsksHoles, Double<F>>(block, t, number, rect);
+            draw<kForm, Double<F>>(block, t, number, rect);
         }
     }
 
     // E is the type of the edge values: Int<F> for small triangles, Double<F> for the others.
-    template <bool kAsksHoles, class E>
+    template <Form kForm, class E>
     CREVICE_INLINE void draw(const TriangleBlock& block, const ScreenTriangle& t, std::int32_t number,
                              PixelRect rect) {
         constexpr bool test_blocks = !std::is_same_v<E, Int<F>>;
@@ -132,9 +145,9 @@ struct TileRaster {
                                         std::min(block_y + step_y, rect.y1)};
                 for (int x = part.x0; x < part.x1; x += kLanes<F>) {
                     if (reach == Reach::all) {
-                        covered_column<kAsksHoles>(block, t, number, edges, x, part);
+                        covered_column<kForm>(block, t, number, edges, x, part);
                     } else {
-                        column<kAsksHoles>(block, t, number, edges, x, part);
+                        column<kForm>(block, t, number, edges, x, part);
                     }
                 }
             }
@@ -159,7 +172,7 @@ struct TileRaster {
     }
 
     // The groups of pixels at x, one below the other.
-    template <bool kAsksHoles, class E>
+    template <Form kForm, class E>
     CREVICE_INLINE void column(const TriangleBlock& block, const ScreenTriangle& t, std::int32_t number,
                                const LaneEdge<F, E> (&edges)[3], int x, PixelRect part) {
         auto c0 = edges[0].column(x, part.y0), c1 = edges[1].column(x, part.y0),
@@ -168,7 +181,7 @@ struct TileRaster {
             const E e0 = c0.lanes, e1 = c1.lanes, e2 = c2.lanes;
             const Mask<F> covered = none_negative<F>(e0, e1, e2);
             if (any(covered)) {
-                group<kAsksHoles>(block, t, number, x, y, covered, F(to_float(e1 + edges[1].threshold)),
+                group<kForm>(block, t, number, x, y, covered, F(to_float(e1 + edges[1].threshold)),
                                   F(to_float(e2 + edges[2].threshold)));
             }
             c0.next();
@@ -178,38 +191,40 @@ struct TileRaster {
     }
 
     // The same where all pixels are covered.
-    template <bool kAsksHoles, class E>
+    template <Form kForm, class E>
     CREVICE_INLINE void covered_column(const TriangleBlock& block, const ScreenTriangle& t,
                                        std::int32_t number, const LaneEdge<F, E> (&edges)[3], int x,
                                        PixelRect part) {
         const Mask<F> covered = lane_index<F>() >= Int<F>(0);
         auto c1 = edges[1].whole_column(x, part.y0), c2 = edges[2].whole_column(x, part.y0);
         for (int y = part.y0; y < part.y1; ++y) {
-            group<kAsksHoles>(block, t, number, x, y, covered, F(to_float(c1.lanes)), F(to_float(c2.lanes)));
+            group<kForm>(block, t, number, x, y, covered, F(to_float(c1.lanes)), F(to_float(c2.lanes)));
             c1.next();
             c2.next();
         }
     }
 
     // Depth test of a group of covered pixels.
-    template <bool kAsksHoles>
+    template <Form kForm>
     CREVICE_INLINE void group(const TriangleBlock& block, const ScreenTriangle& t, std::int32_t number, int x,
                               int y, Mask<F> covered, F e1, F e2) {
-        const Int<F> code = depth_code(drawing.format, z_ndc_at(t, e1, e2), t.depth_bias);
+        constexpr bool kPlain = kForm == Form::plain;
+        const F z_ndc = z_ndc_at(t, e1, e2);
+        const Int<F> code = kPlain ? float_bits(z_ndc) : depth_code(drawing.format, z_ndc, t.depth_bias);
         const Int<F> stored = load<F>(drawing.tested.row(y) + x);
-        Mask<F> passed = covered & depth_passes<F>(drawing.test, code, stored);
+        Mask<F> passed = covered & depth_passes<F>(kPlain ? DepthFunction::less : drawing.test, code, stored);
         Mask<F> tied = covered & (code == stored);
         if (!any(passed | tied)) return;
-        if constexpr (kAsksHoles) {
+        if constexpr (kForm == Form::with_holes) {
             const Mask<F> kept = without_holes(block, t, x, y, passed, passed | tied);
             passed = passed & kept;
             tied = tied & kept;
         }
-        if (drawing.depth != nullptr) {
+        if (kPlain || drawing.depth != nullptr) {
             if (any(tied)) note_tie({x, y, x + kLanes<F>, y + 1});
             store(drawing.depth->row(y) + x, select(passed, code, stored));
         }
-        if (drawing.triangle != nullptr) {
+        if (kPlain || drawing.triangle != nullptr) {
             std::int32_t* const shown = drawing.triangle->row(y) + x;
             store(shown, select(passed, Int<F>(number), load<F>(shown)));
         }
