@@ -8,15 +8,6 @@
 
 namespace crevice {
 
-template <>
-struct VectorOf<std::uint32_t, 4> {
-    typedef std::uint32_t type __attribute__((vector_size(16)));
-};
-template <>
-struct VectorOf<std::uint32_t, 8> {
-    typedef std::uint32_t type __attribute__((vector_size(32)));
-};
-
 // 32 bits a lane, which wrap round.
 template <class I>
 struct HashBits;

@@ -44,7 +44,8 @@ struct TrianglePixels {
         : triangle(*of.triangle),
           clipped(of.clipped),
           shown(shown_by_it),
-          e(of.triangle->small ? edges<Int<F>>(*of.triangle, x, y) : edges<Double<F>>(*of.triangle, x, y)),
+          e(of.triangle->doubled_area < kFitsWord ? edges<Int<F>>(*of.triangle, x, y)
+                                                  : edges<Double<F>>(*of.triangle, x, y)),
           b{e.of_0 * F(triangle.inverse_w[0]), e.of_1 * F(triangle.inverse_w[1]),
             e.of_2 * F(triangle.inverse_w[2])},
           inverse_sum(inverse(b)),
@@ -79,7 +80,10 @@ struct TrianglePixels {
     }
 
  private:
-    // E is Int<F> for small triangles, whose products fit, or Double<F>, which holds those of any.
+    // Inside a triangle no edge function is larger than its doubled area.
+    static constexpr float kFitsWord = 0x1p31f;
+
+    // E is Int<F> where the edge functions fit it at the pixels shown, or Double<F>, which holds those of any triangle.
     template <class E>
     CREVICE_INLINE static Three<F> edges(const ScreenTriangle& t, int x, int y) {
         constexpr std::int32_t half = kSubpixelSteps / 2;
@@ -96,9 +100,15 @@ struct TrianglePixels {
                 x_2 = from_corner(centre_x, t.x[2]);
         const E y_0 = from_corner(centre_y, t.y[0]), y_1 = from_corner(centre_y, t.y[1]),
                 y_2 = from_corner(centre_y, t.y[2]);
-        const E zero(0);  // added, it leaves no -0 of doubles
-        return {F(to_float(x_1 * y_2 - y_1 * x_2 + zero)), F(to_float(x_2 * y_0 - y_2 * x_0 + zero)),
-                F(to_float(x_0 * y_1 - y_0 * x_1 + zero))};
+        const auto edge = [](E x_from, E y_to, E y_from, E x_to) __attribute__((always_inline)) {
+            if constexpr (std::is_same_v<E, Int<F>>) {
+                return F(to_float(wrapped_difference(x_from, y_to, y_from, x_to)));
+            } else {
+                const E zero(0);  // added, it leaves no -0
+                return F(to_float(x_from * y_to - y_from * x_to + zero));
+            }
+        };
+        return {edge(x_1, y_2, y_1, x_2), edge(x_2, y_0, y_2, x_0), edge(x_0, y_1, y_0, x_1)};
     }
     // Pixels outside the triangle may meet a sum of zero.
     CREVICE_INLINE F inverse(const Three<F>& of) const {

@@ -49,6 +49,12 @@ requires(kLanes<F> == 1) CREVICE_INLINE std::int32_t load(const std::int32_t* at
 CREVICE_INLINE void store(float* at, float a) { *at = a; }
 CREVICE_INLINE void store(std::int32_t* at, std::int32_t a) { *at = a; }
 CREVICE_INLINE void store(double* at, double a) { *at = a; }
+// a * b - c * d modulo 2^32: exact where the difference fits, also where the products do not.
+CREVICE_INLINE std::int32_t wrapped_difference(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d) {
+    using Word = std::uint32_t;
+    return static_cast<std::int32_t>(static_cast<Word>(a) * static_cast<Word>(b) -
+                                     static_cast<Word>(c) * static_cast<Word>(d));
+}
 // 0, 1, 2 ... one a lane.
 template <class F>
 requires(kLanes<F> == 1) CREVICE_INLINE std::int32_t lane_index() { return 0; }
@@ -104,6 +110,15 @@ CREVICE_INLINE std::int32_t largest_of(WideInt<N> a) {
     CREVICE_UNROLLED
     for (int i = 1; i < N; ++i) largest = a.v[i] > largest ? a.v[i] : largest;
     return largest;
+}
+template <int N>
+CREVICE_INLINE WideInt<N> wrapped_difference(WideInt<N> a, WideInt<N> b, WideInt<N> c, WideInt<N> d) {
+    using Words = typename VectorOf<std::uint32_t, N>::type;
+    const auto words = [](WideInt<N> of) __attribute__((always_inline)) {
+        return __builtin_bit_cast(Words, of.v);
+    };
+    return WideInt<N>(
+        __builtin_bit_cast(typename WideInt<N>::V, words(a) * words(b) - words(c) * words(d)));
 }
 // The upper 32 bits of each: the sign comes first.
 template <int N>
