@@ -30,12 +30,28 @@ struct Drawing {
     std::vector<std::int32_t>* hidden = nullptr;
 };
 
+// The pixels that a drawing reads and writes, its pictures being of one size. Copied out of them: what is read through a
+// reference is read again after every store.
+struct DrawnPixels {
+    const std::int32_t* tested;
+    std::int32_t *depth, *triangle;  // may be null, as in Drawing
+    std::ptrdiff_t stride;
+
+    explicit DrawnPixels(const Drawing& drawing)
+        : tested(drawing.tested.row(0)),
+          depth(drawing.depth == nullptr ? nullptr : drawing.depth->row(0)),
+          triangle(drawing.triangle == nullptr ? nullptr : drawing.triangle->row(0)),
+          stride(drawing.tested.stride) {}
+    CREVICE_INLINE std::ptrdiff_t at(int x, int y) const { return y * stride + x; }
+};
+
 // One tile while it is drawn.
 template <class F>
 struct TileRaster {
     const Drawing& drawing;
     const PixelRect tile;
     TileRecord record = {};
+    const DrawnPixels pixels = DrawnPixels(drawing);
 
     CREVICE_INLINE void draw_all(int number_of_tile, const Run& run) {
         HiddenTriangles hidden(tile);
@@ -100,14 +116,15 @@ struct TileRaster {
     CREVICE_INLINE void draw_tiny(const ScreenTriangle& t, std::int32_t number) {
         tiny_fragments(
             t, [&](int x, int y, float z_ndc) __attribute__((always_inline)) {
+                const std::ptrdiff_t at = pixels.at(x, y);
                 const std::int32_t code = depth_code(drawing.format, z_ndc, t.depth_bias),
-                                   stored = drawing.tested.at(x, y);
+                                   stored = pixels.tested[at];
                 const bool passes = depth_passes<float>(drawing.test, code, stored);
-                if (drawing.depth != nullptr) {
+                if (pixels.depth != nullptr) {
                     if (code == stored) note_tie({x, y, x + 1, y + 1});
-                    if (passes) drawing.depth->at(x, y) = code;
+                    if (passes) pixels.depth[at] = code;
                 }
-                if (drawing.triangle != nullptr && passes) drawing.triangle->at(x, y) = number;
+                if (pixels.triangle != nullptr && passes) pixels.triangle[at] = number;
             });
     }
 
@@ -211,7 +228,8 @@ struct TileRaster {
         constexpr bool kPlain = kForm == Form::plain;
         const F z_ndc = z_ndc_at(t, e1, e2);
         const Int<F> code = kPlain ? float_bits(z_ndc) : depth_code(drawing.format, z_ndc, t.depth_bias);
-        const Int<F> stored = load<F>(drawing.tested.row(y) + x);
+        const std::ptrdiff_t at = pixels.at(x, y);
+        const Int<F> stored = load<F>(pixels.tested + at);
         Mask<F> passed = covered & depth_passes<F>(kPlain ? DepthFunction::less : drawing.test, code, stored);
         Mask<F> tied = covered & (code == stored);
         if (!any(passed | tied)) return;
@@ -220,12 +238,12 @@ struct TileRaster {
             passed = passed & kept;
             tied = tied & kept;
         }
-        if (kPlain || drawing.depth != nullptr) {
+        if (kPlain || pixels.depth != nullptr) {
             if (any(tied)) note_tie({x, y, x + kLanes<F>, y + 1});
-            store(drawing.depth->row(y) + x, select(passed, code, stored));
+            store(pixels.depth + at, select(passed, code, stored));
         }
-        if (kPlain || drawing.triangle != nullptr) {
-            std::int32_t* const shown = drawing.triangle->row(y) + x;
+        if (kPlain || pixels.triangle != nullptr) {
+            std::int32_t* const shown = pixels.triangle + at;
             store(shown, select(passed, Int<F>(number), load<F>(shown)));
         }
     }
@@ -240,10 +258,10 @@ struct TileRaster {
         return load<F>(kept) != none;
     }
 
-    void note_tie(PixelRect pixels) {
-        pixels.x0 &= -kRowAlignment;
-        pixels.x1 = round_up(pixels.x1, kRowAlignment);
-        record.tied = around(record.tied, pixels);
+    void note_tie(PixelRect rect) {
+        rect.x0 &= -kRowAlignment;
+        rect.x1 = round_up(rect.x1, kRowAlignment);
+        record.tied = around(record.tied, rect);
     }
 };
 
