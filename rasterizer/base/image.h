@@ -55,14 +55,18 @@ struct Image {
     const T& at(int x, int y) const { return row(y)[x]; }
 };
 
-// Asks for the cache lines of the next row: a processor foresees neighbours in memory, and those of a tile's next row are
-// far away. Inlined always: GCC takes a function that only asks for one without effect, and removes its calls.
+// Asks for the cache lines of a part of a row, which come while something else is done. Inlined always: GCC takes a function
+// that only asks for one without effect, and removes its calls.
+template <class T>
+CREVICE_INLINE void expect_row(const Image<T>& image, int x0, int x1, int y) {
+    constexpr int per_line = 64 / sizeof(T);
+    const T* const row = image.row(y);
+    for (int x = x0; x < x1; x += per_line) __builtin_prefetch(row + x);
+}
+// Of the next row: a processor foresees neighbours in memory, and those of a tile's next row are far away.
 template <class T>
 CREVICE_INLINE void expect_next_row(const Image<T>& image, int x0, int x1, int y) {
-    if (y + 1 >= image.size.height) return;
-    constexpr int per_line = 64 / sizeof(T);
-    const T* const next = image.row(y + 1);
-    for (int x = x0; x < x1; x += per_line) __builtin_prefetch(next + x);
+    if (y + 1 < image.size.height) expect_row(image, x0, x1, y + 1);
 }
 
 // Fills a rectangle that begins with a whole group of pixels, and the rest of its last group.

@@ -64,15 +64,14 @@ GBuffer drawn(const ScreenGeometry& geometry, bool reversed_z, const NormalDepth
               {},
               settings.buffer_format,
               settings.with_material ? Image<std::int32_t>(size) : Image<std::int32_t>()};
-    Visibility seen =
-        visibility(geometry, settings.depth_format, reversed_z, holes, run,
-                   [&](const Visibility& so_far, int first_row, int end_row) {
-                       // In parts, of which a thread that has no tile left to draw takes some.
-                       parallel_rows(end_row - first_row, run, [&](int first, int end) {
-                           fill_rows(g, so_far.triangle, geometry, first_row + first, first_row + end,
-                                     textures, run);
-                       });
-                   });
+    Visibility seen = visibility(geometry, settings.depth_format, reversed_z, holes, run,
+                                 [&](const Visibility& so_far, int first_row, int end_row) {
+                                     // In parts, of which a thread that has no tile left to draw takes some.
+                                     parallel_rows(end_row - first_row, run, [&](int first, int end) {
+                                         fill_rows(g, so_far.triangle, geometry, first_row + first,
+                                                   first_row + end, textures, run);
+                                     });
+                                 });
     g.depth = std::move(seen.depth);
     g.triangle = std::move(seen.triangle);
     g.tiles = std::move(seen.tiles);

@@ -199,7 +199,7 @@ struct TileRaster {
             const Mask<F> covered = none_negative<F>(e0, e1, e2);
             if (any(covered)) {
                 group<kForm>(block, t, number, x, y, covered, F(to_float(e1 + edges[1].threshold)),
-                                  F(to_float(e2 + edges[2].threshold)));
+                             F(to_float(e2 + edges[2].threshold)));
             }
             c0.next();
             c1.next();

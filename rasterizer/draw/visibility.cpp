@@ -15,12 +15,9 @@ namespace {
 // Asks for the cache lines of the tile to the right, which is probably cleared next: they come while this one is drawn.
 CREVICE_INLINE void expect_tile_after(const Drawing& drawing, PixelRect part) {
     const int end = std::min(part.x1 + drawing.geometry.tile_size, drawing.geometry.size.width);
-    constexpr int per_line = 64 / sizeof(std::int32_t);
-    for (int y = part.y0; y < part.y1; ++y) {
-        for (int x = part.x1; x < end; x += per_line) {
-            if (drawing.depth != nullptr) __builtin_prefetch(drawing.depth->row(y) + x, 1);
-            if (drawing.triangle != nullptr) __builtin_prefetch(drawing.triangle->row(y) + x, 1);
-        }
+    for (Image<std::int32_t>* const image : {drawing.depth, drawing.triangle}) {
+        if (image == nullptr) continue;
+        for (int y = part.y0; y < part.y1; ++y) expect_row(*image, part.x1, end, y);
     }
 }
 

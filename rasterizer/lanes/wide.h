@@ -50,7 +50,8 @@ CREVICE_INLINE void store(float* at, float a) { *at = a; }
 CREVICE_INLINE void store(std::int32_t* at, std::int32_t a) { *at = a; }
 CREVICE_INLINE void store(double* at, double a) { *at = a; }
 // a * b - c * d modulo 2^32: exact where the difference fits, also where the products do not.
-CREVICE_INLINE std::int32_t wrapped_difference(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d) {
+CREVICE_INLINE std::int32_t wrapped_difference(std::int32_t a, std::int32_t b, std::int32_t c,
+                                               std::int32_t d) {
     using Word = std::uint32_t;
     return static_cast<std::int32_t>(static_cast<Word>(a) * static_cast<Word>(b) -
                                      static_cast<Word>(c) * static_cast<Word>(d));
@@ -72,13 +73,6 @@ CREVICE_INLINE unsigned lane_bits(WideMask<4> m) {
 #endif
 }
 CREVICE_INLINE unsigned lane_bits(WideMask<8> m) {
-#if defined(__x86_64__) && !defined(__clang__)
-    // GCC finds two instructions for the halves, and has its function for this one only where AVX2 is switched on: here it
-    // is only once this has been inlined.
-    unsigned bits;
-    asm("vmovmskps %1, %0" : "=r"(bits) : "x"(m.v));
-    return bits;
-#endif
     return lane_bits(WideMask<4>{low_half(m.v)}) | lane_bits(WideMask<4>{high_half(m.v)}) << 4;
 }
 // Eight are joined to one 128-bit vector: the shortest that both compilers find. WebAssembly has an instruction for it;
@@ -93,13 +87,7 @@ CREVICE_INLINE bool any(WideMask<4> m) {
     return (words[0] | words[1]) != 0;
 #endif
 }
-CREVICE_INLINE bool any(WideMask<8> m) {
-#if defined(__x86_64__)
-    return lane_bits(m) != 0;
-#else
-    return any(WideMask<4>{low_half(m.v) | high_half(m.v)});
-#endif
-}
+CREVICE_INLINE bool any(WideMask<8> m) { return any(WideMask<4>{low_half(m.v) | high_half(m.v)}); }
 template <int N>
 CREVICE_INLINE bool all(WideMask<N> m) {
     return !any(!m);
@@ -117,8 +105,7 @@ CREVICE_INLINE WideInt<N> wrapped_difference(WideInt<N> a, WideInt<N> b, WideInt
     const auto words = [](WideInt<N> of) __attribute__((always_inline)) {
         return __builtin_bit_cast(Words, of.v);
     };
-    return WideInt<N>(
-        __builtin_bit_cast(typename WideInt<N>::V, words(a) * words(b) - words(c) * words(d)));
+    return WideInt<N>(__builtin_bit_cast(typename WideInt<N>::V, words(a) * words(b) - words(c) * words(d)));
 }
 // The upper 32 bits of each: the sign comes first.
 template <int N>

@@ -87,6 +87,11 @@ class BlurBand {
         const Rows read = own.grown(reach, height);
         for (int step = read.first; step < own.end + reach; ++step) {
             if (read.contains(step)) {
+                // The pairs of the next step read one row more, which is far away in each plane.
+                const AoInputs& in = sweep_.inputs;
+                for (const Image<float>* plane :
+                     {&in.normal.x, &in.normal.y, &in.normal.z, &in.view_depth, &sweep_.ao})
+                    expect_next_row(*plane, 0, sweep_.width(), std::min(step + kBlurRadius, height));
                 decide_pairs<F>(step);
                 decide_taps<F>(step);
                 std::copy_n(sweep_.ao.row(step), sweep_.width(), source_.row(0));
