@@ -166,8 +166,9 @@ int error_creating_in(const fs::path& directory) {
 
 void remove_partial_files() noexcept {
     program_ends = true;
-    // A step takes microseconds; where it does not end (a file system that hangs), the program ends all the same.
-    constexpr int kMilliseconds = 1000;
+    // A step takes microseconds, and seconds where its thread gets no processor; where it does not end (a file system that
+    // hangs), the program ends all the same.
+    constexpr int kMilliseconds = 10'000;
     for (int waited = 0; steps_being_taken > 0 && waited < kMilliseconds; ++waited) poll(nullptr, 0, 1);
     for (const std::atomic<const char*>& place : partial_names) {
         if (const char* name = place) unlink(name);

@@ -49,8 +49,8 @@ CREVICE_INLINE void find_group(const ScreenGeometry& geometry, Int<F> numbers, i
         n_y = select(walk.shown, n.y, n_y);
         n_z = select(walk.shown, n.z, n_z);
     } while (walk.next());
-    const Vec3<F> normal = normalize_or<F>({n_x, n_y, n_z}, {zero, zero, zero});
-    GroupOfSurfaces<F>{view_depth, normal, material}.store_at(row, at);
+    const Vec3<F> n = normalize_or<F>({n_x, n_y, n_z}, {zero, zero, zero});
+    GroupOfSurfaces<F>{view_depth, n, material}.store_at(row, at);
 }
 
 }  // namespace

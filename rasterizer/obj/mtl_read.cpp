@@ -71,10 +71,17 @@ struct Reader {
         notes.push_back(not_drawn(notes.size() < kMost ? keyword : "others", line));
     }
 
-    // The numbers of a statement; nothing, with a warning, when one is none.
-    std::optional<std::vector<float>> numbers(std::string_view keyword, std::string_view rest) {
+    // The numbers that a statement begins with; what stands behind `most` of them is passed over, with a warning. Nothing,
+    // with a warning, when there are fewer and one is none.
+    std::optional<std::vector<float>> numbers(std::string_view keyword, std::string_view rest,
+                                              std::size_t most) {
         std::vector<float> values;
         for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
+            if (values.size() == most) {
+                warn("`" + std::string(keyword) + "` goes on behind its numbers (" + std::string(word) +
+                     "); end the line there, the rest is passed over");
+                break;
+            }
             const std::optional<float> value = number_in<float>(word);
             if (!value) {
                 warn("`" + std::string(keyword) + "` has a number that is none (" + std::string(word) +
@@ -97,7 +104,7 @@ struct Reader {
             return warn("`" + std::string(keyword) + " " + space +
                         "` is not read here; give red, green and blue, passed over");
         }
-        const auto values = numbers(keyword, rest);
+        const auto values = numbers(keyword, rest, 3);
         if (!values) return;
         if (values->size() == 1) {
             into = glm::vec3((*values)[0]);
@@ -109,7 +116,7 @@ struct Reader {
     }
 
     std::optional<float> number(std::string_view keyword, std::string_view rest) {
-        const auto values = numbers(keyword, rest);
+        const auto values = numbers(keyword, rest, 1);
         if (values && values->size() == 1) return values->front();
         if (values) wrong_count(keyword, values->size(), "1");
         return std::nullopt;
@@ -133,7 +140,7 @@ struct Reader {
     }
 
     void emission(std::string_view keyword, std::string_view rest) {
-        const auto values = numbers(keyword, rest);
+        const auto values = numbers(keyword, rest, 3);
         const bool glows =
             values && std::any_of(values->begin(), values->end(), [](float v) { return v != 0; });
         if (glows) note_not_drawn(keyword);

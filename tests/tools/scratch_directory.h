@@ -13,7 +13,9 @@ class ScratchDirectory {
  public:
     ScratchDirectory() {
         std::string name = (std::filesystem::temp_directory_path() / "crevice_test_XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error(name + ": cannot be made");
+        if (mkdtemp(name.data()) == nullptr)
+            throw std::runtime_error(name +
+                                     ": cannot be made; point TMPDIR to a directory that may be written to");
         path_ = name;
     }
     ~ScratchDirectory() {

@@ -19,6 +19,9 @@ using namespace crevice;
 
 namespace {
 
+// For what answers at once, on a machine that has a lot else to do; and for what never does.
+constexpr double kPatience_s = 120, kLittlePatience_s = 0.5;
+
 std::filesystem::path script(const ScratchDirectory& scratch, const std::string& text) {
     const std::filesystem::path path = scratch / "peer";
     std::ofstream(path) << "#!/bin/sh\n" << text << "\n";
@@ -48,26 +51,27 @@ std::filesystem::path built_peer() {
 TEST_CASE("a peer that is not there, dies, hangs or talks nonsense is an error that says so") {
     struct Case {
         std::string text, named;
+        double patience_s = kPatience_s;
     };
     const Case cases[] = {
         {"exit 7", "exit code 7"},
         {"kill -9 $$", "exit code 137"},
         {"head -c 1000 >/dev/null; exit 0", "exit code 0"},
-        {"exec sleep 30", "no answer"},
+        {"exec sleep 30", "no answer", kLittlePatience_s},
         {"exec 3<&0; cat <&3 >/dev/null & echo hello; wait", "hello"},
     };
     for (const Case& c : cases) {
         CAPTURE(c.text);
         const ScratchDirectory scratch;
         const std::string message = message_of<InputError>([&] {
-            PeerSession peer(script(scratch, c.text), 1, 0.5);
+            PeerSession peer(script(scratch, c.text), 1, c.patience_s);
             peer.load(trench_stream());
         });
         CAPTURE(message);
         CHECK(message.find(c.named) != std::string::npos);
         CHECK(message.find(';') != std::string::npos);  // and what to do
     }
-    const std::string missing = message_of<InputError>([] { PeerSession("no_such_peer", 1, 0.5); });
+    const std::string missing = message_of<InputError>([] { PeerSession("no_such_peer", 1, kPatience_s); });
     CHECK(missing.find("libgl1-mesa-dri") != std::string::npos);
 }
 
@@ -79,7 +83,7 @@ TEST_CASE("times that are no times are refused") {
         const std::string text =
             "exec 3<&0; cat <&3 >/dev/null & echo ready fake; sleep .1; echo '" + times + "'; wait";
         const std::string message = message_of<InputError>([&] {
-            PeerSession peer(script(scratch, text), 1, 5);
+            PeerSession peer(script(scratch, text), 1, kPatience_s);
             CHECK(peer.load(trench_stream()) == "fake");
             peer.frame();
         });
@@ -89,11 +93,11 @@ TEST_CASE("times that are no times are refused") {
 
 TEST_CASE("run_child: exit code and words of a program; one that does not end is ended") {
     const ChildOutcome outcome =
-        run_child({"sh", {"-c", "echo $WORD; echo err >&2; exit 3"}, {"WORD=said"}, 5});
+        run_child({"sh", {"-c", "echo $WORD; echo err >&2; exit 3"}, {"WORD=said"}, kPatience_s});
     CHECK(outcome.exit_code == 3);
     CHECK(outcome.output == "said\nerr\n");
-    CHECK_THROWS_AS(run_child({"sleep", {"30"}, {}, 0.2}), InputError);
-    CHECK_THROWS_AS(run_child({"no_such_program_anywhere", {}, {}, 1}), InputError);
+    CHECK_THROWS_AS(run_child({"sleep", {"30"}, {}, kLittlePatience_s}), InputError);
+    CHECK_THROWS_AS(run_child({"no_such_program_anywhere", {}, {}, kPatience_s}), InputError);
     CHECK(in_path("sh"));
     CHECK(!in_path("no_such_program_anywhere"));
 }
@@ -143,7 +147,7 @@ TEST_CASE("the peer draws the same pictures, and what is wrong in one pass is no
         CAPTURE(scene.name);
         const FrameRequest request = request_for(c.method, {640, 360});
         const Frame ours = render_frame(scene, scene.camera, request);
-        PeerSession peer(built_peer(), 2, 120);
+        PeerSession peer(built_peer(), 2, kPatience_s);
         const PeerScene right = peer_scene(scene, scene.camera, request);
         CHECK(broken_limits(peer, scene, request, ours, right) == "");
         FrameRequest wrong = request;
@@ -167,7 +171,7 @@ TEST_CASE("the peer cuts out what we cut out") {
     const Scene scene = trilinear(fence_scene(SceneDetail::surfaces));
     const FrameRequest request = request_for("xjun", {640, 360});
     const Frame ours = render_frame(scene, scene.camera, request);
-    PeerSession peer(built_peer(), 2, 120);
+    PeerSession peer(built_peer(), 2, kPatience_s);
     const PeerScene right = peer_scene(scene, scene.camera, request);
     PeerScene whole = right;
     for (PeerDraw& draw : whole.draws) draw.alpha_cutoff = 0;
@@ -201,7 +205,7 @@ TEST_CASE("the peer's other methods find the same AO, and another number of any 
             FrameRequest request = request_for(method, {640, 360});
             request.wanted.erase("lit");
             const Frame ours = render_frame(scene, scene.camera, request);
-            PeerSession peer(built_peer(), 2, 120);
+            PeerSession peer(built_peer(), 2, kPatience_s);
             const PeerScene right = peer_scene(scene, scene.camera, request);
             CHECK(broken_limits(peer, scene, request, ours, right) == "");
             if (scene.camera.projection == Projection::orthographic) continue;

@@ -162,7 +162,7 @@ TEST_CASE("Embree finds the same ambient occlusion") {
         run_child({options.program,
                    {"columns_luna", "--rounds", "0", "--agreement-size", "96x54", "--agreement-rays", "64"},
                    {},
-                   60});
+                   600});
     REQUIRE(outcome.exit_code == 0);
     std::vector<std::string> lines;
     std::istringstream output(outcome.output);

@@ -100,7 +100,7 @@ TEST_CASE("stopped by a signal while it writes, the program leaves the finished 
     for (const int signal_number : {SIGINT, SIGTERM, SIGHUP}) {
         const ScratchDirectory scratch;
         const int status = status_when_stopped_writing(
-            {"render", "columns", "--size", "160x90", "--out", scratch.path().string()},
+            {"render", "columns", "--size", "320x180", "--out", scratch.path().string()},
             scratch / "view_depth.npy", scratch / "normal.npy", signal_number);
         CAPTURE(signal_number);
         CHECK(WIFSIGNALED(status));
@@ -127,7 +127,7 @@ TEST_CASE("a chapter stopped by Ctrl-C leaves no partial picture" * doctest::ski
 TEST_CASE("a signal that whoever starts the program has switched off stays off") {
     const ScratchDirectory scratch;
     const int status = status_when_stopped_writing(
-        {"render", "columns", "--size", "160x90", "--out", scratch.path().string()},
+        {"render", "columns", "--size", "320x180", "--out", scratch.path().string()},
         scratch / "view_depth.npy", {}, SIGINT, true);
     CHECK(WIFEXITED(status));
     CHECK(WEXITSTATUS(status) == 0);

@@ -24,14 +24,22 @@ int allowed_processors() {
     return CPU_COUNT(&allowed);
 }
 
-// How many processors each worker of a loop may run on, while the caller works, too.
+// How many processors each worker of a loop may run on, while the caller works, too: at least one worker's, for the caller
+// keeps its items until one has come, or a minute has passed.
 std::multiset<int> allowed_to_workers(int threads) {
     const pid_t caller = gettid();
+    const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
     std::mutex mutex;
     std::set<pid_t> seen;
     std::multiset<int> allowed;
+    const auto has_come = [&] {
+        const std::lock_guard lock(mutex);
+        return !seen.empty();
+    };
     parallel_for(400, {.threads = threads}, [&](int) {
-        std::this_thread::sleep_for(std::chrono::microseconds(200));
+        do {
+            std::this_thread::sleep_for(std::chrono::microseconds(200));
+        } while (gettid() == caller && !has_come() && std::chrono::steady_clock::now() < end);
         const std::lock_guard lock(mutex);
         if (gettid() != caller && seen.insert(gettid()).second) allowed.insert(allowed_processors());
     });
@@ -40,7 +48,8 @@ std::multiset<int> allowed_to_workers(int threads) {
 
 }  // namespace
 
-TEST_CASE("worker placement: on every processor but the caller's, unless there are more threads than processors") {
+TEST_CASE(
+    "worker placement: on every processor but the caller's, unless there are more threads than processors") {
     const int all = allowed_processors();
     if (all < 2) {
         MESSAGE("skipped: this process has one processor");
