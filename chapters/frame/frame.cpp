@@ -133,6 +133,24 @@ void Passes::light(const Image3& sky_before) {
     });
 }
 
+void account_for_precision(WorkedFrame& worked, const Scene& scene, const FrameRequest& request) {
+    const Method& method = *request.method;
+    const AoInputs& inputs = worked.raw.inputs;
+    if (!inputs.view_depth.empty())
+        worked.far_vertices =
+            far_vertices(scene, method, request.settings.method, worked.far_vertices, request.run);
+    Frame& frame = worked.frame;
+    const bool casts_rays = worked.inputs->needs.ao && method.casts_rays;
+    const DrawnForAccount drawn{scene,
+                                frame.camera,
+                                worked.geometry,
+                                frame.gbuffer,
+                                inputs,
+                                casts_rays ? worked.rays.get() : nullptr,
+                                worked.far_vertices.count};
+    frame.precision = precision_account(drawn, method, request.settings, request.run);
+}
+
 }  // namespace
 
 Frame render_frame(const Scene& scene, const Camera& camera, const FrameRequest& request,
@@ -166,12 +184,7 @@ WorkedFrame worked_frame(const Scene& scene, const Camera& camera, const FrameRe
     }
     frame.passes = passes.stopwatch.summaries();
 
-    if (!kept.precision) {
-        const bool casts_rays = inputs.needs.ao && request.method->casts_rays;
-        frame.precision = precision_account(scene, frame.camera, worked.geometry, frame.gbuffer,
-                                            worked.raw.inputs, casts_rays ? worked.rays.get() : nullptr,
-                                            *request.method, request.settings, request.run);
-    }
+    if (!kept.precision) account_for_precision(worked, scene, request);
     frame.tiles.ao = worked.raw.tiles;
     frame.tiles.raster = raster_tiles(worked.geometry, request.run);
     frame.skipped = skipped_work(worked.geometry, frame.gbuffer, frame.tiles, kept);

@@ -27,8 +27,11 @@ struct Frame {
     Image<float> ao_raw, ao_blurred;  // empty when left out; raw: with its history
     Image3 bent_normal;               // AO map size; empty when neither asked for nor read by the light
     Image3 lit;                       // empty when left out
-    std::vector<PassTime> passes;     // those that ran, and last the frame
-    std::vector<LeftOut> left_out;    // passes and data, with reasons
+    // Those that ran, and last "frame": all that makes the pictures. The time of the account below is not in it, for it makes
+    // none and is taken once, however often the frame is repeated: one to two hundredths of a frame, and that of another
+    // drawing where depths are too coarse or reach the cleared one.
+    std::vector<PassTime> passes;
+    std::vector<LeftOut> left_out;  // passes and data, with reasons
     FrameTiles tiles;
     std::vector<SkippedWork> skipped;  // by the passes that ran
     std::vector<PrecisionLoss> precision;

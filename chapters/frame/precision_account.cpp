@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "chapters/frame/far_vertices.h"
 #include "chapters/frame/frame_settings.h"
 #include "chapters/terminal/number_text.h"
 #include "rasterizer/draw/cutouts.h"
 #include "rasterizer/draw/depth_precision.h"
-#include "rasterizer/draw/visibility.h"
+#include "rasterizer/draw/precision_counts.h"
+#include "rasterizer/scene/far_vertices.h"
 #include "ssao/rays/ray_cast.h"
 
 namespace crevice {
@@ -49,65 +48,53 @@ std::string in_brackets(const Tolerance& tolerance) {
     return tolerance.name + " (" + significant_text(tolerance.length, 3) + ")";
 }
 
-// Pixels that a surface covers, whose depth the format cannot tell from the cleared buffer.
-std::size_t lost_to_clear_code(const Scene& scene, const ScreenGeometry& geometry, const GBuffer& gbuffer,
-                               bool reversed_z, const Run& run) {
-    const DepthFormat format = gbuffer.depth.format;
-    const std::int32_t cleared = depth_code(format, reversed_z ? 0.0f : 1.0f, 0.0);
-    bool reaches = false;
-    for (const TriangleBlock& block : geometry.blocks) {
-        for (const ScreenTriangle& t : block.triangles)
-            reaches = reaches || depth_code(format, reversed_z ? t.z_low : t.z_high, t.depth_bias) == cleared;
-    }
-    if (!reaches) return 0;
-    const Image<std::int32_t> there =
-        drawn_again(geometry, gbuffer.depth, DepthFunction::equal, alpha_holes(scene, geometry, run), run);
-    std::size_t count = 0;
-    for (int y = 0; y < there.size.height; ++y) {
-        for (int x = 0; x < there.size.width; ++x)
-            count += gbuffer.triangle.at(x, y) < 0 && there.at(x, y) >= 0 ? 1 : 0;
-    }
-    return count;
+// Pixels that a surface covers, whose depth the format cannot tell from the cleared buffer. `farthest` is the farthest code of
+// any triangle.
+std::size_t lost_to_clear_code(const DrawnForAccount& drawn, std::int32_t farthest, const Run& run) {
+    const DepthFormat format = drawn.gbuffer.depth.format;
+    if (farthest != depth_code(format, drawn.camera.reversed_z ? 0.0f : 1.0f, 0.0)) return 0;
+    const Image<std::int32_t> there = drawn_again(drawn.geometry, drawn.gbuffer.depth, DepthFunction::equal,
+                                                  alpha_holes(drawn.scene, drawn.geometry, run), run);
+    return pixels_seen_only_in(there, drawn.gbuffer.triangle, run);
 }
 
-// Texels with a surface further away than `depth`.
-std::size_t texels_beyond(const AoInputs& inputs, double depth) {
-    std::size_t count = 0;
-    for (int y = 0; y < inputs.view_depth.size.height; ++y) {
-        const float* const row = inputs.view_depth.row(y);
-        for (int x = 0; x < inputs.view_depth.size.width; ++x)
-            count += row[x] < std::numeric_limits<float>::infinity() && static_cast<double>(row[x]) > depth
-                         ? 1
-                         : 0;
-    }
-    return count;
+// How far apart surfaces at a depth must be, so that it matters which of them is shown.
+double seen_apart(double tolerated, double depth) { return tolerated > 0 ? tolerated : depth * kSeenApart; }
+
+// Whether steps are fine as far as anything is, from the farthest code of any triangle. A view depth comes from 1 / w and may
+// be a few steps beyond that code: where these are a small share of it, it is nearer than twice as far.
+bool fine_as_far_as_triangles(const DrawnForAccount& drawn, std::int32_t farthest, double tolerated,
+                              const FrameSettings& settings) {
+    constexpr double kFewSteps = 1.0 / 32;
+    if (settings.buffers.depth_bias != DepthBias()) return false;
+    const DepthFormat format = drawn.gbuffer.depth.format;
+    const auto ndc = static_cast<double>(depth_from_code<float>(format, farthest));
+    const double depth = std::min(2 * view_depth_of(drawn.camera, ndc), drawn.camera.far_plane);
+    return depth_step(drawn.camera, format, depth) <=
+           std::min(seen_apart(tolerated, depth), depth * kFewSteps);
 }
 
 // Pixels that show a surface which lies more than a length behind another one: the steps of the depth buffer were too
 // coarse to tell. Drawn once more with the finest depths there are, where they may have been.
-std::size_t pixels_in_wrong_order(const Scene& scene, const Camera& camera, const GBuffer& gbuffer,
-                                  double tolerated, const FrameSettings& settings, const Run& run) {
+std::size_t pixels_in_wrong_order(const DrawnForAccount& drawn, std::int32_t farthest_code, double tolerated,
+                                  const FrameSettings& settings, const Run& run) {
+    const Camera& camera = drawn.camera;
+    const GBuffer& gbuffer = drawn.gbuffer;
     const Size size = gbuffer.view_depth.size;
     const DepthFormat format = gbuffer.depth.format;
     if (camera.projection == Projection::orthographic || (camera.reversed_z && format == DepthFormat::d32f))
         return 0;
-    const auto seen_apart = [&](double depth) { return tolerated > 0 ? tolerated : depth * kSeenApart; };
-    double farthest = 0;
-    for (int y = 0; y < size.height; ++y) {
-        for (int x = 0; x < size.width; ++x) {
-            const auto depth = static_cast<double>(gbuffer.view_depth.at(x, y));
-            if (depth < std::numeric_limits<double>::infinity()) farthest = std::max(farthest, depth);
-        }
-    }
+    if (fine_as_far_as_triangles(drawn, farthest_code, tolerated, settings)) return 0;
+    const auto farthest = static_cast<double>(farthest_depth(gbuffer.view_depth, run));
     if (farthest == 0 ||
-        depth_step(camera, format, std::min(farthest, camera.far_plane)) <= seen_apart(farthest))
+        depth_step(camera, format, std::min(farthest, camera.far_plane)) <= seen_apart(tolerated, farthest))
         return 0;
     Camera finest = camera;
     finest.reversed_z = true;
     const ScreenGeometry again =
-        screen_geometry(scene, finest, size, geometry_settings(settings.buffers), run);
-    const Image<float> ndc =
-        ndc_depth(visibility(again, DepthFormat::d32f, true, alpha_holes(scene, again, run), run).depth, run);
+        screen_geometry(drawn.scene, finest, size, geometry_settings(settings.buffers), run);
+    const Image<float> ndc = ndc_depth(
+        visibility(again, DepthFormat::d32f, true, alpha_holes(drawn.scene, again, run), run).depth, run);
     const CameraMatrices m = camera_matrices(finest, size);
     std::size_t count = 0;
     for (int y = 0; y < size.height; ++y) {
@@ -116,48 +103,22 @@ std::size_t pixels_in_wrong_order(const Scene& scene, const Camera& camera, cons
             if (gbuffer.triangle.at(x, y) < 0 || !(ndc.at(x, y) > 0)) continue;
             const double nearest = static_cast<double>(m.depth_b) /
                                    (static_cast<double>(ndc.at(x, y)) - static_cast<double>(m.depth_a));
-            count += shown - nearest > seen_apart(shown) ? 1 : 0;
+            count += shown - nearest > seen_apart(tolerated, shown) ? 1 : 0;
         }
     }
     return count;
 }
 
-bool shows_something(const GBuffer& gbuffer) {
-    const Size size = gbuffer.triangle.size;
-    for (int y = 0; y < size.height; ++y) {
-        const std::int32_t* const row = gbuffer.triangle.row(y);
-        if (std::any_of(row, row + size.width, [](std::int32_t triangle) { return triangle >= 0; }))
-            return true;
-    }
-    return false;
-}
-
-std::size_t vertices_not_finite(const ScreenGeometry& geometry) {
-    std::size_t count = 0;
-    for (const std::int32_t outside : geometry.vertices.projected.outside)
-        count += (outside & kNotANumber) != 0 ? 1 : 0;
-    return count;
-}
-
-// Triangles that reach behind the eye and are cut at the near plane, with a piece that reaches into the picture: so their
-// number does not depend on what is left out beyond its sides.
-std::size_t through_the_eye_plane(const ScreenGeometry& geometry) {
-    std::size_t count = 0;
-    const PixelRect picture = {0, 0, geometry.size.width, geometry.size.height};
-    const ScreenTriangle* counted = nullptr;
-    for (const TriangleBlock& block : geometry.blocks) {
-        for (const ScreenTriangle& t : block.triangles) {
-            const bool piece_of_counted = counted != nullptr && counted->vertex == t.vertex;
-            if (t.clipped < 0 || piece_of_counted || common_part(t.bounds, picture).empty()) continue;
-            const auto behind = [&](std::uint32_t vertex) {
-                return (geometry.vertices.projected.outside[vertex] & kOutsideEye) != 0;
-            };
-            if (std::none_of(t.vertex.begin(), t.vertex.end(), behind)) continue;
-            counted = &t;
-            ++count;
-        }
-    }
-    return count;
+// Texels whose steps of the depth buffer are too coarse. `farthest` is the farthest depth of a texel.
+std::size_t texels_of_coarse_depth(const DrawnForAccount& drawn, double farthest, double tolerated,
+                                   const Run& run) {
+    const AoInputs& inputs = drawn.inputs;
+    const DepthFormat format = drawn.gbuffer.depth.format;
+    const double step = kFinerSteps * tolerated;
+    if (inputs.fetch.depth != DepthSource::ndc_depth ||
+        largest_step_up_to(drawn.camera, format, farthest) <= step)
+        return 0;
+    return pixels_beyond(inputs.view_depth, depth_of_step(drawn.camera, format, step), run);
 }
 
 // What is wrong with one, and with several.
@@ -171,11 +132,19 @@ std::string warning_of(std::size_t count, const WhatIsWrong& what, const std::st
 
 }  // namespace
 
-std::vector<PrecisionLoss> precision_account(const Scene& scene, const Camera& camera,
-                                             const ScreenGeometry& geometry, const GBuffer& gbuffer,
-                                             const AoInputs& inputs, const RayScene* rays,
-                                             const Method& method, const FrameSettings& settings,
-                                             const Run& run) {
+FarVertices far_vertices(const Scene& scene, const Method& method, const MethodSettings& settings,
+                         const FarVertices& known, const Run& run) {
+    const double length = tolerance_of(method, settings).length;
+    if (!(length > 0) || known.length == length) return known;
+    return {length, vertices_far_from_origin(scene, length, run)};
+}
+
+std::vector<PrecisionLoss> precision_account(const DrawnForAccount& drawn, const Method& method,
+                                             const FrameSettings& settings, const Run& run) {
+    const Camera& camera = drawn.camera;
+    const ScreenGeometry& geometry = drawn.geometry;
+    const GBuffer& gbuffer = drawn.gbuffer;
+    const AoInputs& inputs = drawn.inputs;
     std::vector<PrecisionLoss> account;
     const std::string finer_depth = settings.reversed_z || camera.projection == Projection::orthographic
                                         ? "give a larger --near or a smaller --far"
@@ -184,7 +153,8 @@ std::vector<PrecisionLoss> precision_account(const Scene& scene, const Camera& c
                          const std::string& cure) {
         account.push_back({name, count, warning_of(count, what, cure)});
     };
-    add("pixels_lost_to_clear_depth", lost_to_clear_code(scene, geometry, gbuffer, camera.reversed_z, run),
+    const std::int32_t farthest = farthest_code(geometry, gbuffer.depth.format, camera.reversed_z, run);
+    add("pixels_lost_to_clear_depth", lost_to_clear_code(drawn, farthest, run),
         {"pixel of a surface became sky, its depth is that of the cleared buffer",
          "pixels of surfaces became sky, their depth is that of the cleared buffer"},
         finer_depth);
@@ -193,19 +163,18 @@ std::vector<PrecisionLoss> precision_account(const Scene& scene, const Camera& c
         " a surface that lies behind another one, the depth buffer's steps are larger than the distance "
         "between "
         "them";
-    add("pixels_in_wrong_order",
-        pixels_in_wrong_order(scene, camera, gbuffer, tolerance.length, settings, run),
+    add("pixels_in_wrong_order", pixels_in_wrong_order(drawn, farthest, tolerance.length, settings, run),
         {"pixel shows" + behind, "pixels show" + behind}, finer_depth);
-    const std::size_t unseen = shows_something(gbuffer) ? 0 : geometry.submitted_triangles;
+    const std::size_t unseen = shows_a_triangle(geometry, gbuffer) ? 0 : geometry.submitted_triangles;
     add("triangles_of_an_empty_picture", unseen,
         {"triangle, and it is not seen", "triangles, and none is seen"},
         "give another --eye and --target, or --near and --far");
-    add("vertices_not_finite", vertices_not_finite(geometry),
+    add("vertices_not_finite", vertices_not_finite(geometry, run),
         {"vertex is no finite number on its way to the screen, and its triangles are left out",
          "vertices are no finite numbers on their way to the screen, and their triangles are left out"},
         "mend the file, or bring scene and camera to a smaller scale");
-    account.push_back({"triangles_through_eye_plane", through_the_eye_plane(geometry), ""});
-    add("triangles_out_of_reach_of_rays", rays == nullptr ? 0 : rays->not_finite,
+    account.push_back({"triangles_through_eye_plane", triangles_through_eye_plane(geometry), ""});
+    add("triangles_out_of_reach_of_rays", drawn.rays == nullptr ? 0 : drawn.rays->not_finite,
         {"triangle lies further than rays reach, 2^36 units, and blocks none",
          "triangles lie further than rays reach, 2^36 units, and block none"},
         "scale the scene");
@@ -220,21 +189,19 @@ std::vector<PrecisionLoss> precision_account(const Scene& scene, const Camera& c
                        " scene units) is out of the range whose squares floats hold, 2e-13 to 4e12, "
                        "and occlusion may be lost: scale the scene"});
     if (!(tolerance.length > 0)) return account;
-    const bool reads_depth_buffer = inputs.fetch.depth == DepthSource::ndc_depth;
+    const auto farthest_texel = static_cast<double>(farthest_depth(inputs.view_depth, run));
     const std::string steps = " steps of the depth buffer larger than half of " + in_brackets(tolerance);
-    add("texels_of_coarse_depth",
-        reads_depth_buffer ? texels_beyond(inputs, depth_of_step(camera, gbuffer.depth.format,
-                                                                 kFinerSteps * tolerance.length))
-                           : 0,
+    add("texels_of_coarse_depth", texels_of_coarse_depth(drawn, farthest_texel, tolerance.length, run),
         {"AO texel sees" + steps, "AO texels see" + steps}, finer_depth);
+    const double rounds_to_tolerance = tolerance.length / static_cast<double>(kViewDepthRounding);
     add("texels_of_coarse_positions",
-        texels_beyond(inputs, tolerance.length / static_cast<double>(kViewDepthRounding)),
+        farthest_texel > rounds_to_tolerance ? pixels_beyond(inputs.view_depth, rounds_to_tolerance, run) : 0,
         {"AO texel sees rounding larger than " + in_brackets(tolerance),
          "AO texels see rounding larger than " + in_brackets(tolerance)},
         "bring the camera nearer, or give a larger " + tolerance.larger);
     const std::string coarse = " coordinates whose steps are larger than " + in_brackets(tolerance) +
                                ", or than 1/" + significant_text(1 / kHarmlessStep, 3);
-    add("vertices_far_from_origin", vertices_far_from_origin(scene, tolerance.length),
+    add("vertices_far_from_origin", drawn.far_vertices,
         {"vertex has" + coarse + " of its triangles", "vertices have" + coarse + " of their triangles"},
         "move the scene nearer to its origin before it is written");
     return account;

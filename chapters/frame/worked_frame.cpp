@@ -8,6 +8,7 @@ WorkedFrame taken_over(WorkedFrame before, const KeptPasses& kept) {
     WorkedFrame worked;
     Frame &from = before.frame, &to = worked.frame;
     worked.rays = std::move(before.rays);
+    worked.far_vertices = before.far_vertices;
     if (kept.bake) worked.baked = std::move(before.baked);
     if (kept.normal_depth) {
         worked.geometry = std::move(before.geometry);

@@ -20,6 +20,7 @@ struct WorkedFrame {
     std::shared_ptr<const ShadowMap> shadow;  // null where none was needed
     std::shared_ptr<const RayScene> rays;     // of this frame's eye; of methods that cast them
     std::shared_ptr<const VertexAo> baked;    // of methods that bake
+    FarVertices far_vertices;                 // of this scene, and the last length that was asked for
     std::optional<FrameInputs> inputs;        // that all this was made of; none: there was no frame
     // Passes whose finding is that of the frame before: they did not run, or, the sky alone, only copied.
     std::vector<std::string> unchanged;
@@ -30,7 +31,8 @@ struct WorkedFrame {
 // the same as without, to the last bit; Frame::passes and ::skipped tell of the passes that ran.
 WorkedFrame worked_frame(const Scene& scene, const Camera& camera, const FrameRequest& request,
                          const AoHistory& last = {}, WorkedFrame before = {});
-// Of a frame before another one, what that may take over; all else is empty, but the rays, which know their eye.
+// Of a frame before another one, what that may take over; all else is empty, but the rays, which know their eye, and
+// the far vertices, which know their length.
 WorkedFrame taken_over(WorkedFrame before, const KeptPasses& kept);
 // Brings into worked.frame what render_frame() returns. `worked` can still be the frame before another one.
 void show(WorkedFrame& worked, const FrameRequest& request);

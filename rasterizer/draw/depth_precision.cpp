@@ -77,6 +77,15 @@ double depth_step(const Camera& camera, DepthFormat format, double z) {
     return curve.view_per_ndc(z) * step_in_ndc(format, curve.ndc(z));
 }
 
+double largest_step_up_to(const Camera& camera, DepthFormat format, double z) {
+    if (!camera.reversed_z || format != DepthFormat::d32f) return depth_step(camera, format, z);
+    // Floats have finer steps where they are smaller, reversed depths further away. Orthographic, the coarsest are those at
+    // the near plane; in perspective a step of this share of a depth is no more than this share of z.
+    constexpr double kLargestShare = 0x1p-23, kRounding = 1 + 0x1p-20;
+    return camera.projection == Projection::orthographic ? depth_step(camera, format, camera.near_plane)
+                                                         : z * kLargestShare * kRounding;
+}
+
 double depth_of_step(const Camera& camera, DepthFormat format, double length) {
     constexpr double kRatio = 1 + 1.0 / 2048;
     for (double z = camera.near_plane; z <= camera.far_plane; z *= kRatio) {

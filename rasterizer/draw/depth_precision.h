@@ -36,6 +36,9 @@ DepthError depth_error(const Camera& camera, DepthFormat format, double z);
 // How far apart in view depth the stored depths on either side of z are, scene units.
 double depth_step(const Camera& camera, DepthFormat format, double z);
 
+// What no depth_step() from the near plane to the view depth `z` exceeds, scene units.
+double largest_step_up_to(const Camera& camera, DepthFormat format, double z);
+
 // The view depth from which on one step is more than `length` (> 0, scene units), within a thousandth;
 // infinite where none is up to the far plane. With `length` the epsilon of an AO method: where false
 // occlusion begins.

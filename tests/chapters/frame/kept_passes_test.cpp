@@ -281,3 +281,43 @@ TEST_CASE(
     // What its pictures are made of can still be shown.
     CHECK(worked.frame.tiles.raster.count() == tiles);
 }
+
+TEST_CASE(
+    "kept passes: vertices too far are counted once for a length, and the count is that of a frame from "
+    "scratch") {
+    Scene scene = full_scene();
+    const float away = 0x1p18f;  // where a step is 1/64
+    for (Mesh& mesh : scene.meshes) {
+        for (glm::vec3& p : mesh.positions) p.x += away;
+    }
+    Camera camera = scene.camera;
+    camera.eye.x += static_cast<double>(away), camera.target.x += static_cast<double>(away);
+    FrameRequest request = request_for("xjun", {40, 24});
+    const auto with_epsilon = [&](double epsilon) {
+        request.settings.method = with_value(*request.method, request.settings.method, "epsilon", epsilon);
+    };
+    const auto far_of = [](const Frame& frame) {
+        const auto far = std::find_if(
+            frame.precision.begin(), frame.precision.end(),
+            [](const PrecisionLoss& loss) { return loss.name == std::string("vertices_far_from_origin"); });
+        REQUIRE(far != frame.precision.end());
+        return far->count;
+    };
+    WorkedFrame worked;
+    std::set<std::size_t> counts;
+    for (const double epsilon : {0x1p-10, 0x1p-10, 0x1p-4, 0x1p-10}) {
+        with_epsilon(epsilon);
+        camera.eye.y += 0.125;
+        worked = worked_frame(scene, camera, request, {}, std::move(worked));
+        CHECK(worked.far_vertices.length == epsilon);
+        CHECK(worked.far_vertices.count == far_of(worked.frame));
+        CHECK(far_of(worked.frame) == far_of(render_frame(scene, camera, request)));
+        counts.insert(far_of(worked.frame));
+    }
+    CHECK(counts.size() == 2);
+    // A method without a tolerance, and one without AO, leave it as it is.
+    request.method = &find_method("none");
+    request.settings = settings_of(*request.method);
+    worked = worked_frame(scene, camera, request, {}, std::move(worked));
+    CHECK(worked.far_vertices.length == 0x1p-10);
+}

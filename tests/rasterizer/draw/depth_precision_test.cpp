@@ -36,6 +36,33 @@ void each_depth(std::pair<double, double> planes, const Body& body) {
 
 }  // namespace
 
+TEST_CASE(
+    "depth precision: no step up to a depth exceeds what is said of it, and in most formats the last one is "
+    "as large") {
+    for (const auto& planes : kPlanes) {
+        for (const DepthFormat format : kFormats) {
+            for (const bool reversed : {false, true}) {
+                for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+                    CAPTURE(planes.first);
+                    CAPTURE(planes.second);
+                    CAPTURE(static_cast<int>(format));
+                    CAPTURE(reversed);
+                    Camera camera = camera_with(planes, reversed);
+                    camera.projection = projection;
+                    double largest = 0;
+                    each_depth(planes, [&](double z) {
+                        const double step = depth_step(camera, format, z);
+                        largest = std::fmax(largest, step);
+                        const double bound = largest_step_up_to(camera, format, z);
+                        REQUIRE(largest <= bound);
+                        if (!reversed || format != DepthFormat::d32f) REQUIRE(step == bound);
+                    });
+                }
+            }
+        }
+    }
+}
+
 TEST_CASE("depth precision: the error is inside the bound for eight pairs of planes, and comes close to it") {
     for (const auto& planes : kPlanes) {
         for (const DepthFormat format : kFormats) {
