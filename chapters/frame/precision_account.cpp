@@ -35,10 +35,10 @@ struct Tolerance {
     std::string larger;  // what makes it larger
 };
 Tolerance tolerance_of(const Method& method, const MethodSettings& settings) {
-    for (const Parameter<MethodSettings>& p : parameters_of(method)) {
+    for (const auto& p : method.parameters) {
         const bool named = p.name == "epsilon" || p.name == "bias";
-        if (named && p.unit == kSceneUnit && p.get(settings) > 0)
-            return {p.name, p.get(settings), "--param " + p.name};
+        if (named && p.unit == kSceneUnit && p.get(settings.ao) > 0)
+            return {p.name, p.get(settings.ao), "--param " + p.name};
     }
     const double radius = value_of(method, settings, "radius").value_or(0);
     return {"radius / 64", radius * kHarmlessShare, "--param radius"};

@@ -29,8 +29,12 @@ void validate(const Method& method, const MethodSettings& settings) {
 
 std::optional<double> value_of(const Method& method, const MethodSettings& settings,
                                const std::string& name) {
-    for (const Parameter<MethodSettings>& parameter : parameters_of(method)) {
-        if (parameter.name == name) return parameter.get(settings);
+    // Asked for several times a frame: without parameters_of(), which copies all that is told of each.
+    for (const auto& parameter : method.parameters) {
+        if (parameter.name == name) return parameter.get(settings.ao);
+    }
+    for (const auto& parameter : method.denoiser.parameters) {
+        if (parameter.name == name) return parameter.get(settings.denoiser);
     }
     return std::nullopt;
 }
