@@ -120,7 +120,7 @@ GroupedAo luna_occlusion_in_groups(const AoInputs& inputs, const LunaSettings& s
     const TileMap tiles = ao_tiles(inputs, settings, run);
     GroupedAo out{Image<float>(inputs.size(), 1.0f), Image<float>(inputs.size(), 0.0f), {}};
     const LunaKernel kernel(inputs, settings);
-    const RandomMap random = random_map(settings.seed);
+    const RandomMap random = random_map(settings.seed, run);
     const AoDispatch dispatch{kernel, random, apron_px};
     std::vector<MapReads> reads(tiles.count());
     parallel_for(static_cast<int>(tiles.count()), run, [&](int i) {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "rasterizer/base/parallel.h"
+
 namespace crevice {
 
 namespace {
@@ -26,19 +28,21 @@ std::array<glm::vec3, kCubeVectors> cube_offsets(std::uint32_t seed) {
     return offsets;
 }
 
-RandomMap random_map(std::uint32_t seed) {
+RandomMap random_map(std::uint32_t seed, const Run& run) {
     constexpr std::uint32_t kTexels = kRandomMapSide * kRandomMapSide;
     RandomMap map;
     for (std::vector<float>* plane : {&map.x, &map.y, &map.z}) plane->resize(kTexels);
     std::array<float, 256> signed_unit;
     for (std::size_t byte = 0; byte < 256; ++byte)
         signed_unit[byte] = 2 * (static_cast<float>(byte) / 255) - 1;
-    for (std::uint32_t texel = 0; texel < kTexels; ++texel) {
-        const std::uint32_t bits = hash_of(seed, kMapStream, texel);
-        map.x[texel] = signed_unit[bits >> 24];
-        map.y[texel] = signed_unit[bits >> 16 & 0xff];
-        map.z[texel] = signed_unit[bits >> 8 & 0xff];
-    }
+    parallel_blocks(kTexels, kTexels / 16, run, [&](std::size_t first, std::size_t end) {
+        for (std::size_t texel = first; texel < end; ++texel) {
+            const std::uint32_t bits = hash_of(seed, kMapStream, static_cast<std::uint32_t>(texel));
+            map.x[texel] = signed_unit[bits >> 24];
+            map.y[texel] = signed_unit[bits >> 16 & 0xff];
+            map.z[texel] = signed_unit[bits >> 8 & 0xff];
+        }
+    });
     return map;
 }
 

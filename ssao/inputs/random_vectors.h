@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 
 #include "rasterizer/base/hash.h"
+#include "rasterizer/base/run.h"
 #include "rasterizer/lanes/vec3.h"
 
 namespace crevice {
@@ -50,6 +51,6 @@ struct RandomMap {
     }
 };
 
-RandomMap random_map(std::uint32_t seed);
+RandomMap random_map(std::uint32_t seed, const Run& run = {});
 
 }  // namespace crevice

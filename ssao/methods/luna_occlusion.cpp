@@ -72,7 +72,7 @@ AoMap luna_occlusion(const AoInputs& inputs, const LunaSettings& settings, const
     const TileMap& tiles = map.tiles;
     if (tiles.count(TileWork::done) == 0) return map;
     const LunaKernel kernel(inputs, settings);
-    const RandomMap random = random_map(settings.seed);
+    const RandomMap random = random_map(settings.seed, run);
     const WholeDepthMap depths{inputs.depth_map};
     const bool skip_background = run.leaves_out(Skip::background_pixels);
     parallel_rows(ao.size.height, run, [&](int first_row, int end_row) {
@@ -95,7 +95,7 @@ Image<float> luna_occlusion_in_double(const AoInputs& inputs, const LunaSettings
     validate(settings);
     Image<float> ao(inputs.size(), 1.0f);
     const LunaKernel kernel(inputs, settings);
-    const RandomMap map = random_map(settings.seed);
+    const RandomMap map = random_map(settings.seed, run);
     parallel_rows(ao.size.height, run, [&](int first_row, int end_row) {
         for (int y = first_row; y < end_row; ++y) {
             for (int x = 0; x < ao.size.width; ++x) {
