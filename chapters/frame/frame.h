@@ -28,8 +28,8 @@ struct Frame {
     Image3 bent_normal;               // AO map size; empty when neither asked for nor read by the light
     Image3 lit;                       // empty when left out
     // Those that ran, and last "frame": all that makes the pictures. The time of the account below is not in it, for it makes
-    // none and is taken once, however often the frame is repeated: a hundredth of the tutorials' frames, up to six of the first
-    // one of a million triangles, and another drawing where depths are too coarse or reach the cleared one.
+    // none and is taken once, however often the frame is repeated: less than a hundredth of the tutorials' frames, three of the
+    // first one of a million triangles, and another drawing where depths are too coarse or reach the cleared one.
     std::vector<PassTime> passes;
     std::vector<LeftOut> left_out;  // passes and data, with reasons
     FrameTiles tiles;

@@ -153,7 +153,7 @@ std::vector<PrecisionLoss> precision_account(const DrawnForAccount& drawn, const
                          const std::string& cure) {
         account.push_back({name, count, warning_of(count, what, cure)});
     };
-    const std::int32_t farthest = farthest_code(geometry, gbuffer.depth.format, camera.reversed_z, run);
+    const std::int32_t farthest = farthest_code(geometry, gbuffer.depth.format, camera.reversed_z);
     add("pixels_lost_to_clear_depth", lost_to_clear_code(drawn, farthest, run),
         {"pixel of a surface became sky, its depth is that of the cleared buffer",
          "pixels of surfaces became sky, their depth is that of the cleared buffer"},

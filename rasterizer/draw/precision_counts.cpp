@@ -113,20 +113,11 @@ bool shows_a_triangle(const ScreenGeometry& geometry, const GBuffer& gbuffer) {
     return false;
 }
 
-std::int32_t farthest_code(const ScreenGeometry& geometry, DepthFormat format, bool reversed_z,
-                           const Run& run) {
-    const std::int32_t nearest = depth_code(format, reversed_z ? 1.0f : 0.0f, 0.0);
-    const auto farther = [&](std::int32_t a, std::int32_t b) {
-        return reversed_z ? std::min(a, b) : std::max(a, b);
-    };
-    const std::vector<std::int32_t> of_blocks =
-        parallel_results<std::int32_t>(geometry.blocks.size(), 1, run, [&](std::size_t block, std::size_t) {
-            std::int32_t code = nearest;
-            for (const ScreenTriangle& t : geometry.blocks[block].triangles)
-                code = farther(code, depth_code(format, reversed_z ? t.z_low : t.z_high, t.depth_bias));
-            return code;
-        });
-    return std::accumulate(of_blocks.begin(), of_blocks.end(), nearest, farther);
+std::int32_t farthest_code(const ScreenGeometry& geometry, DepthFormat format, bool reversed_z) {
+    double farthest = reversed_z ? 1 : 0;
+    for (const TriangleBlock& block : geometry.blocks)
+        farthest = reversed_z ? std::min(farthest, block.z_lowest) : std::max(farthest, block.z_highest);
+    return depth_code(format, 0.0f, farthest);
 }
 
 std::size_t vertices_not_finite(const ScreenGeometry& geometry, const Run& run) {

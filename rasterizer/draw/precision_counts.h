@@ -25,8 +25,7 @@ bool shows_a_triangle(const ScreenGeometry& geometry, const GBuffer& gbuffer);
 
 // The depth code farthest from the eye that a triangle of the geometry may have at any pixel, its bias included; that of the
 // near plane where there is no triangle.
-std::int32_t farthest_code(const ScreenGeometry& geometry, DepthFormat format, bool reversed_z,
-                           const Run& run = {});
+std::int32_t farthest_code(const ScreenGeometry& geometry, DepthFormat format, bool reversed_z);
 
 // Vertices that are no finite numbers on their way to the screen.
 std::size_t vertices_not_finite(const ScreenGeometry& geometry, const Run& run = {});

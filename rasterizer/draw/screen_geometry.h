@@ -23,6 +23,8 @@ struct TriangleBlock {
     VertexArray<ScreenTriangle> triangles;
     std::vector<ClippedCorners> clipped;
     std::size_t off_screen = 0;  // triangles beyond one side of the view, left out
+    // Bounds of z_ndc within [0, 1] at every pixel that a triangle covers, its bias included.
+    double z_lowest = 1, z_highest = 0;
     // One a tile and one more: where its list starts in triangle_of_tile.
     std::vector<std::uint32_t> first_of_tile;
     std::vector<std::uint32_t> triangle_of_tile;  // indices into `triangles`

@@ -210,10 +210,12 @@ class BlockBuilder {
         enter(source, t);
     }
 
-    // The last triangle, into the tiles that it may touch.
+    // The last triangle, into the bounds of its block and the tiles that it may touch.
     void enter(const BlockSource& source, ScreenTriangle& t) {
         t.instance = source.instance;
         t.material = source.material;
+        block_.z_lowest = std::min(block_.z_lowest, static_cast<double>(t.z_low) + t.depth_bias);
+        block_.z_highest = std::max(block_.z_highest, static_cast<double>(t.z_high) + t.depth_bias);
         const int right = std::min(t.bounds.x1, geometry_.size.width) - 1,
                   bottom = std::min(t.bounds.y1, geometry_.size.height) - 1;
         if (right < 0 || bottom < 0 || t.bounds.x0 > right || t.bounds.y0 > bottom) return;

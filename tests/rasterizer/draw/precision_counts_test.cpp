@@ -112,14 +112,27 @@ TEST_CASE("precision counts: pixels that only the second of two drawings shows")
 
 TEST_CASE("precision counts: vertices and triangles of a geometry, as by loops over them") {
     const Scene scene = scene_with_losses();
+    for_every_run(kThreads, [&](const Run& run) {
+        const ScreenGeometry geometry = screen_geometry(scene, scene.camera, {64, 36}, {}, run);
+        CHECK(vertices_not_finite(geometry, run) == 1);
+        CHECK(triangles_through_eye_plane(geometry) == 2);
+    });
+}
+
+TEST_CASE("precision counts: the farthest code of all triangles, which no pixel lies beyond") {
+    const Scene scene = squares();
     for (const bool reversed : {false, true}) {
-        Camera camera = scene.camera;
-        camera.reversed_z = reversed;
-        for_every_run(kThreads, [&](const Run& run) {
-            const ScreenGeometry geometry = screen_geometry(scene, camera, {64, 36}, {}, run);
-            CHECK(vertices_not_finite(geometry, run) == 1);
-            CHECK(triangles_through_eye_plane(geometry) == 2);
-            for (const DepthFormat format : {DepthFormat::d16, DepthFormat::d24, DepthFormat::d32f}) {
+        for (const DepthFormat format : {DepthFormat::d16, DepthFormat::d24, DepthFormat::d32f}) {
+            for (const DepthBias bias :
+                 {DepthBias(), DepthBias{.constant = 3, .slope = 1.5f}, DepthBias{.constant = -1000}}) {
+                CAPTURE(reversed);
+                CAPTURE(static_cast<int>(format));
+                CAPTURE(bias.constant);
+                Camera camera = scene.camera;
+                camera.reversed_z = reversed;
+                const NormalDepthSettings settings{.depth_format = format, .depth_bias = bias};
+                const ScreenGeometry geometry =
+                    screen_geometry(scene, camera, {64, 36}, geometry_settings(settings));
                 std::int32_t farthest = depth_code(format, reversed ? 1.0f : 0.0f, 0.0);
                 for (const TriangleBlock& block : geometry.blocks) {
                     for (const ScreenTriangle& t : block.triangles) {
@@ -128,11 +141,8 @@ TEST_CASE("precision counts: vertices and triangles of a geometry, as by loops o
                         farthest = reversed ? std::min(farthest, code) : std::max(farthest, code);
                     }
                 }
-                CHECK(farthest_code(geometry, format, reversed, run) == farthest);
-                // No pixel lies beyond it.
-                NormalDepthSettings settings;
-                settings.depth_format = format;
-                const GBuffer g = normal_depth(scene, geometry, reversed, settings, run);
+                CHECK(farthest_code(geometry, format, reversed) == farthest);
+                const GBuffer g = normal_depth(scene, geometry, reversed, settings);
                 for_each_pixel(geometry.size, [&](int x, int y) {
                     if (g.triangle.at(x, y) < 0) return;
                     const std::int32_t code = g.depth.codes.at(x, y);
@@ -140,7 +150,7 @@ TEST_CASE("precision counts: vertices and triangles of a geometry, as by loops o
                 });
                 CHECK(shows_a_triangle(geometry, g));
             }
-        });
+        }
     }
 }
 
