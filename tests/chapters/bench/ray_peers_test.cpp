@@ -166,7 +166,10 @@ TEST_CASE("Embree finds the same ambient occlusion") {
     REQUIRE(outcome.exit_code == 0);
     std::vector<std::string> lines;
     std::istringstream output(outcome.output);
-    for (std::string line; std::getline(output, line);) lines.push_back(line);
+    for (std::string line; std::getline(output, line);) {
+        // Its stderr is among them, where oneTBB warns on a machine of one processor.
+        if (line.starts_with("{")) lines.push_back(line);
+    }
     const Table agreement = ray_tables("columns_luna", lines)[3];
     REQUIRE(agreement.rows.size() == 1);
     CHECK(agreement.rows[0].back().text == "same");
