@@ -58,8 +58,8 @@ CREVICE_INLINE void find_group(const ScreenGeometry& geometry, Int<F> numbers, i
 void find_surfaces(const ScreenGeometry& geometry, const std::int32_t* triangle, int x0, int x1, int y,
                    const SurfaceRow& row, const Run& run) {
     run_kernel(run, [&, triangle, x0, x1, y]<class F>(Lanes<F>) {
-        const SurfaceRow to =
-            row;  // a copy, for what is read through a reference is read again after every store
+        // A copy, for what is read through a reference is read again after every store.
+        const SurfaceRow to = row;
         for (int at = 0; at < x1 - x0; at += kLanes<F>)
             find_group<F>(geometry, load<F>(triangle + at), x0 + at, y, to, at);
     });

@@ -91,7 +91,7 @@ class BlurBand {
                 const AoInputs& in = sweep_.inputs;
                 for (const Image<float>* plane :
                      {&in.normal.x, &in.normal.y, &in.normal.z, &in.view_depth, &sweep_.ao})
-                    expect_next_row(*plane, 0, sweep_.width(), std::min(step + kBlurRadius, height));
+                    expect_next_row(*plane, 0, sweep_.width(), step + kBlurRadius);
                 decide_pairs<F>(step);
                 decide_taps<F>(step);
                 std::copy_n(sweep_.ao.row(step), sweep_.width(), source_.row(0));

@@ -30,12 +30,13 @@ std::array<glm::vec3, kCubeVectors> cube_offsets(std::uint32_t seed) {
 
 RandomMap random_map(std::uint32_t seed, const Run& run) {
     constexpr std::uint32_t kTexels = kRandomMapSide * kRandomMapSide;
+    constexpr std::size_t kTexelsAtOnce = 16 * kRandomMapSide;
     RandomMap map;
     for (std::vector<float>* plane : {&map.x, &map.y, &map.z}) plane->resize(kTexels);
     std::array<float, 256> signed_unit;
     for (std::size_t byte = 0; byte < 256; ++byte)
         signed_unit[byte] = 2 * (static_cast<float>(byte) / 255) - 1;
-    parallel_blocks(kTexels, kTexels / 16, run, [&](std::size_t first, std::size_t end) {
+    parallel_blocks(kTexels, kTexelsAtOnce, run, [&](std::size_t first, std::size_t end) {
         for (std::size_t texel = first; texel < end; ++texel) {
             const std::uint32_t bits = hash_of(seed, kMapStream, static_cast<std::uint32_t>(texel));
             map.x[texel] = signed_unit[bits >> 24];

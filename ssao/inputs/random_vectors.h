@@ -51,6 +51,7 @@ struct RandomMap {
     }
 };
 
-RandomMap random_map(std::uint32_t seed, const Run& run = {});
+// One thread unless more are asked for: who steps through a pixel does not leave it.
+RandomMap random_map(std::uint32_t seed, const Run& run = {.threads = 1});
 
 }  // namespace crevice

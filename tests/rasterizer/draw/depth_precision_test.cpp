@@ -34,11 +34,9 @@ void each_depth(std::pair<double, double> planes, const Body& body) {
     body(planes.second);
 }
 
-}  // namespace
-
-TEST_CASE(
-    "depth precision: no step up to a depth exceeds what is said of it, and in most formats the last one is "
-    "as large") {
+// Calls body(camera, format, planes) for all pairs of planes, formats, directions of depth and projections.
+template <class Body>
+void each_buffer(const Body& body) {
     for (const auto& planes : kPlanes) {
         for (const DepthFormat format : kFormats) {
             for (const bool reversed : {false, true}) {
@@ -49,42 +47,40 @@ TEST_CASE(
                     CAPTURE(reversed);
                     Camera camera = camera_with(planes, reversed);
                     camera.projection = projection;
-                    double largest = 0;
-                    each_depth(planes, [&](double z) {
-                        const double step = depth_step(camera, format, z);
-                        largest = std::fmax(largest, step);
-                        const double bound = largest_step_up_to(camera, format, z);
-                        REQUIRE(largest <= bound);
-                        if (!reversed || format != DepthFormat::d32f) REQUIRE(step == bound);
-                    });
+                    body(camera, format, planes);
                 }
             }
         }
     }
 }
 
+}  // namespace
+
+TEST_CASE(
+    "depth precision: no step up to a depth exceeds what is said of it, and in most formats the last one is "
+    "as large") {
+    each_buffer([](const Camera& camera, DepthFormat format, const auto& planes) {
+        double largest = 0;
+        each_depth(planes, [&](double z) {
+            const double step = depth_step(camera, format, z);
+            largest = std::fmax(largest, step);
+            const double bound = largest_step_up_to(camera, format, z);
+            REQUIRE(largest <= bound);
+            if (!camera.reversed_z || format != DepthFormat::d32f) REQUIRE(step == bound);
+        });
+    });
+}
+
 TEST_CASE("depth precision: the error is inside the bound for eight pairs of planes, and comes close to it") {
-    for (const auto& planes : kPlanes) {
-        for (const DepthFormat format : kFormats) {
-            for (const bool reversed : {false, true}) {
-                for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
-                    CAPTURE(planes.first);
-                    CAPTURE(planes.second);
-                    CAPTURE(static_cast<int>(format));
-                    CAPTURE(reversed);
-                    Camera camera = camera_with(planes, reversed);
-                    camera.projection = projection;
-                    double worst = 0;
-                    each_depth(planes, [&](double z) {
-                        const DepthError e = depth_error(camera, format, z);
-                        worst = std::fmax(worst, e.error / e.bound);
-                    });
-                    CHECK(worst <= 1);
-                    CHECK(worst > 0.15);  // a bound that no error comes near would prove nothing
-                }
-            }
-        }
-    }
+    each_buffer([](const Camera& camera, DepthFormat format, const auto& planes) {
+        double worst = 0;
+        each_depth(planes, [&](double z) {
+            const DepthError e = depth_error(camera, format, z);
+            worst = std::fmax(worst, e.error / e.bound);
+        });
+        CHECK(worst <= 1);
+        CHECK(worst > 0.15);  // a bound that no error comes near would prove nothing
+    });
 }
 
 TEST_CASE("depth precision: reversed floats keep 2e-7 everywhere, standard ones do not") {
