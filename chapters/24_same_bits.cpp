@@ -23,7 +23,7 @@
 namespace crevice {
 namespace {
 
-constexpr int kThreads[] = {1, 2, 7}, kTiles_px[] = {8, 32, 64};
+constexpr int kThreads[] = {1, 2, 7}, kTiles_px[] = {16, 32, 64};
 
 // Cells stand at the margin, where notebooks look for them.
 // clang-format off
@@ -130,7 +130,7 @@ book.listing(
 // ## The same frame in every way
 //
 // So let us draw one frame in every way that this machine knows: each form of the kernels, with one, two and seven threads,
-// with tiles of 8, 32 and 64 pixels.
+// with tiles of 16, 32 and 64 pixels.
 
 // %% every_way
 FrameRequest request = xjun_request(book.size());
@@ -182,7 +182,7 @@ book.check("This machine computes what is on record, bit for bit.", as_recorded)
 //
 // | | x86-64 | 64-bit ARM | WebAssembly |
 // |---|---|---|---|
-// | lanes of a float register | 4, with AVX2 8 | 4 | 4 |
+// | lanes of a float register | 4, with AVX2 8, with AVX-512 16 | 4 | 4 |
 // | fused multiply-add | from 2013 on, if asked for | always there, used by default | none in the base |
 // | estimate of $1/\sqrt{a}$ | 12 bits, by maker | 8 bits | none |
 // | float to int, too large | smallest int | largest int | trap, or largest int |
@@ -319,8 +319,8 @@ book.listing_part("ssao/methods/luna_occlusion.h", "cell_at", "x = min_of", "flo
 // 1. Run `crevice render columns --only ao_blurred --out a`, then the same with `--lanes 1 --threads 1 --out b`, and
 //    `crevice compare a/ao_blurred.npy b/ao_blurred.npy`. What does it say?
 // 2. Is $ab + ba$ always equal to $2ab$ in floats? And when it is fused?
-// 3. Remove `-ffp-contract=off` from `CMakeLists.txt` and build for your machine. On x86-64 the tests still pass. Why, and
-//    which further flag makes them fail?
+// 3. Remove `-ffp-contract=off` from `CMakeLists.txt` and build. On an x86-64 machine without AVX-512 the tests still pass.
+//    Why, and which further flag makes them fail? What of a machine with AVX-512?
 // 4. Your function sums a million floats on all cores. Give two ways to make the result independent of the number of
 //    threads.
 // 5. (Open) A GPU promises IEEE rounding for $+$, $-$ and $\times$, but not for division and square root. How much of the
@@ -332,7 +332,8 @@ book.listing_part("ssao/methods/luna_occlusion.h", "cell_at", "x = min_of", "flo
 // 2. Yes: both products round to the same float, and doubling it is exact. Fused, $\mathrm{fl}(ab + \mathrm{fl}(ba))$ has
 //    one product unrounded, and may differ from $2\,\mathrm{fl}(ab)$ in the last bit.
 // 3. Neither the instructions that every x86-64 machine has nor AVX2 by itself know a fused multiply-add: nothing can be
-//    fused. With `-mfma`, or `-march=native` on a newer machine, the flag is what keeps the bits.
+//    fused. With `-mfma`, or `-march=native` on a newer machine, the flag is what keeps the bits. AVX-512 brings one along,
+//    and its form of the kernels would be fused without the flag.
 // 4. Cut the input into blocks of a fixed size, whatever the number of threads, sum each in order, and add up the block
 //    sums in order. Or sum integers (fixed point), whose addition is associative.
 // 5. All products and sums. A division can be made from an estimate and integer arithmetic, or by two Newton steps and a

@@ -39,8 +39,8 @@ void add_crease_flag(CommandLine& command, std::optional<std::string>& word) {
 void add_run_flags(CommandLine& command, RunWords& words) {
     command.option("--threads", words.threads, "0: all; 1: a plain loop");
     command.option("--lanes", words.lanes, "pixels at a time: 1, or as many as --isa has; default: those");
-    command.option("--isa", words.isa, "baseline or avx2; default: the best this machine has");
-    command.option("--tile", words.tile, "tile size in pixels, 8 16 32 64 or 128");
+    command.option("--isa", words.isa, "baseline, avx2 or avx512; default: the best this machine has");
+    command.option("--tile", words.tile, "tile size in pixels, 16 32 64 or 128");
 }
 
 Run run_of(const RunWords& words) {

@@ -20,8 +20,8 @@ struct Size {
     friend bool operator==(const Size&, const Size&) = default;
 };
 
-// Rows start at multiples of this many pixels.
-inline constexpr int kRowAlignment = 8;
+// Rows start at multiples of this many pixels: what the widest lanes hold.
+inline constexpr int kRowAlignment = 16;
 
 constexpr int round_up(int value, int multiple) { return (value + multiple - 1) / multiple * multiple; }
 

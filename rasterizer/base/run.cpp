@@ -8,8 +8,11 @@
 #include <thread>
 
 #include "rasterizer/base/error.h"
+#include "rasterizer/base/image.h"
 
 namespace crevice {
+
+static_assert(kRowAlignment % kMostLanes == 0);
 
 Isa best_isa() {
     const char* const forced = std::getenv("CREVICE_ISA");
@@ -19,7 +22,7 @@ Isa best_isa() {
     const auto best = std::find_if(std::rbegin(kEveryIsa), std::rend(kEveryIsa), wanted);
     if (best == std::rend(kEveryIsa)) {
         throw UsageError(std::string("CREVICE_ISA: not an instruction set of this machine (") + forced +
-                         "); set baseline or avx2, or unset it");
+                         "); set baseline, avx2 or avx512, or unset it");
     }
     return *best;
 }
@@ -37,7 +40,9 @@ void validate(const Run& run) {
     }
     if (run.tile_size < kSmallestTile_px || run.tile_size > kLargestTile_px ||
         !std::has_single_bit(static_cast<unsigned>(run.tile_size))) {
-        refuse("tile size: must be a power of two in 8..128", run.tile_size, "64 is the default");
+        refuse("tile size: must be a power of two in " + std::to_string(kSmallestTile_px) + ".." +
+                   std::to_string(kLargestTile_px),
+               run.tile_size, "64 is the default");
     }
     if (!isa_available(run.isa)) {
         throw UsageError(std::string("instruction set: this machine has no such one (") + isa_name(run.isa) +
@@ -55,5 +60,10 @@ int thread_count(const Run& run) {
 int lane_count(const Run& run) { return run.lanes == 1 ? 1 : lanes_of(run.isa); }
 
 Isa isa_of(const Run& run) { return run.lanes == 1 ? Isa::baseline : run.isa; }
+
+Run narrow(Run run) {
+    if (run.isa == Isa::avx512) run.isa = Isa::avx2;
+    return run;
+}
 
 }  // namespace crevice

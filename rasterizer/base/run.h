@@ -11,7 +11,8 @@ namespace crevice {
 // UsageError when there is none of that name here.
 Isa best_isa();
 
-inline constexpr int kSmallestTile_px = 8, kLargestTile_px = 128;
+// A tile's rows are whole groups of the widest lanes: no tile writes what is another's.
+inline constexpr int kSmallestTile_px = kMostLanes, kLargestTile_px = 128;
 
 struct Run {
     int threads = 0;  // 0: as many as the machine has; 1: a plain loop that never enters the thread library
@@ -33,15 +34,23 @@ int thread_count(const Run& run);
 // The form of the kernels that is run: one lane exists in the baseline form only.
 int lane_count(const Run& run);
 Isa isa_of(const Run& run);
+// The same run with the instruction set of run_narrow_kernel(): for those whom such a kernel calls.
+Run narrow(Run run);
 
-// Calls kernel(Lanes<F>{}) compiled for run.isa, with F = float for one lane.
-template <class Kernel>
+// Calls kernel(Lanes<F>{}) compiled for isa_of(run), or kWidest if that is narrower, with F = float for one lane.
+template <Isa kWidest = Isa::avx512, class Kernel>
 void run_kernel(const Run& run, const Kernel& kernel) {
     if (run.lanes == 1) {
         call_baseline(kernel, Lanes<float>{});
     } else {
-        call_for_isa(run.isa, kernel);
+        call_for_isa<kWidest>(isa_of(run), kernel);
     }
+}
+// The same for kernels without a form of sixteen lanes: they work on eight of a kind (the children of a tree's node), or take
+// as long with sixteen, because most of what they do is lane by lane.
+template <class Kernel>
+void run_narrow_kernel(const Run& run, const Kernel& kernel) {
+    run_kernel<Isa::avx2>(run, kernel);
 }
 
 }  // namespace crevice

@@ -13,7 +13,7 @@ namespace {
 void cut_out(const FragmentGroup& group, const Material& material, const InstanceAttributes& instance,
              const Run& run) {
     SampledPixels pixels = {};
-    run_kernel(run, [&]<class F>(Lanes<F>) {
+    run_narrow_kernel(run, [&]<class F>(Lanes<F>) {
         const Int<F> kept = load<F>(group.kept);
         const Mask<F> asked = kept != Int<F>(0);
         const TrianglePixels<F> in_triangle({&group.triangle, group.block.corners_of(group.triangle)}, asked,
@@ -44,8 +44,9 @@ Holes alpha_holes(const Scene& scene, const ScreenGeometry& geometry, const Run&
     if (!has_cutouts(scene)) return {};
     std::vector<bool> whole;
     for (const Material& material : scene.materials) whole.push_back(!has_cutouts(material));
+    // The raster asks for rows of at most eight pixels.
     const auto cut = [&scene, attributes = instance_attributes(scene, geometry),
-                      run](const FragmentGroup& group) {
+                      run = narrow(run)](const FragmentGroup& group) {
         const Material& material = scene.materials[static_cast<std::size_t>(group.triangle.material)];
         const InstanceAttributes& instance = attributes[group.triangle.instance];
         if (instance.has_texcoords()) cut_out(group, material, instance, run);

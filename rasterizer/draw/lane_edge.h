@@ -8,17 +8,24 @@
 
 namespace crevice {
 
+// The pixels of a group, lane by lane: a row, or from sixteen lanes on rows of eight below each other. A row of sixteen
+// would leave most lanes without a pixel of the triangle.
+template <class F>
+inline constexpr int kGroupColumns = kLanes<F> < 8 ? kLanes<F> : 8;
+template <class F>
+inline constexpr int kGroupRows = kLanes<F> / kGroupColumns<F>;
+
 // E is Int<F> or Double<F>. Values are kept less by the edge's threshold, so that covered means not negative.
 template <class F, class E>
 struct LaneEdge {
     using Scalar = std::conditional_t<std::is_same_v<E, Int<F>>, std::int32_t, double>;
     Edge edge;
-    E lane_offsets, per_row, threshold;
+    E lane_offsets, per_row, threshold;  // per_row: from a group to the one below
 
     CREVICE_INLINE explicit LaneEdge(const Edge& of_triangle)
         : edge(of_triangle),
-          lane_offsets(lane() * E(static_cast<Scalar>(edge.per_column))),
-          per_row(static_cast<Scalar>(edge.per_row)),
+          lane_offsets(offsets(edge)),
+          per_row(static_cast<Scalar>(kGroupRows<F> * edge.per_row)),
           threshold(static_cast<Scalar>(edge.threshold)) {}
 
     CREVICE_INLINE std::int64_t at(int x, int y) const {
@@ -38,11 +45,21 @@ struct LaneEdge {
     CREVICE_INLINE Column column_from(std::int64_t first) const {
         return {E(static_cast<Scalar>(first)) + lane_offsets, per_row};
     }
-    CREVICE_INLINE static E lane() {
-        if constexpr (std::is_same_v<E, Int<F>>) {
-            return lane_index<F>();
+    CREVICE_INLINE static E offsets(const Edge& edge) {
+        const E per_column(static_cast<Scalar>(edge.per_column));
+        if constexpr (kGroupRows<F> == 1) {
+            return as_edge(lane_index<F>()) * per_column;
         } else {
-            return to_double(lane_index<F>());
+            const Int<F> column = lane_index<F>() & Int<F>(kGroupColumns<F> - 1);
+            const Int<F> row = select(lane_index<F>() == column, Int<F>(0), Int<F>(1));
+            return as_edge(column) * per_column + as_edge(row) * E(static_cast<Scalar>(edge.per_row));
+        }
+    }
+    CREVICE_INLINE static E as_edge(Int<F> a) {
+        if constexpr (std::is_same_v<E, Int<F>>) {
+            return a;
+        } else {
+            return to_double(a);
         }
     }
 };

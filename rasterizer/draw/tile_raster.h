@@ -121,16 +121,18 @@ struct TileRaster {
         const int start_x =
             narrow ? std::min(rect.x0, round_up(tile.x1, kBlock_px) - kBlock_px) : rect.x0 & -kBlock_px;
         constexpr int step_y = test_blocks ? kBlock_px : kSmallTriangle_px;
-        for (int block_y = test_blocks ? rect.y0 & -kBlock_px : rect.y0; block_y < rect.y1;
+        // A group's rows are never cut apart: pictures' tiles and their parts begin at even rows.
+        const int start_y = rect.y0 & -kGroupRows<F>;
+        for (int block_y = test_blocks ? rect.y0 & -kBlock_px : start_y; block_y < rect.y1;
              block_y += step_y) {
             for (int block_x = start_x; block_x < rect.x1; block_x += kBlock_px) {
                 const Reach reach = test_blocks ? reach_of(edges, block_x, block_y) : Reach::part;
                 if (reach == Reach::nothing) continue;
                 const int first_x = kLanes<F> == 1 ? std::max(block_x, rect.x0) : block_x;
-                const PixelRect part = {first_x, std::max(block_y, rect.y0),
+                const PixelRect part = {first_x, std::max(block_y, start_y),
                                         std::min(block_x + kBlock_px, rect.x1),
                                         std::min(block_y + step_y, rect.y1)};
-                for (int x = part.x0; x < part.x1; x += kLanes<F>) {
+                for (int x = part.x0; x < part.x1; x += kGroupColumns<F>) {
                     if (reach == Reach::all) {
                         covered_column<kForm>(block, t, number, edges, x, part);
                     } else {
@@ -164,7 +166,7 @@ struct TileRaster {
                                const LaneEdge<F, E> (&edges)[3], int x, PixelRect part) {
         auto c0 = edges[0].column(x, part.y0), c1 = edges[1].column(x, part.y0),
              c2 = edges[2].column(x, part.y0);
-        for (int y = part.y0; y < part.y1; ++y) {
+        for (int y = part.y0; y < part.y1; y += kGroupRows<F>) {
             const E e0 = c0.lanes, e1 = c1.lanes, e2 = c2.lanes;
             const Mask<F> covered = none_negative<F>(e0, e1, e2);
             if (any(covered)) {
@@ -184,7 +186,7 @@ struct TileRaster {
                                        PixelRect part) {
         const Mask<F> covered = lane_index<F>() >= Int<F>(0);
         auto c1 = edges[1].whole_column(x, part.y0), c2 = edges[2].whole_column(x, part.y0);
-        for (int y = part.y0; y < part.y1; ++y) {
+        for (int y = part.y0; y < part.y1; y += kGroupRows<F>) {
             group<kForm>(block, t, number, x, y, covered, F(to_float(c1.lanes)), F(to_float(c2.lanes)));
             c1.next();
             c2.next();
@@ -198,8 +200,9 @@ struct TileRaster {
         constexpr bool kPlain = kForm == Form::plain;
         const F z_ndc = z_ndc_at(t, e1, e2);
         const Int<F> code = kPlain ? float_bits(z_ndc) : depth_code(drawing.format, z_ndc, t.depth_bias);
-        const std::ptrdiff_t at = pixels.at(x, y);
-        const Int<F> stored = load<F>(pixels.tested + at);
+        const GroupPlace<F> place(pixels, x, y, tile.y1);
+        const Int<F> stored = place.load(pixels.tested);
+        if constexpr (kGroupRows<F> > 1) covered = covered & place.inside();
         Mask<F> passed = covered & depth_passes<F>(kPlain ? DepthFunction::less : drawing.test, code, stored);
         Mask<F> tied = covered & (code == stored);
         if (!any(passed | tied)) return;
@@ -209,12 +212,11 @@ struct TileRaster {
             tied = tied & kept;
         }
         if (kPlain || pixels.depth != nullptr) {
-            if (any(tied)) note_tie({x, y, x + kLanes<F>, y + 1});
-            store(pixels.depth + at, select(passed, code, stored));
+            if (any(tied)) note_tie({x, y, x + kGroupColumns<F>, y + kGroupRows<F>});
+            place.store(pixels.depth, select(passed, code, stored));
         }
         if (kPlain || pixels.triangle != nullptr) {
-            std::int32_t* const shown = pixels.triangle + at;
-            store(shown, select(passed, Int<F>(number), load<F>(shown)));
+            place.store(pixels.triangle, select(passed, Int<F>(number), place.load(pixels.triangle)));
         }
     }
 
@@ -224,13 +226,18 @@ struct TileRaster {
         std::int32_t kept[kLanes<F>], passes[kLanes<F>];
         store(kept, select(asked, every, none));
         store(passes, select(passed, every, none));
-        drawing.holes.cut_out({block, t, x, y, kLanes<F>, kept, passes});
+        for (int row = 0; row < kGroupRows<F>; ++row) {
+            const int first = row * kGroupColumns<F>;
+            drawing.holes.cut_out({block, t, x, y + row, kGroupColumns<F>, kept + first, passes + first});
+        }
         return load<F>(kept) != none;
     }
 
     void note_tie(PixelRect rect) {
         rect.x0 &= -kRowAlignment;
+        rect.y0 &= -2;
         rect.x1 = round_up(rect.x1, kRowAlignment);
+        rect.y1 = std::min(round_up(rect.y1, 2), tile.y1);
         record.tied = around(record.tied, rect);
     }
 };

@@ -259,7 +259,7 @@ TriangleBlock build_block(const ScreenGeometry& geometry, std::span<const BlockS
     std::size_t triangles = 0;
     for (const BlockSource& source : sources) triangles += source.triangles.size();
     builder.reserve(triangles);
-    run_kernel(run, [&]<class F>(Lanes<F>) {
+    run_narrow_kernel(run, [&]<class F>(Lanes<F>) {
         for (const BlockSource& source : sources) builder.add<F>(source);
     });
     builder.finish();

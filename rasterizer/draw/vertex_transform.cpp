@@ -135,7 +135,7 @@ void transform_block(const VertexBlock& block, Size size, const DepthRange& rang
         std::fill(outside, outside + block.count, std::int32_t{kNotTransformed});
         return;
     }
-    run_kernel(run, [&]<class F>(Lanes<F>) {
+    run_narrow_kernel(run, [&]<class F>(Lanes<F>) {
         for (int i = 0; i < block.count; i += kLanes<F>) {
             const int filled = block.count - i < kLanes<F> ? block.count - i : kLanes<F>;
             const std::size_t mesh_index = static_cast<std::size_t>(block.first + i);

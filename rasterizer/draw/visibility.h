@@ -26,7 +26,7 @@ struct TileRecord {
     std::uint32_t triangles = 0;  // entries of its lists
     std::uint32_t hidden = 0;     // of those, left out as a whole
     PixelRect tied = {};  // around the pixels where a fragment's depth equalled the stored one, or might
-                          // have; begins and ends with groups of kRowAlignment pixels; mostly empty
+                          // have; whole groups of kRowAlignment pixels in pairs of rows; mostly empty
 };
 
 struct Visibility {
@@ -86,7 +86,7 @@ Visibility drawn_over(DepthBuffer depth, const ScreenGeometry& geometry, DepthFu
                       const Holes& holes = {}, const Run& run = {});
 
 // The tutorials' second drawing: depths are tested and not written. The last triangle that passes at every
-// pixel of the wanted parts of the tiles (one a tile, their columns in whole groups of kRowAlignment; an empty one
+// pixel of the wanted parts of the tiles (one a tile, whole groups of kRowAlignment pixels, from an even row on; an empty one
 // keeps what `triangle` holds). Without parts the whole picture.
 Image<std::int32_t> drawn_again(const ScreenGeometry& geometry, const DepthBuffer& depth, DepthFunction test,
                                 const Holes& holes = {}, const Run& run = {});

@@ -6,13 +6,21 @@ const char* isa_name(Isa isa) {
     switch (isa) {
         case Isa::baseline: return "baseline";
         case Isa::avx2: return "avx2";
+        case Isa::avx512: return "avx512";
     }
     return "unknown";
 }
 
 bool isa_available(Isa isa) {
 #if defined(__x86_64__)
-    return isa == Isa::baseline || __builtin_cpu_supports("avx2");
+    switch (isa) {
+        case Isa::baseline: return true;
+        case Isa::avx2: return __builtin_cpu_supports("avx2");
+        case Isa::avx512:
+            return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                   __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+    }
+    return false;
 #else
     return isa == Isa::baseline;
 #endif

@@ -1,7 +1,7 @@
 // The functions that kernels are written with, for one pixel or several.
 //
 // A kernel is written once as `template <class F>` and runs with F = float (one pixel, to step through),
-// Wide<4> or Wide<8> (as many pixels as the register holds, to be fast) or double (truth for rounding error).
+// Wide<4>, Wide<8> or Wide<16> (as many pixels as the register holds, to be fast) or double (truth for rounding error).
 // The functions below exist under the same names for all of them. Every operation is the IEEE one lane by
 // lane, so the lane count never changes a bit.
 #pragma once
@@ -10,57 +10,12 @@
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
+#include "rasterizer/lanes/one_lane.h"
 #include "rasterizer/lanes/wide_halves.h"
 
 namespace crevice {
-
-// ---- one lane
-
-CREVICE_INLINE bool any(bool m) { return m; }
-CREVICE_INLINE bool all(bool m) { return m; }
-// Bit i is set where lane i is.
-CREVICE_INLINE unsigned lane_bits(bool m) { return m ? 1u : 0u; }
-CREVICE_INLINE std::int32_t largest_of(std::int32_t a) { return a; }
-CREVICE_INLINE float select(bool m, float a, float b) { return m ? a : b; }
-CREVICE_INLINE double select(bool m, double a, double b) { return m ? a : b; }
-CREVICE_INLINE std::int32_t select(bool m, std::int32_t a, std::int32_t b) { return m ? a : b; }
-CREVICE_INLINE float square_root(float a) { return __builtin_sqrtf(a); }
-CREVICE_INLINE double square_root(double a) { return __builtin_sqrt(a); }
-// Toward zero. Defined for |a| < 2^31.
-CREVICE_INLINE std::int32_t to_int(float a) { return static_cast<std::int32_t>(a); }
-CREVICE_INLINE std::int32_t to_int(double a) { return static_cast<std::int32_t>(a); }
-CREVICE_INLINE float to_float(std::int32_t a) { return static_cast<float>(a); }
-CREVICE_INLINE float to_float(double a) { return static_cast<float>(a); }
-CREVICE_INLINE double to_double(float a) { return static_cast<double>(a); }
-CREVICE_INLINE double to_double(std::int32_t a) { return static_cast<double>(a); }
-// Not std::bit_cast: in Debug builds that is a call, and a Wide would change its calling convention.
-CREVICE_INLINE std::int32_t float_bits(float a) { return __builtin_bit_cast(std::int32_t, a); }
-CREVICE_INLINE std::int32_t upper_bits(double a) {
-    return static_cast<std::int32_t>(__builtin_bit_cast(std::int64_t, a) >> 32);
-}
-CREVICE_INLINE float float_from_bits(std::int32_t a) { return __builtin_bit_cast(float, a); }
-CREVICE_INLINE float gather(const float* base, std::int32_t index) { return base[index]; }
-CREVICE_INLINE std::int32_t gather(const std::int32_t* base, std::int32_t index) { return base[index]; }
-template <class F>
-requires(kLanes<F> == 1) CREVICE_INLINE F load(const float* at) { return static_cast<F>(*at); }
-template <class F>
-requires(kLanes<F> == 1) CREVICE_INLINE std::int32_t load(const std::int32_t* at) { return *at; }
-CREVICE_INLINE void store(float* at, float a) { *at = a; }
-CREVICE_INLINE void store(std::int32_t* at, std::int32_t a) { *at = a; }
-CREVICE_INLINE void store(double* at, double a) { *at = a; }
-// a * b - c * d modulo 2^32: exact where the difference fits, also where the products do not.
-CREVICE_INLINE std::int32_t wrapped_difference(std::int32_t a, std::int32_t b, std::int32_t c,
-                                               std::int32_t d) {
-    using Word = std::uint32_t;
-    return static_cast<std::int32_t>(static_cast<Word>(a) * static_cast<Word>(b) -
-                                     static_cast<Word>(c) * static_cast<Word>(d));
-}
-// 0, 1, 2 ... one a lane.
-template <class F>
-requires(kLanes<F> == 1) CREVICE_INLINE std::int32_t lane_index() { return 0; }
-
-// ---- N lanes
 
 CREVICE_INLINE unsigned lane_bits(WideMask<4> m) {
 #if defined(__SSE__)
@@ -72,10 +27,11 @@ CREVICE_INLINE unsigned lane_bits(WideMask<4> m) {
     return static_cast<unsigned>((bits[0] | bits[1]) | (bits[2] | bits[3]));
 #endif
 }
-CREVICE_INLINE unsigned lane_bits(WideMask<8> m) {
-    return lane_bits(WideMask<4>{low_half(m.v)}) | lane_bits(WideMask<4>{high_half(m.v)}) << 4;
+template <int N>
+CREVICE_INLINE unsigned lane_bits(WideMask<N> m) {
+    return lane_bits(WideMask<N / 2>{low_half(m.v)}) | lane_bits(WideMask<N / 2>{high_half(m.v)}) << (N / 2);
 }
-// Eight are joined to one 128-bit vector: the shortest that both compilers find. WebAssembly has an instruction for it;
+// More are joined to one 128-bit vector: the shortest that both compilers find. WebAssembly has an instruction for it;
 // without one for lane_bits it is two 64-bit words.
 CREVICE_INLINE bool any(WideMask<4> m) {
 #if defined(__wasm_simd128__)
@@ -87,17 +43,26 @@ CREVICE_INLINE bool any(WideMask<4> m) {
     return (words[0] | words[1]) != 0;
 #endif
 }
-CREVICE_INLINE bool any(WideMask<8> m) { return any(WideMask<4>{low_half(m.v) | high_half(m.v)}); }
+template <int N>
+CREVICE_INLINE bool any(WideMask<N> m) {
+    return any(WideMask<N / 2>{low_half(m.v) | high_half(m.v)});
+}
 template <int N>
 CREVICE_INLINE bool all(WideMask<N> m) {
     return !any(!m);
 }
+// By halves down to four.
 template <int N>
 CREVICE_INLINE std::int32_t largest_of(WideInt<N> a) {
-    std::int32_t largest = a.v[0];
-    CREVICE_UNROLLED
-    for (int i = 1; i < N; ++i) largest = a.v[i] > largest ? a.v[i] : largest;
-    return largest;
+    if constexpr (N > 4) {
+        const WideInt<N / 2> low(low_half(a.v)), high(high_half(a.v));
+        return largest_of(select(low > high, low, high));
+    } else {
+        std::int32_t largest = a.v[0];
+        CREVICE_UNROLLED
+        for (int i = 1; i < N; ++i) largest = a.v[i] > largest ? a.v[i] : largest;
+        return largest;
+    }
 }
 template <int N>
 CREVICE_INLINE WideInt<N> wrapped_difference(WideInt<N> a, WideInt<N> b, WideInt<N> c, WideInt<N> d) {
@@ -121,7 +86,9 @@ CREVICE_INLINE V select_bits(M m, V a, V b) {
 // Each word of the lower half of a mask twice, and of the upper: masks as wide as doubles.
 template <class V>
 CREVICE_INLINE V lower_twice(V m) {
-    if constexpr (kElements<V> == 8) {
+    if constexpr (kElements<V> == 16) {
+        return __builtin_shufflevector(m, m, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 7, 7);
+    } else if constexpr (kElements<V> == 8) {
         return __builtin_shufflevector(m, m, 0, 0, 1, 1, 2, 2, 3, 3);
     } else {
         return __builtin_shufflevector(m, m, 0, 0, 1, 1);
@@ -129,7 +96,9 @@ CREVICE_INLINE V lower_twice(V m) {
 }
 template <class V>
 CREVICE_INLINE V upper_twice(V m) {
-    if constexpr (kElements<V> == 8) {
+    if constexpr (kElements<V> == 16) {
+        return __builtin_shufflevector(m, m, 8, 8, 9, 9, 10, 10, 11, 11, 12, 12, 13, 13, 14, 14, 15, 15);
+    } else if constexpr (kElements<V> == 8) {
         return __builtin_shufflevector(m, m, 4, 4, 5, 5, 6, 6, 7, 7);
     } else {
         return __builtin_shufflevector(m, m, 2, 2, 3, 3);
@@ -191,6 +160,11 @@ CREVICE_INLINE WideOf<T, 8> gather(const T* base, WideInt<8> index) {
     for (int i = 0; i < 8; ++i) r.v[i] = base[index.v[i]];
     return r;
 }
+template <class T>
+CREVICE_INLINE WideOf<T, 16> gather(const T* base, WideInt<16> index) {
+    const auto half = [&](auto eight) __attribute__((always_inline)) { return gather(base, WideInt<8>(eight)).v; };
+    return WideOf<T, 16>(joined(half(low_half(index.v)), half(high_half(index.v))));
+}
 template <class F, class T>
 requires(kLanes<F> > 1) CREVICE_INLINE WideOf<T, kLanes<F>> load(const T* at) {
     WideOf<T, kLanes<F>> r;
@@ -203,10 +177,9 @@ CREVICE_INLINE void store(T* at, WideOf<T, N> a) {
 }
 template <class F>
 requires(kLanes<F> > 1) CREVICE_INLINE Int<F> lane_index() {
-    Int<F> r;
-    CREVICE_UNROLLED
-    for (int i = 0; i < kLanes<F>; ++i) r.v[i] = i;
-    return r;
+    const auto counted = []<int... i>(std::integer_sequence<int, i...>)
+        __attribute__((always_inline)) { return Int<F>(typename Int<F>::V{i...}); };
+    return counted(std::make_integer_sequence<int, kLanes<F>>{});
 }
 
 // ---- the same text for every lane type

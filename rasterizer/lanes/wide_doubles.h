@@ -10,9 +10,10 @@ CREVICE_INLINE WideDouble<4> square_root(WideDouble<4> a) {
     for (int i = 0; i < 4; ++i) a.v[i] = __builtin_sqrt(a.v[i]);
     return a;
 }
-CREVICE_INLINE WideDouble<8> square_root(WideDouble<8> a) {
+template <int N>
+requires(N >= 8) CREVICE_INLINE WideDouble<N> square_root(WideDouble<N> a) {
     CREVICE_UNROLLED
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < N / 2; ++i) {
         a.low[i] = __builtin_sqrt(a.low[i]);
         a.high[i] = __builtin_sqrt(a.high[i]);
     }
@@ -24,10 +25,13 @@ template <class F>
 CREVICE_INLINE Double<F> load_doubles(const double* at) {
     if constexpr (kLanes<F> == 1) {
         return *at;
-    } else if constexpr (kLanes<F> == 8) {
-        return of_halves(load<Wide<4>>(at).v, load<Wide<4>>(at + 4).v);
-    } else {
+    } else if constexpr (kLanes<F> == 4) {
         return load<F>(at);
+    } else {
+        Double<F> r;
+        std::memcpy(&r.low, at, sizeof r.low);
+        std::memcpy(&r.high, at + kLanes<F> / 2, sizeof r.high);
+        return r;
     }
 }
 

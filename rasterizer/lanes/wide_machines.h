@@ -53,6 +53,24 @@ CREVICE_INLINE WideDouble<4> min_of(WideDouble<4> a, WideDouble<4> b) {
                                 __builtin_wasm_pmin_f64x2(high_half(b.v), high_half(a.v))));
 }
 
+#elif defined(CREVICE_MASK_REGISTERS)
+
+CREVICE_INLINE unsigned lane_bits(WideMask<16> m) { return m.bits; }
+CREVICE_INLINE bool any(WideMask<16> m) { return m.bits != 0; }
+CREVICE_INLINE Wide<16> select(WideMask<16> m, Wide<16> a, Wide<16> b) {
+    return Wide<16>(__builtin_ia32_blendmps_512_mask(b.v, a.v, m.bits));
+}
+CREVICE_INLINE WideInt<16> select(WideMask<16> m, WideInt<16> a, WideInt<16> b) {
+    return WideInt<16>(__builtin_ia32_blendmd_512_mask(b.v, a.v, m.bits));
+}
+CREVICE_INLINE WideDouble<16> select(WideMask<16> m, WideDouble<16> a, WideDouble<16> b) {
+    return {__builtin_ia32_blendmpd_512_mask(b.low, a.low, static_cast<std::uint8_t>(m.bits)),
+            __builtin_ia32_blendmpd_512_mask(b.high, a.high, static_cast<std::uint8_t>(m.bits >> 8))};
+}
+CREVICE_INLINE Wide<16> square_root(Wide<16> a) {
+    return Wide<16>(__builtin_ia32_sqrtps512_mask(a.v, a.v, WideMask<16>::kAll, WideMask<16>::kRounding));
+}
+
 #endif
 
 }  // namespace crevice

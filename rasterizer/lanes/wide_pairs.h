@@ -72,6 +72,27 @@ CREVICE_INLINE Pair<Wide<8>> load_eight_pairs(const float* at) {
             Wide<8>(__builtin_shufflevector(low.v, high.v, 1, 3, 5, 7, 9, 11, 13, 15))};
 }
 
+// ---- sixteen lanes
+
+// As eight, twice: given as the pairs of lanes 0 1 4 5 8 9 12 13 and those between.
+CREVICE_INLINE Pair<Wide<16>> gather_pairs(const float* base, WideInt<16> index) {
+    const auto pairs = [&](int a, int b, int c, int d) __attribute__((always_inline)) {
+        const VectorOf<std::int64_t, 4>::type four = {
+            pair_bits(base, index.v[a]), pair_bits(base, index.v[b]), pair_bits(base, index.v[c]),
+            pair_bits(base, index.v[d])};
+        return __builtin_bit_cast(Wide<8>::V, four);
+    };
+    const Wide<16>::V a = joined(pairs(0, 1, 4, 5), pairs(8, 9, 12, 13)),
+                      b = joined(pairs(2, 3, 6, 7), pairs(10, 11, 14, 15));
+    return {Wide<16>(__builtin_shufflevector(a, b, 0, 2, 16, 18, 4, 6, 20, 22, 8, 10, 24, 26, 12, 14, 28, 30)),
+            Wide<16>(__builtin_shufflevector(a, b, 1, 3, 17, 19, 5, 7, 21, 23, 9, 11, 25, 27, 13, 15, 29, 31))};
+}
+CREVICE_INLINE Pair<Wide<16>> load_sixteen_pairs(const float* at) {
+    const Wide<16>::V low = load<Wide<16>>(at).v, high = load<Wide<16>>(at + 16).v;
+    return {Wide<16>(__builtin_shufflevector(low, high, 0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30)),
+            Wide<16>(__builtin_shufflevector(low, high, 1, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25, 27, 29, 31))};
+}
+
 // ---- several lanes
 
 template <int N>
@@ -83,8 +104,10 @@ template <class F>
 requires(kLanes<F> > 1) CREVICE_INLINE Pair<F> load_pairs(const float* at) {
     if constexpr (kLanes<F> == 4) {
         return load_four_pairs(at);
-    } else {
+    } else if constexpr (kLanes<F> == 8) {
         return load_eight_pairs(at);
+    } else {
+        return load_sixteen_pairs(at);
     }
 }
 

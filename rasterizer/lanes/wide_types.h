@@ -5,111 +5,18 @@
 // would change its calling convention with the instruction set. In gdb: `skip -gfi *wide*.h`.
 #pragma once
 
-#include <cstdint>
-#include <type_traits>
+#include "rasterizer/lanes/wide_masks.h"
 
 namespace crevice {
 
-#define CREVICE_INLINE [[gnu::always_inline]] inline
-
-// Before a loop over the elements of a vector: each pass of it becomes straight code, for else the vector would go
-// through memory.
-#ifdef __clang__
-#define CREVICE_UNROLLED _Pragma("clang loop unroll(full)")
-#else
-#define CREVICE_UNROLLED _Pragma("GCC unroll 8")
-#endif
-
-// The native vector of N elements. A trait, because GCC 12 drops vector_size written inside a class template.
-template <class T, int N>
-struct VectorOf;
-#define CREVICE_VECTOR(T, N)                                        \
-    template <>                                                     \
-    struct VectorOf<T, N> {                                         \
-        typedef T type __attribute__((vector_size(sizeof(T) * N))); \
-    };
-CREVICE_VECTOR(float, 4)
-CREVICE_VECTOR(float, 8)
-CREVICE_VECTOR(double, 2)
-CREVICE_VECTOR(double, 4)
-CREVICE_VECTOR(double, 8)
-CREVICE_VECTOR(std::int32_t, 4)
-CREVICE_VECTOR(std::int32_t, 8)
-CREVICE_VECTOR(std::uint32_t, 4)
-CREVICE_VECTOR(std::uint32_t, 8)
-CREVICE_VECTOR(std::int64_t, 2)
-CREVICE_VECTOR(std::int64_t, 4)
-CREVICE_VECTOR(std::int64_t, 8)
-#undef CREVICE_VECTOR
-
-// As many doubles as there are floats in a register fill two registers. They are compared, selected and shuffled
-// half by half: GCC 12 does that to vectors wider than the register one element at a time. Eight are two vectors
-// from the start (wide_halves.h).
-template <class V>
-inline constexpr int kElements = static_cast<int>(sizeof(V) / sizeof(V{}[0]));
-
-template <class V>
-CREVICE_INLINE auto low_half(V v) {
-    if constexpr (kElements<V> == 8) {
-        return __builtin_shufflevector(v, v, 0, 1, 2, 3);
-    } else {
-        return __builtin_shufflevector(v, v, 0, 1);
-    }
-}
-template <class V>
-CREVICE_INLINE auto high_half(V v) {
-    if constexpr (kElements<V> == 8) {
-        return __builtin_shufflevector(v, v, 4, 5, 6, 7);
-    } else {
-        return __builtin_shufflevector(v, v, 2, 3);
-    }
-}
-template <class Half>
-CREVICE_INLINE auto joined(Half low, Half high) {
-    if constexpr (kElements<Half> == 4) {
-        return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
-    } else {
-        return __builtin_shufflevector(low, high, 0, 1, 2, 3);
-    }
-}
-
-// Eight words whose middle pairs change places: shuffles inside each half of a 256-bit register are cheap, and so is
-// this way back.
-CREVICE_INLINE auto in_lane_order(VectorOf<std::int32_t, 8>::type words) {
-    const auto pairs = __builtin_bit_cast(VectorOf<std::int64_t, 4>::type, words);
-    return __builtin_bit_cast(VectorOf<std::int32_t, 8>::type,
-                              __builtin_shufflevector(pairs, pairs, 0, 2, 1, 3));
-}
-
-// The 32-bit words of two vectors that stand at even places, or those at odd places. Of eight 64-bit elements the
-// lower words are the even ones.
-template <class Half>
-CREVICE_INLINE auto even_words(Half low, Half high) {
-    using Words = typename VectorOf<std::int32_t, sizeof(Half) / sizeof(std::int32_t)>::type;
-    const auto a = __builtin_bit_cast(Words, low), b = __builtin_bit_cast(Words, high);
-    if constexpr (kElements<Words> == 8) {
-        return in_lane_order(__builtin_shufflevector(a, b, 0, 2, 8, 10, 4, 6, 12, 14));
-    } else {
-        return __builtin_shufflevector(a, b, 0, 2, 4, 6);
-    }
-}
-template <class Half>
-CREVICE_INLINE auto odd_words(Half low, Half high) {
-    using Words = typename VectorOf<std::int32_t, sizeof(Half) / sizeof(std::int32_t)>::type;
-    const auto a = __builtin_bit_cast(Words, low), b = __builtin_bit_cast(Words, high);
-    if constexpr (kElements<Words> == 8) {
-        return in_lane_order(__builtin_shufflevector(a, b, 1, 3, 9, 11, 5, 7, 13, 15));
-    } else {
-        return __builtin_shufflevector(a, b, 1, 3, 5, 7);
-    }
-}
-
 // The scalar in every element: the form of which each compiler makes one broadcast. Of four elements that is a shuffle
 // (GCC 12 inserts those of a loop one by one, Clang keeps the loop in WebAssembly), of eight a loop (GCC 12 inserts
-// those of a shuffle).
+// those of a shuffle). For sixteen see wide_masks.h.
 template <class V, class T>
 CREVICE_INLINE V spread_vector(T scalar) {
-    if constexpr (kElements<V> == 8) {
+    if constexpr (kElements<V> == 16) {
+        return spread_sixteen(scalar);
+    } else if constexpr (kElements<V> == 8) {
         V v = {};  // else GCC 12 for aarch64 takes it for uninitialized
         for (int i = 0; i < 8; ++i) v[i] = scalar;
         return v;
@@ -118,18 +25,6 @@ CREVICE_INLINE V spread_vector(T scalar) {
         return __builtin_shufflevector(first, first, 0, 0, 0, 0);
     }
 }
-
-// One truth value a lane: all bits set, or none.
-template <int N>
-struct WideMask {
-    using V = typename VectorOf<std::int32_t, N>::type;
-    V v;
-
-    CREVICE_INLINE WideMask operator&(WideMask o) const { return {v & o.v}; }
-    CREVICE_INLINE WideMask operator|(WideMask o) const { return {v | o.v}; }
-    CREVICE_INLINE WideMask operator!() const { return {~v}; }
-    CREVICE_INLINE bool operator[](int lane) const { return v[lane] != 0; }
-};
 
 template <class T, int N>
 struct WideOf {
@@ -156,38 +51,20 @@ struct WideOf {
     CREVICE_INLINE friend WideOf operator|(WideOf a, WideOf b) { return WideOf(a.v | b.v); }
     CREVICE_INLINE friend WideOf operator<<(WideOf a, int bits) { return WideOf(a.v << bits); }
     CREVICE_INLINE friend WideOf operator>>(WideOf a, int bits) { return WideOf(a.v >> bits); }
-    CREVICE_INLINE friend WideMask<N> operator<(WideOf a, WideOf b) {
-        return compare(
-            a, b, [](auto x, auto y) __attribute__((always_inline)) { return x < y; });
-    }
-    CREVICE_INLINE friend WideMask<N> operator<=(WideOf a, WideOf b) {
-        return compare(
-            a, b, [](auto x, auto y) __attribute__((always_inline)) { return x <= y; });
-    }
-    CREVICE_INLINE friend WideMask<N> operator>(WideOf a, WideOf b) {
-        return compare(
-            a, b, [](auto x, auto y) __attribute__((always_inline)) { return x > y; });
-    }
-    CREVICE_INLINE friend WideMask<N> operator>=(WideOf a, WideOf b) {
-        return compare(
-            a, b, [](auto x, auto y) __attribute__((always_inline)) { return x >= y; });
-    }
-    CREVICE_INLINE friend WideMask<N> operator==(WideOf a, WideOf b) {
-        return compare(
-            a, b, [](auto x, auto y) __attribute__((always_inline)) { return x == y; });
-    }
-    CREVICE_INLINE friend WideMask<N> operator!=(WideOf a, WideOf b) {
-        return compare(
-            a, b, [](auto x, auto y) __attribute__((always_inline)) { return x != y; });
-    }
+    CREVICE_INLINE friend WideMask<N> operator<(WideOf a, WideOf b) { return compare<Comparison::less>(a, b); }
+    CREVICE_INLINE friend WideMask<N> operator<=(WideOf a, WideOf b) { return compare<Comparison::less_equal>(a, b); }
+    CREVICE_INLINE friend WideMask<N> operator>(WideOf a, WideOf b) { return compare<Comparison::greater>(a, b); }
+    CREVICE_INLINE friend WideMask<N> operator>=(WideOf a, WideOf b) { return compare<Comparison::greater_equal>(a, b); }
+    CREVICE_INLINE friend WideMask<N> operator==(WideOf a, WideOf b) { return compare<Comparison::equal>(a, b); }
+    CREVICE_INLINE friend WideMask<N> operator!=(WideOf a, WideOf b) { return compare<Comparison::unequal>(a, b); }
 
  private:
-    template <class Comparison>
-    CREVICE_INLINE static WideMask<N> compare(WideOf a, WideOf b, Comparison holds) {
+    template <Comparison kHow>
+    CREVICE_INLINE static WideMask<N> compare(WideOf a, WideOf b) {
         if constexpr (sizeof(T) == sizeof(std::int32_t)) {
-            return {holds(a.v, b.v)};
+            return WideMask<N>::template where<kHow>(a.v, b.v);
         } else {
-            return {even_words(holds(low_half(a.v), low_half(b.v)), holds(high_half(a.v), high_half(b.v)))};
+            return WideMask<N>::template where<kHow>(low_half(a.v), high_half(a.v), low_half(b.v), high_half(b.v));
         }
     }
 };

@@ -21,17 +21,14 @@ using Rgba = Fours<F>;
 // a where `where` is above 0, else b.
 template <class F>
 CREVICE_INLINE Rgba<F> chosen(Rgba<F> where, Rgba<F> a, Rgba<F> b) {
-    return {where.v > typename Rgba<F>::V{} ? a.v : b.v};
+    using Numbers = Wide<kElements<typename Rgba<F>::V>>;
+    return {select(Numbers(where.v) > Numbers(0), Numbers(a.v), Numbers(b.v)).v};
 }
 template <class F>
 CREVICE_INLINE Rgba<F> over_all_pixels(const float* rgba) {
     Wide<4>::V v;
     std::memcpy(&v, rgba, sizeof v);
-    if constexpr (kLanes<F> == 8) {
-        return {joined(v, v)};
-    } else {
-        return {v};
-    }
+    return {joined_fours<F>([&](int) __attribute__((always_inline)) { return v; })};
 }
 
 // Two texels that lie side by side, in units of 1 / kTexelOne.
@@ -42,6 +39,7 @@ struct TexelPair {
 
 typedef std::uint16_t TwoTexels __attribute__((vector_size(16)));
 typedef std::uint16_t FourTexels __attribute__((vector_size(32)));
+typedef std::uint16_t EightTexels __attribute__((vector_size(64)));
 
 // Each 16-bit number between a zero and the next: as many 32-bit numbers. An interleaving takes every second half
 // of a register apart.
@@ -64,20 +62,30 @@ CREVICE_INLINE TexelPair<Wide<8>> unpacked(FourTexels codes) {
             {to_float(WideInt<8>(__builtin_bit_cast(Words, right))).v}};
 }
 
-// The pairs that begin at base[index[0]] and, of eight lanes, base[index[4]]. No index is below 0.
+CREVICE_INLINE TexelPair<Wide<16>> unpacked(EightTexels codes) {
+    using Words = WideInt<16>::V;
+    const EightTexels zero = {};
+    const auto left = __builtin_shufflevector(codes, zero, 0, 32, 1, 33, 2, 34, 3, 35, 8, 40, 9, 41, 10, 42, 11, 43, 16, 48, 17, 49, 18, 50, 19, 51, 24, 56, 25, 57, 26, 58, 27, 59),
+               right = __builtin_shufflevector(codes, zero, 4, 36, 5, 37, 6, 38, 7, 39, 12, 44, 13, 45, 14, 46, 15, 47, 20, 52, 21, 53, 22, 54, 23, 55, 28, 60, 29, 61, 30, 62, 31, 63);
+    return {{to_float(WideInt<16>(__builtin_bit_cast(Words, left))).v},
+            {to_float(WideInt<16>(__builtin_bit_cast(Words, right))).v}};
+}
+
+// The pairs that begin at base[index[0]] and, of more than four lanes, base[index[4]] and so on. No index is below 0.
 template <class F>
 CREVICE_INLINE TexelPair<F> gather_pair(const Rgba16* base, const std::int32_t* index) {
-    using Bits = VectorOf<std::int64_t, 2>::type;
-    const auto pair = [&](std::int32_t i) __attribute__((always_inline)) {
-        Bits bits;
+    const auto bits = joined_fours<F>([&](int lane) __attribute__((always_inline)) {
+        VectorOf<std::int64_t, 2>::type pair;
         // Unsigned, because that needs no sign extension.
-        std::memcpy(&bits, base + static_cast<std::uint32_t>(i), sizeof bits);
-        return bits;
-    };
-    if constexpr (kLanes<F> == 8) {
-        return unpacked(__builtin_bit_cast(FourTexels, joined(pair(index[0]), pair(index[4]))));
+        std::memcpy(&pair, base + static_cast<std::uint32_t>(index[lane]), sizeof pair);
+        return pair;
+    });
+    if constexpr (kLanes<F> == 16) {
+        return unpacked(__builtin_bit_cast(EightTexels, bits));
+    } else if constexpr (kLanes<F> == 8) {
+        return unpacked(__builtin_bit_cast(FourTexels, bits));
     } else {
-        const TexelPair<float> two = unpacked(__builtin_bit_cast(TwoTexels, pair(index[0])));
+        const TexelPair<float> two = unpacked(__builtin_bit_cast(TwoTexels, bits));
         return {{two.left.v}, {two.right.v}};
     }
 }

@@ -23,16 +23,16 @@ namespace crevice {
 
 // Where pixels lie in a texture, one a lane.
 struct SampledPixels {
-    alignas(32) float u[kMostLanes], v[kMostLanes];
-    alignas(32) float du_dx[kMostLanes], dv_dx[kMostLanes];  // uv from the pixel to the next one in x
-    alignas(32) float du_dy[kMostLanes], dv_dy[kMostLanes];  // in y
-    alignas(32) std::int32_t wanted[kMostLanes];             // all bits set, or 0: nothing is sampled
+    alignas(64) float u[kMostLanes], v[kMostLanes];
+    alignas(64) float du_dx[kMostLanes], dv_dx[kMostLanes];  // uv from the pixel to the next one in x
+    alignas(64) float du_dy[kMostLanes], dv_dy[kMostLanes];  // in y
+    alignas(64) std::int32_t wanted[kMostLanes];             // all bits set, or 0: nothing is sampled
 };
 
 // RGB in linear light and alpha, one pixel a lane; 0 where nothing was wanted. Alpha is 1 where the texture has
 // none.
 struct SampledColours {
-    alignas(32) float r[kMostLanes], g[kMostLanes], b[kMostLanes], a[kMostLanes];
+    alignas(64) float r[kMostLanes], g[kMostLanes], b[kMostLanes], a[kMostLanes];
 };
 
 // The colours of one texture or two at lane_count(run) pixels. The mip level is that whose texels are as wide as

@@ -61,6 +61,7 @@ std::vector<ExplainedPass> explain_bilateral_blur(const Image<float>& ao, const 
 
 // Side of the tiles that the blur may leave at 1, texels.
 inline constexpr int kBlurTile = 16;
+static_assert(kBlurTile % kMostLanes == 0);  // no group of texels lies in two
 
 // TileWork::open where every texel of a tile and every texel within the reach of all iterations is exactly 1:
 // no iteration changes such a tile, whatever its normals and depths. TileWork::done elsewhere. Texels outside

@@ -22,6 +22,7 @@ namespace crevice {
 
 // Side of a tile of the maps that each_texel() makes, texels.
 inline constexpr int kTexelTile = 16;
+static_assert(kTexelTile % kMostLanes == 0);  // no group of texels lies in two
 
 // The texels (x, y) ... (x + lanes - 1, y) of an AO map, and what they see.
 template <class F>

@@ -14,6 +14,7 @@ namespace crevice {
 
 // Side of a tile, texels of the AO map.
 inline constexpr int kAoTile = 16;
+static_assert(kAoTile % kMostLanes == 0);  // no group of texels lies in two
 
 // How many radii a sample can lie away from its point. Along a random vector r that is not unit the
 // reflection multiplies by |1 - 2 r^2|, and r^2 is up to 3.

@@ -208,7 +208,7 @@ OccludedRays occluded(const Octree& octree, std::span<const Ray> rays, float max
     for (const Ray& ray : rays) result.refused += usable(ray) ? 0 : 1;
     parallel_for(static_cast<int>((rays.size() + kPiece - 1) / kPiece), run, [&](int piece) {
         const std::size_t first = static_cast<std::size_t>(piece) * kPiece;
-        run_kernel(run, [&]<class F>(Lanes<F>) {
+        run_narrow_kernel(run, [&]<class F>(Lanes<F>) {
             for (std::size_t i = first; i < std::min(first + kPiece, rays.size()); ++i) {
                 const bool met = usable(rays[i]) && walk_of<F>(octree, rays[i], max_distance).occluded;
                 result.occluded[i] = met ? 1 : 0;

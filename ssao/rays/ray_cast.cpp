@@ -35,7 +35,7 @@ template <class Trace>
 void trace_all(std::size_t count, const Run& run, const Trace& trace) {
     parallel_for(static_cast<int>((count + kPiece - 1) / kPiece), run, [&](int piece) {
         const std::size_t first = static_cast<std::size_t>(piece) * kPiece;
-        run_kernel(run,
+        run_narrow_kernel(run,
                    [&]<class F>(Lanes<F> lanes) { trace(lanes, first, std::min(first + kPiece, count)); });
     });
 }

@@ -130,7 +130,7 @@ void cast_from_points(const PointCasts& casts, const Run& run,
                       const std::function<void(long long)>& done = {}) {
     const SquarePoints square(casts.rays, casts.settings.sequence);
     parallel_blocks(casts.points.size(), kPiece, run, [&](std::size_t first, std::size_t end) {
-        run_kernel(run, [&]<class F>(Lanes<F>) {
+        run_narrow_kernel(run, [&]<class F>(Lanes<F>) {
             PointRays on(casts.rays);
             for (std::size_t point = first; point < end; ++point) {
                 OpenShares shares;

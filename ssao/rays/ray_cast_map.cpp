@@ -64,7 +64,7 @@ struct TileCaster {
             caster.add_rays(from, left + i % kTexelTile, top + i / kTexelTile, rays);
             texel[count++] = i;
         }
-        run_kernel(run, [&]<class F>(Lanes<F>) {
+        run_narrow_kernel(run, [&]<class F>(Lanes<F>) {
             for_occluded_rays<F>(caster.scene, rays, caster.settings.radius, [&](std::size_t ray) {
                 ++met[ray / static_cast<std::size_t>(caster.settings.samples)];
             });

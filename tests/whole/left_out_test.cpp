@@ -119,7 +119,7 @@ FrameRequest random_request(RandomSequence& random) {
     if (random.whole(0, 4) == 0) settings.buffers.buffer_format = BufferFormat::float16_nearest_even;
     request.run.threads = random.whole(1, 2);
     if (random.whole(0, 9) == 0) request.run.lanes = 1;
-    request.run.tile_size = 8 << random.whole(0, 4);
+    request.run.tile_size = 16 << random.whole(0, 3);
     return request;
 }
 

@@ -111,7 +111,7 @@ TEST_CASE("frame: with every switch the same bits for every run, drawn again or 
                 const std::string expected = lit_hash(scene, request);
                 CAPTURE(static_cast<int>(projection));
                 CAPTURE(std::string(word));
-                for_every_run({.threads = {1, 3}, .tile_sizes = {8, 64}}, [&](const Run& run) {
+                for_every_run({.threads = {1, 3}, .tile_sizes = {16, 64}}, [&](const Run& run) {
                     request.run = run;
                     CHECK(lit_hash(scene, request) == expected);
                 });

@@ -14,9 +14,12 @@ namespace {
 
 template <class T>
 void check_fill(T before, T value) {
-    for (const PixelRect rect : {PixelRect{0, 0, 19, 5}, PixelRect{8, 1, 13, 4}, PixelRect{16, 4, 19, 5},
-                                 PixelRect{8, 2, 16, 3}, PixelRect{8, 2, 8, 2}}) {
-        Image<T> image({19, 5}, before);
+    constexpr int group = kRowAlignment;
+    for (const PixelRect rect :
+         {PixelRect{0, 0, 2 * group + 3, 5}, PixelRect{group, 1, group + 5, 4},
+          PixelRect{2 * group, 4, 2 * group + 3, 5}, PixelRect{group, 2, 2 * group, 3},
+          PixelRect{group, 2, group, 2}}) {
+        Image<T> image({2 * group + 3, 5}, before);
         fill(image, rect, value);
         for (int y = 0; y < image.size.height; ++y) {
             for (int x = 0; x < image.stride; ++x) {

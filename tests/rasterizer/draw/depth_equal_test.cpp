@@ -95,7 +95,7 @@ std::int64_t drawn_pixels(const DepthBuffer& depth, std::int32_t clear_code) {
     return drawn;
 }
 
-const RunChoices kChoices{.threads = {1, 2, 7}, .tile_sizes = {8, 32, 64}};
+const RunChoices kChoices{.threads = {1, 2, 7}, .tile_sizes = {16, 32, 64}};
 
 }  // namespace
 

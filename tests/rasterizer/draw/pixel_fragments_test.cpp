@@ -167,7 +167,7 @@ TEST_CASE(
 TEST_CASE("pixel fragments: what is left out as hidden is what the drawing left out") {
     std::vector<float> depths = {2};
     for (int i = 0; i < 100; ++i) depths.push_back(3 + 0.01f * static_cast<float>(i));
-    for (const int tile_size : {8, 64}) {
+    for (const int tile_size : {16, 64}) {
         Drawn drawn(squares(depths));
         Run run;
         run.tile_size = tile_size;

@@ -74,12 +74,12 @@ ProjectedVertex random_corner(RandomSequence& random, int kind) {
     return v;
 }
 
-// The input of SetupLanes from as many of eight triangles as there are lanes.
+// The input of SetupLanes from as many of the triangles as there are lanes.
 template <class F>
-LaneCorner<F> corner_of(const std::array<std::array<ProjectedVertex, 3>, 8>& triangles, std::size_t corner) {
-    std::array<std::int32_t, 8> x, y;
-    std::array<float, 8> x_rest, y_rest, z, inverse_w;
-    for (std::size_t lane = 0; lane < 8; ++lane) {
+LaneCorner<F> corner_of(const std::array<std::array<ProjectedVertex, 3>, kMostLanes>& triangles, std::size_t corner) {
+    std::array<std::int32_t, kMostLanes> x, y;
+    std::array<float, kMostLanes> x_rest, y_rest, z, inverse_w;
+    for (std::size_t lane = 0; lane < kMostLanes; ++lane) {
         const ProjectedVertex& v = triangles[lane][corner];
         x[lane] = v.x;
         y[lane] = v.y;
@@ -142,7 +142,7 @@ TEST_CASE("setup lanes: several triangles at once have the bits of each alone, w
     int drawn = 0, left_out = 0;
     for (std::uint64_t seed = 0; seed < 3000; ++seed) {
         RandomSequence random(seed);
-        std::array<std::array<ProjectedVertex, 3>, 8> triangles;
+        std::array<std::array<ProjectedVertex, 3>, kMostLanes> triangles;
         for (auto& triangle : triangles) {
             const int kind = random.whole(0, 2);
             for (ProjectedVertex& v : triangle) v = random_corner(random, kind);
@@ -257,7 +257,7 @@ TEST_CASE("setup lanes: with ALWAYS the last triangle submitted is the one seen"
             }
         }
         CAPTURE(count);
-        for_every_run({.tile_sizes = {8, 64}}, [&](const Run& run) {
+        for_every_run({.tile_sizes = {16, 64}}, [&](const Run& run) {
             CHECK(differences(draw(all, DepthFunction::always, {false}, run).depth.codes, expected) == "");
         });
     }

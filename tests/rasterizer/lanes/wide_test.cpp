@@ -1,4 +1,4 @@
-// Eight lanes against one: every operation gives the bits of the plain float, under every instruction set of
+// Several lanes against one: every operation gives the bits of the plain float, under every instruction set of
 // this CPU.
 #include "rasterizer/lanes/wide.h"
 
@@ -18,7 +18,7 @@ using namespace crevice;
 
 namespace {
 
-// Ordinary, tiny, huge and special values; a multiple of eight of them.
+// Ordinary, tiny, huge and special values; a multiple of kMostLanes of them.
 const std::vector<float>& some_floats() {
     static const std::vector<float> values = [] {
         std::vector<float> v = {0.0f,        -0.0f,        1.0f,        -1.0f,      0.5f,
@@ -111,27 +111,74 @@ TEST_CASE("several lanes compute the bits of one lane") {
     CHECK_SAME_BITS(normalize_any_length<F>({a, b, b}).y);
 }
 
-TEST_CASE("lanes: indices, gather, load and store, any and all") {
-    const std::array<float, 8> values = {3, 1, 4, 1, 5, 9, 2, 6};
-    const WideInt<8> index = lane_index<Wide<8>>();
-    const Wide<8> gathered = gather(values.data(), WideInt<8>(7) - index);
-    std::array<float, 8> stored;
-    store(stored.data(), load<Wide<8>>(values.data()));
-    for (int i = 0; i < 8; ++i) {
-        CAPTURE(i);
-        CHECK(index[i] == i);
-        CHECK(gathered[i] == values[static_cast<std::size_t>(7 - i)]);
-        CHECK(stored[static_cast<std::size_t>(i)] == values[static_cast<std::size_t>(i)]);
-        const WideMask<8> only = index == WideInt<8>(i);
-        CHECK(any(only));
-        CHECK_FALSE(all(only));
-        CHECK_FALSE(all(!only));
-        CHECK(only[i]);
-        CHECK_FALSE(only[(i + 1) % 8]);
+TEST_CASE("lanes: indices, gather, load and store, masks and the largest, with every instruction set") {
+    const std::array<float, kMostLanes> values = {3, 1, 4, 1, 5, 9, 2, 6, 5, 3, 5, 8, 9, 7, 9, 3};
+    for (const Isa isa : kEveryIsa) {
+        if (!isa_available(isa)) continue;
+        INFO(isa_name(isa));
+        const int lanes = lanes_of(isa), last = lanes - 1;
+        std::array<std::int32_t, kMostLanes> indices{}, largest{};
+        std::array<float, kMostLanes> backwards{}, copied{};
+        std::array<unsigned, kMostLanes> only{}, others{}, below{};
+        std::array<bool, kMostLanes> any_only{}, all_only{}, all_others{}, nobody{}, everybody{}, asked{};
+        call_for_isa(isa, [&]<class F>(Lanes<F>) {
+            const Int<F> index = lane_index<F>();
+            store(indices.data(), index);
+            store(backwards.data(), F(gather(values.data(), Int<F>(last) - index)));
+            store(copied.data(), load<F>(values.data()));
+            for (int i = 0; i < kLanes<F>; ++i) {
+                const auto at = static_cast<std::size_t>(i);
+                const Mask<F> m = index == Int<F>(i);
+                only[at] = lane_bits(m);
+                others[at] = lane_bits(!m);
+                below[at] = lane_bits((index < Int<F>(i)) | m);
+                any_only[at] = any(m);
+                all_only[at] = all(m);
+                all_others[at] = all(!m);
+                nobody[at] = any(m & !m);
+                everybody[at] = all(m | !m);
+                asked[at] = m[i] && !m[(i + 1) % kLanes<F>];
+                largest[at] = largest_of(select(m, Int<F>(99), index));
+            }
+        });
+        const unsigned every = (1u << lanes) - 1;
+        for (int i = 0; i < lanes; ++i) {
+            CAPTURE(i);
+            const auto at = static_cast<std::size_t>(i);
+            CHECK(indices[at] == i);
+            CHECK(backwards[at] == values[static_cast<std::size_t>(last - i)]);
+            CHECK(copied[at] == values[at]);
+            CHECK(only[at] == 1u << i);
+            CHECK(others[at] == (every & ~(1u << i)));
+            CHECK(below[at] == (2u << i) - 1);
+            CHECK(any_only[at]);
+            CHECK_FALSE(all_only[at]);
+            CHECK_FALSE(all_others[at]);
+            CHECK_FALSE(nobody[at]);
+            CHECK(everybody[at]);
+            CHECK(asked[at]);
+            CHECK(largest[at] == 99);
+        }
     }
-    CHECK_FALSE(any(index < WideInt<8>(0)));
-    CHECK(all(index >= WideInt<8>(0)));
     CHECK(lane_index<float>() == 0);
+}
+
+TEST_CASE("the largest of several lanes, wherever it stands") {
+    for (const Isa isa : kEveryIsa) {
+        if (!isa_available(isa)) continue;
+        INFO(isa_name(isa));
+        for (int first = 0; first < lanes_of(isa); ++first) {
+            CAPTURE(first);
+            std::int32_t rising = 0, negative = 0;
+            call_for_isa(isa, [&]<class F>(Lanes<F>) {
+                const Int<F> turned = (lane_index<F>() + Int<F>(first)) & Int<F>(kLanes<F> - 1);
+                rising = largest_of(turned);
+                negative = largest_of(turned - Int<F>(1000));
+            });
+            CHECK(rising == lanes_of(isa) - 1);
+            CHECK(negative == lanes_of(isa) - 1001);
+        }
+    }
 }
 
 TEST_CASE("a scalar keeps its bits in every lane") {
@@ -139,23 +186,6 @@ TEST_CASE("a scalar keeps its bits in every lane") {
         CAPTURE(a);
         CHECK(result_bits(Wide<8>(a)[5]) == result_bits(a));
     }
-}
-
-TEST_CASE("four lanes: gather, any, all and the largest") {
-    const std::array<float, 8> values = {3, 1, 4, 1, 5, 9, 2, 6};
-    const WideInt<4> index = WideInt<4>(7) - lane_index<Wide<4>>() - lane_index<Wide<4>>();
-    const Wide<4> gathered = gather(values.data(), index);
-    for (int i = 0; i < 4; ++i) {
-        CAPTURE(i);
-        CHECK(gathered[i] == values[static_cast<std::size_t>(7 - 2 * i)]);
-        const WideMask<4> only = index == WideInt<4>(7 - 2 * i);
-        CHECK(any(only));
-        CHECK_FALSE(all(only));
-        CHECK(all(only | !only));
-        CHECK_FALSE(any(only & !only));
-        CHECK(largest_of(select(only, WideInt<4>(11), index)) == 11);
-    }
-    CHECK(largest_of(index) == 7);
 }
 
 TEST_CASE("absolute changes what is below 0 and nothing else, -0 and NaN included") {

@@ -22,7 +22,7 @@ namespace {
 constexpr AddressMode kModes[] = {AddressMode::wrap, AddressMode::clamp, AddressMode::border};
 constexpr TextureFilter kFilters[] = {TextureFilter::point, TextureFilter::bilinear, TextureFilter::trilinear,
                                       TextureFilter::anisotropic};
-constexpr int kLaneCount = 8;
+constexpr int kLaneCount = kMostLanes;
 
 // Small numbers from a sequence that is the same on every machine.
 struct Numbers {

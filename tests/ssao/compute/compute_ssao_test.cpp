@@ -42,7 +42,7 @@ Run some_run(Draw& draw) {
     Run run;
     run.threads = draw.between(1, 3);
     run.lanes = draw.one_of({1, 0});
-    const Isa isa = draw.one_of({Isa::baseline, Isa::avx2});
+    const Isa isa = draw.one_of({Isa::baseline, Isa::avx2, Isa::avx512});
     run.isa = isa_available(isa) ? isa : Isa::baseline;
     run.kept = draw.one_of({KeptWork{}, KeptWork::all()});
     return run;

@@ -94,7 +94,7 @@ TEST_CASE("cut-outs: the same bits whatever the run, drawn again or lit from the
                       lit = content_hash(shade(scene, scene.camera, g.depth, {}));
     for (const bool keep_all : {false, true}) {
         CAPTURE(keep_all);
-        for_every_run({.threads = {1, 7}, .tile_sizes = {8, 64}}, [&](Run run) {
+        for_every_run({.threads = {1, 7}, .tile_sizes = {16, 64}}, [&](Run run) {
             if (keep_all) run.kept = KeptWork::all();
             NormalDepthSettings settings;
             settings.with_material = true;

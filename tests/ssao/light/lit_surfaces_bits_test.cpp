@@ -70,7 +70,7 @@ TEST_CASE("lit: textures, maps, shadow and mirrors together: the same bits whate
         scene, scene.camera, normal_depth(scene, scene.camera, kSize).depth, {}, ShadeSettings{}, {}, &map));
     for (const bool keep_all : {false, true}) {
         CAPTURE(keep_all);
-        for_every_run({.threads = {1, 5}, .tile_sizes = {8, 64}}, [&](Run run) {
+        for_every_run({.threads = {1, 5}, .tile_sizes = {16, 64}}, [&](Run run) {
             if (keep_all) run.kept = KeptWork::all();
             NormalDepthSettings settings;
             settings.with_material = true;

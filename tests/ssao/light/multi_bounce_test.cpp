@@ -131,7 +131,7 @@ TEST_CASE(
                                  with(MultiBounce::paper))) ==
               content_hash(shade(scene, scene.camera, g.depth, open, settings)));
         const std::string expected = content_hash(paper);
-        for_every_run({.threads = {1, 3}, .tile_sizes = {8, 64}}, [&](const Run& run) {
+        for_every_run({.threads = {1, 3}, .tile_sizes = {16, 64}}, [&](const Run& run) {
             CHECK(content_hash(shade(scene, scene.camera, g.depth, ao, settings, run, nullptr,
                                      with(MultiBounce::paper))) == expected);
         });

@@ -89,7 +89,7 @@ Scene coplanar_squares(RandomSequence& random, int planes) {
 
 TEST_CASE("second drawing: coplanar squares of unlike materials, every format, tile size and picture size") {
     std::size_t lit_once = 0, again = 0;
-    for (std::uint64_t seed = 0; seed < 480; ++seed) {
+    for (std::uint64_t seed = 0; seed < 560; ++seed) {
         CAPTURE(seed);
         RandomSequence random(seed);
         Scene scene = coplanar_squares(random, 1 + static_cast<int>(seed % 3));
@@ -103,7 +103,7 @@ TEST_CASE("second drawing: coplanar squares of unlike materials, every format, t
             .buffer_format = seed % 7 == 0 ? BufferFormat::float16_nearest_even : BufferFormat::float32,
             .with_material = true};
         const Size size = kSizes[random.whole(0, 3)];
-        const Run run{.threads = 1, .lanes = seed % 8 == 0 ? 1 : 0, .tile_size = 8 << random.whole(0, 4)};
+        const Run run{.threads = 1, .lanes = seed % 8 == 0 ? 1 : 0, .tile_size = 16 << random.whole(0, 3)};
         const BothWays both = lit_both_ways(scene, size, settings, run, noise_image({11, 6}, 3));
         CHECK(differences(both.from_gbuffer, both.drawn_again) == "");
         lit_once += both.tiles.count(TileWork::lit_once);
@@ -148,7 +148,7 @@ TEST_CASE("second drawing: what lies exactly on the far plane is background to L
             scene.camera.near_plane = 1;
             scene.camera.far_plane = 5;
             scene.camera.reversed_z = reversed;
-            for (const int tile_size : {8, 16, 64}) {
+            for (const int tile_size : {16, 32, 64}) {
                 CAPTURE(tile_size);
                 const BothWays both =
                     lit_both_ways(scene, {61, 61}, {.depth_format = format, .with_material = true},
@@ -198,7 +198,7 @@ TEST_CASE("second drawing: depths so coarse that most of a still life ties, bias
             scene.camera.far_plane = 1000;
             const NormalDepthSettings settings{
                 .depth_format = DepthFormat::d16, .depth_bias = {.constant = bias}, .with_material = true};
-            for (const int tile_size : {8, 32, 128}) {
+            for (const int tile_size : {16, 32, 128}) {
                 const BothWays both = lit_both_ways(scene, {131, 70}, settings, {.tile_size = tile_size});
                 CHECK(differences(both.from_gbuffer, both.drawn_again) == "");
             }
@@ -215,16 +215,16 @@ TEST_CASE(
     give_materials(several, random);
     give_materials(textured, random);
     textured.materials[0].texture = checks();  // the floor
-    const Size size = {96, 64};
+    const Size size = {192, 128};
     const auto drawn_again = [&](const Scene& scene, const NormalDepthSettings& settings) {
-        const BothWays both = lit_both_ways(scene, size, settings, {.tile_size = 8});
+        const BothWays both = lit_both_ways(scene, size, settings, {.tile_size = 16});
         CHECK(differences(both.from_gbuffer, both.drawn_again) == "");
         CHECK(both.tiles.count(TileWork::lit_once) > 40);
         return both.tiles.count(TileWork::done);
     };
     std::size_t tied = 0;
-    const ScreenGeometry geometry = screen_geometry(one, one.camera, size, {}, {.tile_size = 8});
-    for (const TileRecord& record : normal_depth(geometry, false, {}, {.tile_size = 8}).tiles)
+    const ScreenGeometry geometry = screen_geometry(one, one.camera, size, {}, {.tile_size = 16});
+    for (const TileRecord& record : normal_depth(geometry, false, {}, {.tile_size = 16}).tiles)
         tied += record.tied.empty() ? 0 : 1;
     for (const Scene& scene : {one, several, textured}) {
         for (const BufferFormat format :

@@ -189,7 +189,7 @@ TEST_CASE(
               }) == "");
         CHECK(content_hash(part) != content_hash(all));
         const std::string expected = content_hash(lit(scene, half, form, kOneLane));
-        for_every_run({.threads = {1, 3}, .tile_sizes = {8, 64}},
+        for_every_run({.threads = {1, 3}, .tile_sizes = {16, 64}},
                       [&](const Run& run) { CHECK(content_hash(lit(scene, half, form, run)) == expected); });
     }
 }

@@ -75,7 +75,7 @@ TEST_CASE("vertex colours: white ones change no bit, and every run gives the sam
     CHECK_FALSE(has_vertex_colours(plainly_lit(plain)));
     const Scene scene = plainly_lit(varied);
     const std::string hash = content_hash(lit(scene, kOneLane));
-    for_every_run({.threads = {1, 3}, .tile_sizes = {8, 64}}, [&](Run run) {
+    for_every_run({.threads = {1, 3}, .tile_sizes = {16, 64}}, [&](Run run) {
         CHECK(content_hash(lit(scene, run)) == hash);
         run.kept = KeptWork::all();
         CHECK(content_hash(lit(scene, run)) == hash);

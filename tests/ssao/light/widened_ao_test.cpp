@@ -106,7 +106,7 @@ TEST_CASE_TEMPLATE("widened AO: the same bits in tiles of any size, rows in any 
     for (const SizePair& pair : kPairs) {
         const Image<float> map = noise_image(pair.map, 7);
         const std::string expected = content_hash(ao_at_picture_size(map, pair.picture, kPlainRun));
-        for (int tile_size = 8; tile_size <= 128; tile_size *= 2) {
+        for (int tile_size = kSmallestTile_px; tile_size <= kLargestTile_px; tile_size *= 2) {
             CAPTURE_PAIR(pair);
             CAPTURE(tile_size);
             CHECK(content_hash(in_tiles<F>(map, pair.picture, tile_size, random)) == expected);

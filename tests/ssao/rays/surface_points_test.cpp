@@ -135,7 +135,7 @@ TEST_CASE(
     const Scene scene = still_life();
     const View view = views().back();
     const SurfacePoints points = surface_points(scene, view.camera, gbuffer_of(scene, view));
-    for_every_run({.threads = {1, 7}, .tile_sizes = {8, 32}}, [&](const Run& run) {
+    for_every_run({.threads = {1, 7}, .tile_sizes = {16, 32}}, [&](const Run& run) {
         CHECK(same(points, surface_points(scene, view.camera, gbuffer_of(scene, view, run), run)));
     });
     Scene far = scene;
