@@ -49,7 +49,7 @@ struct BlurSweep {
     bool skips_background;
 
     Size size() const { return ao.size; }
-    int width() const { return round_up(ao.size.width, kBlurGroup); }  // of the rows worked on
+    int width() const { return round_up(ao.size.width, kRowAlignment); }  // of the rows worked on
     int reach() const { return iterations * kBlurRadius; }
 
     // Whether the tile with texel (x, y) is left at 1; for a texel outside the map, the nearest tile.
@@ -74,8 +74,8 @@ class BlurBand {
           bits_(sweep.width(), sweep.reach() + 1, 0),
           total_across_(sweep.width(), sweep.reach() + 1, 1.0f),
           total_down_(sweep.width(), sweep.reach() + 1, 1.0f),
-          group_across_(sweep.width() / kBlurGroup, sweep.reach() + 1, GroupTaps::none),
-          group_down_(sweep.width() / kBlurGroup, sweep.reach() + 1, GroupTaps::none),
+          group_across_(sweep.width() / kSmallestBlurGroup, sweep.reach() + 1, GroupTaps::none),
+          group_down_(sweep.width() / kSmallestBlurGroup, sweep.reach() + 1, GroupTaps::none),
           source_(sweep.width(), 1, 0.0f),
           across_(static_cast<std::size_t>(sweep.iterations),
                   RowRing<float>(sweep.width(), kBlurTaps, 0.0f)) {}
@@ -193,9 +193,9 @@ class BlurBand {
         const bool may_keep = sweep_.skips_background;
         for (int tile = 0; tile < sweep_.width(); tile += kBlurTile) {
             const bool open = sweep_.is_open(tile, y);
-            for (int x = tile; x < std::min(tile + kBlurTile, sweep_.width()); x += kBlurGroup) {
+            for (int x = tile; x < std::min(tile + kBlurTile, sweep_.width()); x += kBlurGroup<F>) {
                 if (open) {
-                    across.group[x / kBlurGroup] = down.group[x / kBlurGroup] = GroupTaps::none;
+                    across.group[x / kBlurGroup<F>] = down.group[x / kBlurGroup<F>] = GroupTaps::none;
                 } else {
                     decide_bits<F>(pairs, bits_.row(y), x);
                     decide_group<F>(across, x, kAcrossShift, weights, total_of_all, may_keep);

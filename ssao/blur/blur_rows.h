@@ -22,8 +22,10 @@ constexpr std::int32_t tap_bits(int shift, int first, int end) {
 }
 constexpr std::int32_t all_taps(int shift) { return tap_bits(shift, 0, kBlurTaps); }
 
-// Texels are blurred, or left as they are, in groups of this many, whatever the number of lanes.
-inline constexpr int kBlurGroup = kRowAlignment;
+// Texels are blurred, or left as they are, in groups of this many.
+inline constexpr int kSmallestBlurGroup = 8;
+template <class F>
+inline constexpr int kBlurGroup = kLanes<F> < kSmallestBlurGroup ? kSmallestBlurGroup : kLanes<F>;
 
 // What counts in a group of texels in one direction.
 enum class GroupTaps : std::uint8_t {
@@ -84,7 +86,7 @@ CREVICE_INLINE void decide_bits(const PairRows& pairs, std::int32_t* result, int
     constexpr int kLater = kBlurRadius + 1;
     constexpr std::int32_t later =
         tap_bits(kAcrossShift, kLater, kBlurTaps) | tap_bits(kDownShift, kLater, kBlurTaps);
-    for (int x = group; x < group + kBlurGroup; x += kLanes<F>) {
+    for (int x = group; x < group + kBlurGroup<F>; x += kLanes<F>) {
         Int<F> bits = load<F>(pairs[0] + x) & Int<F>(later);
         each_tap([&](auto k) __attribute__((always_inline)) {
             constexpr int j = kBlurRadius - k;
@@ -122,7 +124,7 @@ CREVICE_INLINE void decide_group(const TapRow& taps, int group, int shift, const
                                  F total_of_all, bool may_keep) {
     const Int<F> every = Int<F>(all_taps(shift));
     bool all_count = true, any_counts = false;
-    for (int x = group; x < group + kBlurGroup; x += kLanes<F>) {
+    for (int x = group; x < group + kBlurGroup<F>; x += kLanes<F>) {
         const Int<F> bits = load<F>(taps.bits + x) & every;
         all_count = all_count && all(bits == every);
         any_counts = any_counts || all_count || any(bits != Int<F>(0));
@@ -130,9 +132,9 @@ CREVICE_INLINE void decide_group(const TapRow& taps, int group, int shift, const
     const GroupTaps result = all_count                 ? GroupTaps::all
                              : any_counts || !may_keep ? GroupTaps::some
                                                        : GroupTaps::none;
-    taps.group[group / kBlurGroup] = result;
+    taps.group[group / kBlurGroup<F>] = result;
     if (result == GroupTaps::none) return;
-    for (int x = group; x < group + kBlurGroup; x += kLanes<F>)
+    for (int x = group; x < group + kBlurGroup<F>; x += kLanes<F>)
         store(taps.total_weight + x,
               all_count ? total_of_all : total_weight<F>(load<F>(taps.bits + x), shift, weights));
 }
@@ -153,9 +155,9 @@ CREVICE_INLINE void blur_row(const RowOfTap& row_of_tap, const TapRow& taps, int
         });
         return sum;
     };
-    for (int group = 0; group < width; group += kBlurGroup) {
-        const GroupTaps counting = taps.group[group / kBlurGroup];
-        for (int x = group; x < group + kBlurGroup; x += kLanes<F>) {
+    for (int group = 0; group < width; group += kBlurGroup<F>) {
+        const GroupTaps counting = taps.group[group / kBlurGroup<F>];
+        for (int x = group; x < group + kBlurGroup<F>; x += kLanes<F>) {
             const F centre = load<F>(row_of_tap(Centre{}) + x);
             if (counting == GroupTaps::none) {
                 store(result + x, centre);

@@ -11,7 +11,7 @@ namespace {
 
 // What the first texel of a group reads at its eleven taps, as blur_row() reads it.
 struct TapRows {
-    std::array<std::array<float, kBlurGroup>, kBlurTaps> rows{};
+    std::array<std::array<float, kBlurGroup<float>>, kBlurTaps> rows{};
 
     float& at(int tap) { return rows[static_cast<std::size_t>(tap)][0]; }
 };
@@ -72,7 +72,7 @@ struct BlurredTexel {
     ExplainedPass pass(const ValueAt& value_at, int x, int y, int shift) const {
         ExplainedPass result;
         TapRows read;
-        std::int32_t bits[kBlurGroup] = {};
+        std::int32_t bits[kBlurGroup<float>] = {};
         const auto tap_at = [&](int k) {
             const int away = k - kBlurRadius;
             ExplainedTap tap;
@@ -91,7 +91,7 @@ struct BlurredTexel {
         };
         tap_at(kBlurRadius);
         each_tap([&](int k) { tap_at(k); });
-        float totals[kBlurGroup] = {}, blurred[kBlurGroup] = {};
+        float totals[kBlurGroup<float>] = {}, blurred[kSmallestBlurGroup] = {};
         GroupTaps group[1] = {};
         const TapRow row{bits, totals, group};
         const float of_all = total_weight<float>(all_taps(shift), shift, settings.weights);
