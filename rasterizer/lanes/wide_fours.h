@@ -70,10 +70,14 @@ CREVICE_INLINE void spread_to_fours(WideOf<T, 8> value, Fours<Wide<8>, T> (&spre
 }
 template <class T>
 CREVICE_INLINE void spread_to_fours(WideOf<T, 16> value, Fours<Wide<16>, T> (&spread)[4]) {
-    spread[0].v = __builtin_shufflevector(value.v, value.v, 0, 0, 0, 0, 4, 4, 4, 4, 8, 8, 8, 8, 12, 12, 12, 12);
-    spread[1].v = __builtin_shufflevector(value.v, value.v, 1, 1, 1, 1, 5, 5, 5, 5, 9, 9, 9, 9, 13, 13, 13, 13);
-    spread[2].v = __builtin_shufflevector(value.v, value.v, 2, 2, 2, 2, 6, 6, 6, 6, 10, 10, 10, 10, 14, 14, 14, 14);
-    spread[3].v = __builtin_shufflevector(value.v, value.v, 3, 3, 3, 3, 7, 7, 7, 7, 11, 11, 11, 11, 15, 15, 15, 15);
+    spread[0].v =
+        __builtin_shufflevector(value.v, value.v, 0, 0, 0, 0, 4, 4, 4, 4, 8, 8, 8, 8, 12, 12, 12, 12);
+    spread[1].v =
+        __builtin_shufflevector(value.v, value.v, 1, 1, 1, 1, 5, 5, 5, 5, 9, 9, 9, 9, 13, 13, 13, 13);
+    spread[2].v =
+        __builtin_shufflevector(value.v, value.v, 2, 2, 2, 2, 6, 6, 6, 6, 10, 10, 10, 10, 14, 14, 14, 14);
+    spread[3].v =
+        __builtin_shufflevector(value.v, value.v, 3, 3, 3, 3, 7, 7, 7, 7, 11, 11, 11, 11, 15, 15, 15, 15);
 }
 
 // The first, second, third and fourth numbers of all lanes.
@@ -115,10 +119,12 @@ CREVICE_INLINE std::array<Wide<16>, 4> sorted(const Fours<Wide<16>> (&fours)[4])
         return __builtin_shufflevector(a, b, 2, 18, 3, 19, 6, 22, 7, 23, 10, 26, 11, 27, 14, 30, 15, 31);
     };
     const auto lower_pairs = [](V a, V b) __attribute__((always_inline)) {
-        return Wide<16>(__builtin_shufflevector(a, b, 0, 1, 16, 17, 4, 5, 20, 21, 8, 9, 24, 25, 12, 13, 28, 29));
+        return Wide<16>(
+            __builtin_shufflevector(a, b, 0, 1, 16, 17, 4, 5, 20, 21, 8, 9, 24, 25, 12, 13, 28, 29));
     };
     const auto upper_pairs = [](V a, V b) __attribute__((always_inline)) {
-        return Wide<16>(__builtin_shufflevector(a, b, 2, 3, 18, 19, 6, 7, 22, 23, 10, 11, 26, 27, 14, 15, 30, 31));
+        return Wide<16>(
+            __builtin_shufflevector(a, b, 2, 3, 18, 19, 6, 7, 22, 23, 10, 11, 26, 27, 14, 15, 30, 31));
     };
     const V low01 = lower(fours[0].v, fours[1].v), low23 = lower(fours[2].v, fours[3].v),
             high01 = upper(fours[0].v, fours[1].v), high23 = upper(fours[2].v, fours[3].v);

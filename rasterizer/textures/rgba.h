@@ -65,8 +65,12 @@ CREVICE_INLINE TexelPair<Wide<8>> unpacked(FourTexels codes) {
 CREVICE_INLINE TexelPair<Wide<16>> unpacked(EightTexels codes) {
     using Words = WideInt<16>::V;
     const EightTexels zero = {};
-    const auto left = __builtin_shufflevector(codes, zero, 0, 32, 1, 33, 2, 34, 3, 35, 8, 40, 9, 41, 10, 42, 11, 43, 16, 48, 17, 49, 18, 50, 19, 51, 24, 56, 25, 57, 26, 58, 27, 59),
-               right = __builtin_shufflevector(codes, zero, 4, 36, 5, 37, 6, 38, 7, 39, 12, 44, 13, 45, 14, 46, 15, 47, 20, 52, 21, 53, 22, 54, 23, 55, 28, 60, 29, 61, 30, 62, 31, 63);
+    const auto left = __builtin_shufflevector(codes, zero, 0, 32, 1, 33, 2, 34, 3, 35, 8, 40, 9, 41, 10, 42,
+                                              11, 43, 16, 48, 17, 49, 18, 50, 19, 51, 24, 56, 25, 57, 26, 58,
+                                              27, 59),
+               right = __builtin_shufflevector(codes, zero, 4, 36, 5, 37, 6, 38, 7, 39, 12, 44, 13, 45, 14,
+                                               46, 15, 47, 20, 52, 21, 53, 22, 54, 23, 55, 28, 60, 29, 61, 30,
+                                               62, 31, 63);
     return {{to_float(WideInt<16>(__builtin_bit_cast(Words, left))).v},
             {to_float(WideInt<16>(__builtin_bit_cast(Words, right))).v}};
 }

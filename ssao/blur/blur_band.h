@@ -10,26 +10,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "ssao/blur/blur_rows.h"
+#include "ssao/blur/blur_pairs.h"
+#include "ssao/blur/row_ring.h"
 
 namespace crevice {
-
-// The rows of a map that are still needed, row y in place of row y - capacity. At both ends of a row lie
-// texels outside the map, so that no tap needs a test of its position.
-template <class T>
-class RowRing {
- public:
-    RowRing(int width, int capacity, T fill)
-        : capacity_(capacity), rows_({kApron + width + kApron, capacity}, fill) {}
-    // Texel 0 of row y; y >= -capacity.
-    T* row(int y) { return rows_.row((y + capacity_) % capacity_) + kApron; }
-
- private:
-    static constexpr int kApron = kRowAlignment;
-    static_assert(kApron >= kBlurRadius);
-    int capacity_;
-    Image<T> rows_;
-};
 
 struct Rows {
     int first, end;
@@ -66,19 +50,15 @@ class BlurBand {
  public:
     explicit BlurBand(const BlurSweep& sweep)
         : sweep_(sweep),
-          normal_x_(sweep.width(), 1, 0.0f),
-          normal_y_(sweep.width(), 1, 0.0f),
-          normal_z_(sweep.width(), 1, 0.0f),
-          view_depth_(sweep.width(), 1, kNoSurface),
-          pairs_(sweep.width(), kBlurRadius + 1, 0),
-          bits_(sweep.width(), sweep.reach() + 1, 0),
-          total_across_(sweep.width(), sweep.reach() + 1, 1.0f),
-          total_down_(sweep.width(), sweep.reach() + 1, 1.0f),
-          group_across_(sweep.width() / kSmallestBlurGroup, sweep.reach() + 1, GroupTaps::none),
-          group_down_(sweep.width() / kSmallestBlurGroup, sweep.reach() + 1, GroupTaps::none),
-          source_(sweep.width(), 1, 0.0f),
-          across_(static_cast<std::size_t>(sweep.iterations),
-                  RowRing<float>(sweep.width(), kBlurTaps, 0.0f)) {}
+          width_(sweep.width()),
+          pairs_(width_, kBlurRadius + 1, 0),
+          bits_(width_, sweep.reach() + 1, 0),
+          total_across_(width_, sweep.reach() + 1, 1.0f),
+          total_down_(width_, sweep.reach() + 1, 1.0f),
+          group_across_(width_ / kSmallestBlurGroup, sweep.reach() + 1, GroupTaps::none),
+          group_down_(width_ / kSmallestBlurGroup, sweep.reach() + 1, GroupTaps::none),
+          source_(width_, 1, 0.0f),
+          across_(static_cast<std::size_t>(sweep.iterations), RowRing<float>(width_, kBlurTaps, 0.0f)) {}
 
     // Blurs the rows `own` into `result`.
     template <class F>
@@ -91,10 +71,10 @@ class BlurBand {
                 const AoInputs& in = sweep_.inputs;
                 for (const Image<float>* plane :
                      {&in.normal.x, &in.normal.y, &in.normal.z, &in.view_depth, &sweep_.ao})
-                    expect_next_row(*plane, 0, sweep_.width(), step + kBlurRadius);
+                    expect_next_row(*plane, 0, width_, step + kBlurRadius);
                 decide_pairs<F>(step);
                 decide_taps<F>(step);
-                std::copy_n(sweep_.ao.row(step), sweep_.width(), source_.row(0));
+                std::copy_n(sweep_.ao.row(step), width_, source_.row(0));
             }
             for (int i = 0; i < sweep_.iterations; ++i) {
                 // The passes that follow still reach this far beyond the band.
@@ -114,72 +94,18 @@ class BlurBand {
     // are incomplete there, and no pass down does these rows, unless the map begins with them.
     template <class F>
     CREVICE_INLINE void decide_pairs(int y) {
-        const AoInputs& inputs = sweep_.inputs;
-        const BlurRow row = {inputs.normal.x.row(y), inputs.normal.y.row(y), inputs.normal.z.row(y),
-                             inputs.view_depth.row(y)};
-        const BlurRow padded = padded_copy(row);
-        const int rows_below = std::min(kBlurRadius, sweep_.size().height - 1 - y);
-        const bool needs_surface = sweep_.settings.edges != BlurEdges::none;
-        std::int32_t* pairs = pairs_.row(y);
-        for (int tile = 0; tile < sweep_.width(); tile += kBlurTile) {
+        const BlurPairs pairs(sweep_.inputs, sweep_.rays, sweep_.settings, y);
+        const bool needs_surface = sweep_.settings.edges != BlurEdges::none && sweep_.skips_background;
+        std::int32_t* const bits = pairs_.row(y);
+        for (int tile = 0; tile < width_; tile += kBlurTile) {
             // A tile's pairs are also read to its right and below.
             const bool unread = sweep_.is_open(tile, y) && sweep_.is_open(tile + kBlurTile, y) &&
                                 sweep_.is_open(tile, y + kBlurRadius);
-            for (int x = tile; x < std::min(tile + kBlurTile, sweep_.width()); x += kLanes<F>) {
-                const bool surface = any(load<F>(padded.view_depth + x) < F(kNoSurface));
-                const bool none = unread || (!surface && sweep_.skips_background && needs_surface);
-                store(pairs + x, none ? Int<F>(0) : pairs_at<F>(padded, row, y, rows_below, x));
+            for (int x = tile; x < std::min(tile + kBlurTile, width_); x += kLanes<F>) {
+                const bool none = unread || (needs_surface && !pairs.any_surface<F>(x));
+                store(bits + x, none ? Int<F>(0) : pairs.bits<F>(x));
             }
         }
-    }
-
-    // The pair bits of the texels of row y from x on, as the settings' edges have it. `padded` is the row
-    // with kBlurRadius texels more at its right end that have no surface; `row` is where it lies in the map.
-    template <class F>
-    CREVICE_INLINE Int<F> pairs_at(const BlurRow& padded, const BlurRow& row, int y, int rows_below, int x) {
-        const Thresholds least = {sweep_.settings.normal_threshold, sweep_.settings.depth_threshold};
-        const std::ptrdiff_t stride = sweep_.inputs.view_depth.stride;
-        if (sweep_.settings.edges == BlurEdges::none) {
-            const Int<F> column = lane_index<F>() + Int<F>(x), width(sweep_.size().width);
-            return pairs_where<F>(
-                [&](auto j) __attribute__((always_inline)) { return column + Int<F>(j) < width; },
-                [&](auto) __attribute__((always_inline)) { return column < width; }, rows_below);
-        }
-        const BlurSurface<F> centre = surface_at<F>(padded, x);
-        if (sweep_.settings.edges == BlurEdges::slope) {
-            const Vec3<F> p_view = sweep_.rays.p_view<F>(x, y, centre.view_depth);
-            const auto on_plane = [&](const BlurSurface<F>& other, int column, int other_row)
-                __attribute__((always_inline)) {
-                const Vec3<F> other_view = sweep_.rays.p_view<F>(column, other_row, other.view_depth);
-                return counts_on_slope<F>(centre, p_view, other, other_view, least);
-            };
-            return pairs_where<F>(
-                [&](auto j) __attribute__((always_inline)) {
-                    return on_plane(surface_at<F>(padded, x + j), x + j, y);
-                },
-                [&](auto j) __attribute__((always_inline)) {
-                    return on_plane(surface_at<F>(row, x + j * stride), x, y + j);
-                },
-                rows_below);
-        }
-        return pairs_where<F>(
-            [&](auto j) __attribute__((always_inline)) {
-                return counts<F>(centre, surface_at<F>(padded, x + j), least);
-            },
-            [&](auto j) __attribute__((always_inline)) {
-                return counts<F>(centre, surface_at<F>(row, x + j * stride), least);
-            },
-            rows_below);
-    }
-
-    // The row with texels beyond its right end that have no surface.
-    CREVICE_INLINE BlurRow padded_copy(const BlurRow& row) {
-        const int width = sweep_.size().width;
-        std::copy_n(row.normal_x, width, normal_x_.row(0));
-        std::copy_n(row.normal_y, width, normal_y_.row(0));
-        std::copy_n(row.normal_z, width, normal_z_.row(0));
-        std::copy_n(row.view_depth, width, view_depth_.row(0));
-        return {normal_x_.row(0), normal_y_.row(0), normal_z_.row(0), view_depth_.row(0)};
     }
 
     // From the pair bits of row y and of the five above it.
@@ -188,16 +114,17 @@ class BlurBand {
         PairRows pairs;
         for (int j = 0; j <= kBlurRadius; ++j) pairs[static_cast<std::size_t>(j)] = pairs_.row(y - j);
         const TapRow across = taps_across(y), down = taps_down(y);
+        std::int32_t* const bits = bits_.row(y);
         const BlurWeights weights = sweep_.settings.weights;
         const F total_of_all = total_weight<F>(Int<F>(all_taps(kAcrossShift)), kAcrossShift, weights);
         const bool may_keep = sweep_.skips_background;
-        for (int tile = 0; tile < sweep_.width(); tile += kBlurTile) {
+        for (int tile = 0; tile < width_; tile += kBlurTile) {
             const bool open = sweep_.is_open(tile, y);
-            for (int x = tile; x < std::min(tile + kBlurTile, sweep_.width()); x += kBlurGroup<F>) {
+            for (int x = tile; x < std::min(tile + kBlurTile, width_); x += kBlurGroup<F>) {
                 if (open) {
                     across.group[x / kBlurGroup<F>] = down.group[x / kBlurGroup<F>] = GroupTaps::none;
                 } else {
-                    decide_bits<F>(pairs, bits_.row(y), x);
+                    decide_bits<F>(pairs, bits, x);
                     decide_group<F>(across, x, kAcrossShift, weights, total_of_all, may_keep);
                     decide_group<F>(down, x, kDownShift, weights, total_of_all, may_keep);
                 }
@@ -211,26 +138,22 @@ class BlurBand {
         const auto row_of_tap = [=](auto k) __attribute__((always_inline)) {
             return centre + (k - kBlurRadius);
         };
-        blur_row<F>(row_of_tap, taps_across(y), kAcrossShift, sweep_.settings, across.row(y), sweep_.width());
+        blur_row<F>(row_of_tap, taps_across(y), kAcrossShift, sweep_.settings, across.row(y), width_);
     }
 
     template <class F>
     CREVICE_INLINE void blur_down(RowRing<float>& across, int y, float* result) {
-        std::array<const float*, kBlurTaps> rows;
-        for (int k = 0; k < kBlurTaps; ++k) {
-            // Rows outside the map never count: any will do.
-            const int row = std::clamp(y + k - kBlurRadius, 0, sweep_.size().height - 1);
-            rows[static_cast<std::size_t>(k)] = across.row(row);
-        }
+        // Of rows outside the map no tap counts, whatever stands there.
+        const std::array<const float*, kBlurTaps> rows = across.template rows<kBlurTaps>(y - kBlurRadius);
         const auto row_of_tap = [&](auto k) __attribute__((always_inline)) { return rows[k]; };
-        blur_row<F>(row_of_tap, taps_down(y), kDownShift, sweep_.settings, result, sweep_.width());
+        blur_row<F>(row_of_tap, taps_down(y), kDownShift, sweep_.settings, result, width_);
     }
 
     TapRow taps_across(int y) { return {bits_.row(y), total_across_.row(y), group_across_.row(y)}; }
     TapRow taps_down(int y) { return {bits_.row(y), total_down_.row(y), group_down_.row(y)}; }
 
     const BlurSweep& sweep_;
-    RowRing<float> normal_x_, normal_y_, normal_z_, view_depth_;  // of the row whose pairs are decided
+    const int width_;
     RowRing<std::int32_t> pairs_, bits_;
     RowRing<float> total_across_, total_down_;
     RowRing<GroupTaps> group_across_, group_down_;

@@ -46,37 +46,15 @@ CREVICE_INLINE void each_tap(const Body& body) {
     unrolled(std::make_integer_sequence<int, kBlurTaps>{});
 }
 
-// `value` where bit `bit` is set, else 0. Shifts and `and` need no comparison, and no constant in a register.
+// `value` where bit `bit` is set, else 0. As the sign it needs no constant in a register.
 template <class F>
 CREVICE_INLINE F where_bit(Int<F> bits, int bit, F value) {
-    return float_from_bits(float_bits(value) & ((bits << (31 - bit)) >> 31));
+    return select((bits << (31 - bit)) < Int<F>(0), value, F(0));
 }
 
 // ---- which taps count
 
-// Counting is mutual, to the last bit, so each pair of texels is decided once: by the left or the upper one,
-// for both the tap of one, 5 + j, and that of the other, 5 - j.
-constexpr std::int32_t pair_bits(int shift, int j) {
-    return tap_bit(shift, kBlurRadius - j) | tap_bit(shift, kBlurRadius + j);
-}
-
-// The pair bits of some texels, each with its five neighbours to the right and below, of which the map has
-// `rows_below`: across(j) and down(j) are whether they and their j-th neighbours count for each other. j is a
-// compile-time constant.
-template <class F, class Across, class Down>
-CREVICE_INLINE Int<F> pairs_where(const Across& across, const Down& down, int rows_below) {
-    Int<F> bits(0);
-    each_tap([&](auto k) __attribute__((always_inline)) {
-        if constexpr (k > kBlurRadius) {
-            constexpr std::integral_constant<int, k - kBlurRadius> j;
-            bits = bits | select(across(j), Int<F>(pair_bits(kAcrossShift, j)), Int<F>(0));
-            if (j <= rows_below) bits = bits | select(down(j), Int<F>(pair_bits(kDownShift, j)), Int<F>(0));
-        }
-    });
-    return bits;
-}
-
-// Pair bits of this row and the five above it.
+// Pair bits (blur_pairs.h) of this row and the five above it.
 using PairRows = std::array<const std::int32_t*, kBlurRadius + 1>;
 
 // The tap bits of the group of texels from `group` on: later taps from their own pairs, earlier ones from
@@ -141,17 +119,25 @@ CREVICE_INLINE void decide_group(const TapRow& taps, int group, int shift, const
 
 // ---- the average
 
+template <class F>
+CREVICE_INLINE std::array<F, kBlurTaps> spread_weights(const BlurWeights& weights) {
+    std::array<F, kBlurTaps> spread;
+    each_tap([&](auto k) __attribute__((always_inline)) { spread[k] = F(weights[k]); });
+    spread[kBlurRadius] = F(weights[kBlurRadius]);
+    return spread;
+}
+
 // `row_of_tap(k)` is the row that texel x reads at x for tap k; k is a compile-time constant.
 template <class F, class RowOfTap>
 CREVICE_INLINE void blur_row(const RowOfTap& row_of_tap, const TapRow& taps, int shift,
                              const BlurSettings& settings, float* result, int width) {
     using Centre = std::integral_constant<int, kBlurRadius>;
-    const BlurWeights weights = settings.weights;
+    const std::array<F, kBlurTaps> weights = spread_weights<F>(settings.weights);
     const BufferFormat format = settings.format;
     const auto sum_at = [&](int x, const auto& counting) __attribute__((always_inline)) {
-        F sum = F(weights[kBlurRadius]) * load<F>(row_of_tap(Centre{}) + x);
+        F sum = weights[kBlurRadius] * load<F>(row_of_tap(Centre{}) + x);
         each_tap([&](auto k) __attribute__((always_inline)) {
-            sum = sum + counting(shift + k, F(weights[k]) * load<F>(row_of_tap(k) + x));
+            sum = sum + counting(shift + k, weights[k] * load<F>(row_of_tap(k) + x));
         });
         return sum;
     };
