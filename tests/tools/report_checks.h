@@ -2,53 +2,17 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
+#include <functional>
 #include <string>
-
-#include <nlohmann/json.hpp>
-
-#include "tests/tools/schema_checks.h"
 
 namespace crevice {
 
-// Of schemas/NAME.
-inline SchemaChecks stored_schema(const std::string& name) {
-    std::ifstream stream(CREVICE_SCHEMA_DIR "/" + name);
-    return SchemaChecks(nlohmann::json::parse(stream));
-}
-
-// The first thing that is wrong with a report, and with its tables as `csv_of(table)` files; empty where nothing is.
-template <class CsvOf>
+// The first thing that is wrong with a report, and with its tables as `csv_of(table)` files; empty where nothing is. `schema`
+// is the name of a file in schemas/.
 std::string wrong_in_report(const std::filesystem::path& json, const std::string& schema,
-                            const CsvOf& csv_of) {
-    std::ifstream stream(json);
-    const nlohmann::ordered_json report = nlohmann::ordered_json::parse(stream);
-    const std::string found = stored_schema(schema).against(nlohmann::json(report));
-    if (!found.empty()) return found;
-    for (const auto& [name, rows] : report["tables"].items()) {
-        std::ifstream csv(csv_of(name));
-        std::string header, line;
-        if (!std::getline(csv, header)) return name + ": no table " + std::string(csv_of(name));
-        std::size_t lines = 0;
-        while (std::getline(csv, line)) ++lines;
-        if (lines != rows.size())
-            return name + ": " + std::to_string(lines) + " lines for the rows of the JSON";
-        if (rows.empty()) continue;
-        std::string columns;
-        for (const auto& [column, ignored] : rows[0].items())
-            columns += (columns.empty() ? "" : ",") + column;
-        if (columns != header) return name + ": columns " + header + ", in the JSON " + columns;
-    }
-    return "";
-}
-
+                            const std::function<std::string(const std::string& table)>& csv_of);
 // Of the files that `crevice bench` and `crevice stability` write.
-inline std::string wrong_in_bench(const std::filesystem::path& directory, const std::string& name,
-                                  const std::string& schema = "bench.schema.json") {
-    return wrong_in_report(directory / ("bench_" + name + ".json"), schema, [&](const std::string& table) {
-        return (directory / ("bench_" + table + ".csv")).string();
-    });
-}
+std::string wrong_in_bench(const std::filesystem::path& directory, const std::string& name,
+                           const std::string& schema = "bench.schema.json");
 
 }  // namespace crevice

@@ -1,10 +1,8 @@
 // Whether a JSON document is as a schema has it: of JSON Schema 2020-12 what schemas/ uses, and nothing else.
 #pragma once
 
-#include <algorithm>
-#include <regex>
-#include <set>
 #include <string>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -18,97 +16,18 @@ class SchemaChecks {
     std::string against(const nlohmann::json& document) const { return wrong(document, schema_, ""); }
 
  private:
-    using Json = nlohmann::json;
+    // The first thing in `value`, at `place` of the document, that is not as this part of the schema has it.
+    std::string wrong(const nlohmann::json& value, const nlohmann::json& schema,
+                      const std::string& place) const;
+    std::string wrong_member(const nlohmann::json& value, const nlohmann::json& schema,
+                             const std::string& place) const;
+    std::string wrong_item(const nlohmann::json& value, const nlohmann::json& schema,
+                           const std::string& place) const;
 
-    static bool is_of(const Json& value, const std::string& type) {
-        if (type == "number") return value.is_number();
-        if (type == "integer") return value.is_number_integer();
-        if (type == "string") return value.is_string();
-        if (type == "boolean") return value.is_boolean();
-        if (type == "null") return value.is_null();
-        if (type == "array") return value.is_array();
-        return type == "object" && value.is_object();
-    }
-
-    static std::string wrong_type(const Json& value, const Json& type, const std::string& place) {
-        const Json types = type.is_array() ? type : Json::array({type});
-        const bool fits =
-            std::any_of(types.begin(), types.end(), [&](const Json& t) { return is_of(value, t); });
-        return fits ? "" : place + ": " + value.dump() + " is no " + type.dump();
-    }
-
-    std::string wrong(const Json& value, const Json& schema, const std::string& place) const {
-        static const std::set<std::string> known = {
-            "$schema",    "$ref",    "title",    "description",      "type",     "enum",
-            "properties", "items",   "required", "minItems",         "maxItems", "additionalProperties",
-            "minimum",    "maximum", "$defs",    "patternProperties"};
-        for (const auto& [word, ignored] : schema.items()) {
-            if (!known.contains(word)) return "the schema says more than this test knows: " + word;
-        }
-        if (schema.contains("$ref"))
-            return wrong(value, schema_.at(Json::json_pointer(schema["$ref"].get<std::string>().substr(1))),
-                         place);
-        if (schema.contains("type")) {
-            const std::string found = wrong_type(value, schema["type"], place);
-            if (!found.empty()) return found;
-        }
-        if (schema.contains("enum") &&
-            std::find(schema["enum"].begin(), schema["enum"].end(), value) == schema["enum"].end())
-            return place + ": " + value.dump() + " is none of " + schema["enum"].dump();
-        if (value.is_number() && (value.get<double>() < schema.value("minimum", value.get<double>()) ||
-                                  value.get<double>() > schema.value("maximum", value.get<double>())))
-            return place + ": " + value.dump() + " is out of range";
-        if (value.is_object()) return wrong_member(value, schema, place);
-        if (value.is_array()) return wrong_item(value, schema, place);
-        return "";
-    }
-
-    // What names of this form are to be; null where the schema has no such form.
-    static const Json* matching(const Json& schema, const std::string& name) {
-        if (!schema.contains("patternProperties")) return nullptr;
-        for (const auto& [form, member] : schema["patternProperties"].items()) {
-            if (std::regex_search(name, std::regex(form))) return &member;
-        }
-        return nullptr;
-    }
-
-    std::string wrong_member(const Json& value, const Json& schema, const std::string& place) const {
-        for (const Json& name : schema.value("required", Json::array())) {
-            if (!value.contains(name.get<std::string>())) return place + ": has no " + name.dump();
-        }
-        const Json properties = schema.value("properties", Json::object());
-        const Json others = schema.value("additionalProperties", Json(true));
-        for (const auto& [name, member] : value.items()) {
-            const std::string there = place + "/" + name;
-            if (properties.contains(name)) {
-                const std::string found = wrong(member, properties[name], there);
-                if (!found.empty()) return found;
-            } else if (const Json* pattern = matching(schema, name)) {
-                const std::string found = wrong(member, *pattern, there);
-                if (!found.empty()) return found;
-            } else if (others.is_object()) {
-                const std::string found = wrong(member, others, there);
-                if (!found.empty()) return found;
-            } else if (!others.get<bool>()) {
-                return there + ": not in the schema";
-            }
-        }
-        return "";
-    }
-
-    std::string wrong_item(const Json& value, const Json& schema, const std::string& place) const {
-        if (value.size() < schema.value("minItems", std::size_t{0}) ||
-            value.size() > schema.value("maxItems", value.size()))
-            return place + ": holds " + std::to_string(value.size()) + " items";
-        if (!schema.contains("items")) return "";
-        for (std::size_t i = 0; i < value.size(); ++i) {
-            const std::string found = wrong(value[i], schema["items"], place + "/" + std::to_string(i));
-            if (!found.empty()) return found;
-        }
-        return "";
-    }
-
-    Json schema_;
+    nlohmann::json schema_;
 };
+
+// Of schemas/NAME.
+SchemaChecks stored_schema(const std::string& name);
 
 }  // namespace crevice

@@ -11,7 +11,7 @@
 
 #include "rasterizer/base/image_io.h"
 #include "tests/tools/crevice_says.h"
-#include "tests/tools/report_checks.h"
+#include "tests/tools/schema_checks.h"
 #include "tests/tools/scratch_directory.h"
 
 using namespace crevice;
