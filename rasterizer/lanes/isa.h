@@ -1,7 +1,7 @@
 // The instruction sets that kernels are compiled for, and the call that compiles a kernel for one of them.
 //
 // `flatten` inlines the kernel into the function that calls it, and `target` lets the compiler use the
-// instruction set there. Nothing else in the lab names an instruction set.
+// instruction set there. Nothing else in the lab names an instruction set, but wide_masks.h for its masks.
 #pragma once
 
 #include "rasterizer/lanes/wide.h"
