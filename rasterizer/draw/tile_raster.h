@@ -202,7 +202,7 @@ struct TileRaster {
         const Int<F> code = kPlain ? float_bits(z_ndc) : depth_code(drawing.format, z_ndc, t.depth_bias);
         const GroupPlace<F> place(pixels, x, y, tile.y1);
         const Int<F> stored = place.load(pixels.tested);
-        if constexpr (kGroupRows < F >> 1) covered = covered & place.inside();
+        if constexpr (1 < kGroupRows<F>) covered = covered & place.inside();
         Mask<F> passed = covered & depth_passes<F>(kPlain ? DepthFunction::less : drawing.test, code, stored);
         Mask<F> tied = covered & (code == stored);
         if (!any(passed | tied)) return;

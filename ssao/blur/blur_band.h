@@ -45,6 +45,8 @@ struct BlurSweep {
     }
 };
 
+static_assert(kBlurRadius <= kRowAlignment);  // what a RowRing has beside a row
+
 // The rows that a band is working on, and the steps of the sweep.
 class BlurBand {
  public:

@@ -109,6 +109,7 @@ class BlurPairs {
     // Every group of texels that reaches beyond the map begins in the row's end.
     static constexpr int kRowEnd = round_up(kRowAlignment + kMostLanes + kBlurRadius, kRowAlignment);
     using RowEnd = std::array<float, kRowEnd + kRowAlignment>;
+    static_assert(kBlurRadius <= kRowAlignment);
 
     const BlurRays& rays_;
     const BlurSettings& settings_;

@@ -122,8 +122,8 @@ CREVICE_INLINE void decide_group(const TapRow& taps, int group, int shift, const
 template <class F>
 CREVICE_INLINE std::array<F, kBlurTaps> spread_weights(const BlurWeights& weights) {
     std::array<F, kBlurTaps> spread;
-    each_tap([&](auto k) __attribute__((always_inline)) { spread[k] = F(weights[k]); });
-    spread[kBlurRadius] = F(weights[kBlurRadius]);
+    CREVICE_UNROLLED
+    for (std::size_t k = 0; k < kBlurTaps; ++k) spread[k] = F(weights[k]);
     return spread;
 }
 
